@@ -18,8 +18,13 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.io.SelfDescription;
+import tompkins.ui.widget.Texts;
 
-/** The links of the documents: files and headings that they lead to are there. */
+/**
+ * The links of the documents lead to files and headings that are there, and the first page lists and cites what there
+ * is.
+ */
 class DocumentLinksTest {
 
     private static final Path BASE = Path.of(System.getProperty("basedir", ""));
@@ -49,11 +54,21 @@ class DocumentLinksTest {
         assertThat(broken).isEmpty();
     }
 
+    /** The first page groups them as the list of all pages does, which the window shows. */
     @Test
-    void everyPageIsInTheReadme() throws IOException {
-        List<String> links = links(BASE.resolve("README.md"));
+    void everyPageIsInBothLists() throws IOException {
+        List<String> all = links(BASE.resolve("docs/README.md"));
         assertThat(documents().map(page -> page.getFileName().toString()).filter(name -> !name.equals("README.md")))
-                .allSatisfy(name -> assertThat(links).contains("docs/" + name));
+                .containsExactlyInAnyOrderElementsOf(all);
+        List<String> first = links(BASE.resolve("README.md"));
+        assertThat(first.subList(first.indexOf("docs/README.md") + 1, first.size()))
+                .startsWith(all.stream().map(name -> "docs/" + name).toArray(String[]::new));
+    }
+
+    @Test
+    void theCitationIsThatOfTheWindow() throws IOException {
+        assertThat(Files.readString(BASE.resolve("README.md")))
+                .contains("```bibtex\n" + Texts.get("help.bibtex", SelfDescription.version()) + "```\n");
     }
 
     @Test

@@ -162,7 +162,7 @@ final class Growth {
     private static SceneObject triangles(int count) {
         int rings = rings(count);
         MeshData mesh = new MeshData("sphere.obj", coordinates(rings), corners(rings), new byte[0]);
-        return new TriangleMesh("sphere", mesh, ColouredSurface.DEFAULT);
+        return new TriangleMesh("sphere", mesh, ColouredSurface.DEFAULT, true);
     }
 
     /** Rings of a sphere that is made of about so many triangles; each ring has twice as many vertices. */

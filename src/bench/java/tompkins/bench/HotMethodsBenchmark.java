@@ -17,7 +17,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import tompkins.camera.PixelSampler;
-import tompkins.camera.SamplePlaces;
+import tompkins.camera.SamplePositions;
 import tompkins.light.AmbientLight;
 import tompkins.light.Illumination;
 import tompkins.light.Lighting;
@@ -124,7 +124,7 @@ public class HotMethodsBenchmark {
 
         @Override
         public boolean find(int source, Hit point, Sightline sight) {
-            sight.set(1, 1, -1);
+            sight.set(1, 1, -1, 0);
             return true;
         }
 
@@ -148,7 +148,7 @@ public class HotMethodsBenchmark {
             TransformationLaw.LORENTZ.sceneFromCamera(PaperStudios.VELOCITY);
     private final PixelSampler sampler = new PixelSampler(1, true, false);
     private final RayPacket block = new RayPacket(RayPacket.MOST);
-    private final SamplePlaces places = new SamplePlaces(RayPacket.MOST);
+    private final SamplePositions places = new SamplePositions(RayPacket.MOST);
 
     /** A block is filled and takes the change of frame in its place. */
     @Benchmark
@@ -180,7 +180,7 @@ public class HotMethodsBenchmark {
 
     @Benchmark
     @OperationsPerInvocation(RayPacket.MOST)
-    public SamplePlaces sampler() {
+    public SamplePositions sampler() {
         places.clear();
         for (int i = 0; i < RayPacket.MOST; i++) {
             places.addPixel(i, 3);

@@ -50,7 +50,12 @@ final class LargePicture {
             double end = (System.nanoTime() - cancel) / 1e6;
             Path file = Files.createTempFile("large", ".png");
             PhotographFile.write(
-                    file, job.image(), PictureFormat.PNG, ToneCurve.LINEAR, new PhotographInfo("large", "bench", "{}"));
+                    file,
+                    job.image(),
+                    PictureFormat.PNG,
+                    ToneCurve.LINEAR,
+                    new PhotographInfo("large", "bench", "{}"),
+                    true);
             Files.delete(file);
             System.out.println(progress + " " + end + " " + peakMegabytes());
         }

@@ -17,9 +17,14 @@ import org.openjdk.jmh.runner.RunnerException;
  */
 final class PerformanceReport {
 
+    private static final Path PAGE = Path.of("docs/performance.md");
+
+    /** The heading of the part of the page that is written by hand and stays. */
+    private static final String BY_HAND = "\n## What makes it fast\n";
+
     private static final String PACKETS = """
 
-            [Speed-ups](speed-ups.md) tells what the program does to be fast, and what each part gains.
+            [What makes it fast](#what-makes-it-fast) tells what each part of the program gains.
 
             Native packets are faster because they do all the work for sixteen rays in one instruction, in single precision. Here the rays
             of a block lie in arrays of numbers, too, and the loops that make them and that tell them from the candidates are short enough for
@@ -75,7 +80,7 @@ final class PerformanceReport {
         StringBuilder text = new StringBuilder("# Performance\n\nMeasured on " + LocalDate.now(ZoneOffset.UTC) + ", "
                 + processor() + ", " + Runtime.getRuntime().availableProcessors() + " cores, Java "
                 + System.getProperty("java.version") + ", by\n\n    xvfb-run -a mvn -Pbench -DskipTests verify\n\n"
-                + "which writes this file. All times are medians of one run in which everything takes turns; `-Dbench.mode=quick`"
+                + "which writes this page down to [What makes it fast](#what-makes-it-fast). All times are medians of one run in which everything takes turns; `-Dbench.mode=quick`"
                 + " tries the same in a few minutes,\nand `-Dtompkins.bench=ride` measures one part alone; both write to"
                 + " `target/performance.md`. The figures of the window need a display,\nthose of POV-Ray that it is installed."
                 + " Dr TIM, the native tracers and Embree were"
@@ -84,9 +89,11 @@ final class PerformanceReport {
                 + "| measure | target | measured | met |\n| --- | --- | --- | --- |\n");
         measures.forEach(measure -> text.append(measure.line()));
         text.append(details);
+        String page = Files.readString(PAGE);
+        text.append(page.substring(page.indexOf(BY_HAND)));
         System.out.println(text);
         boolean whole = !quick && parts.equals(EnumSet.allOf(Part.class));
-        Files.writeString(Path.of(whole ? "docs/performance.md" : "target/performance.md"), text);
+        Files.writeString(whole ? PAGE : Path.of("target/performance.md"), text);
     }
 
     private static String processor() throws IOException {

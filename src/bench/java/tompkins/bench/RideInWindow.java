@@ -55,10 +55,14 @@ final class RideInWindow {
 
     private static void add(String line, List<Measure> measures) {
         int colon = line.indexOf(": ");
-        String ride = "ride, 640 x 480, " + line.substring(0, colon);
+        String ride = "ride, 826 x 620, " + line.substring(0, colon);
         String[] values = line.substring(colon + 2).split(" ");
         measures.add(Measure.atLeast(ride + ": pictures in a second", 30, "", Double.parseDouble(values[0])));
         measures.add(
                 Measure.atMost(ride + ": thrust to a picture on the screen", 50, "ms", Double.parseDouble(values[1])));
+        String difference = ride + ": difference to the whole picture, with " + values[2] + " samples of a pixel";
+        measures.add(Measure.atMost(difference, 4, "levels", Double.parseDouble(values[3])));
+        measures.add(
+                Measure.atMost(ride + ": difference in the worst second", 8, "levels", Double.parseDouble(values[4])));
     }
 }

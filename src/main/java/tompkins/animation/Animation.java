@@ -63,16 +63,14 @@ public record Animation(StudioNumber number, double from, double to, double seco
 
     /** The value at a time, from 0 at the beginning to 1 at the end. */
     public double value(double time) {
-        double share = switch (course) {
+        double part = switch (course) {
             case FORWARDS -> time;
             case BACKWARDS -> 1 - time;
             case THERE_AND_BACK -> 1 - Math.abs(1 - 2 * time);
         };
-        double between = NumberText.rounded(from + share * (to - from), digits());
+        double between = NumberText.rounded(from + part * (to - from), digits());
         // rounding must not lead beyond the ends, which may be the last numbers that are allowed
-        return share == 0
-                ? from
-                : share == 1 ? to : Math.max(Math.min(from, to), Math.min(Math.max(from, to), between));
+        return part == 0 ? from : part == 1 ? to : Math.max(Math.min(from, to), Math.min(Math.max(from, to), between));
     }
 
     /** The digits of values: more if the ends share their first digits. */
@@ -86,11 +84,11 @@ public record Animation(StudioNumber number, double from, double to, double seco
      * given one if there are two.
      */
     public double time(double value, double near) {
-        double share = from == to ? 0 : Math.max(0, Math.min(1, (value - from) / (to - from)));
+        double part = from == to ? 0 : Math.max(0, Math.min(1, (value - from) / (to - from)));
         return switch (course) {
-            case FORWARDS -> share;
-            case BACKWARDS -> 1 - share;
-            case THERE_AND_BACK -> near <= 0.5 ? share / 2 : 1 - share / 2;
+            case FORWARDS -> part;
+            case BACKWARDS -> 1 - part;
+            case THERE_AND_BACK -> near <= 0.5 ? part / 2 : 1 - part / 2;
         };
     }
 
@@ -109,10 +107,10 @@ public record Animation(StudioNumber number, double from, double to, double seco
         return (double) frame / (course == Course.THERE_AND_BACK ? frames() : frames() - 1);
     }
 
-    /** The film of the number of a studio. */
-    public Film film(Studio studio) {
+    /** The photographs in which the number of a studio runs. */
+    public FrameSequence sequence(Studio studio) {
         int count = frames();
-        return new Film() {
+        return new FrameSequence() {
             @Override
             public int frames() {
                 return count;

@@ -2,53 +2,121 @@ package tompkins.animation;
 
 import java.util.concurrent.CancellationException;
 import java.util.function.Function;
+import java.util.function.IntPredicate;
+import tompkins.file.FileException;
 import tompkins.image.AnimationWriter;
-import tompkins.image.FileException;
+import tompkins.image.FrameFolder;
+import tompkins.image.FramePicture;
+import tompkins.image.PhotographInfo;
 import tompkins.image.PictureDecoration;
-import tompkins.image.ToneCurve;
 import tompkins.io.SelfDescription;
+import tompkins.property.OneLine;
 import tompkins.render.PhotographTaker;
 import tompkins.render.Progress;
 import tompkins.render.RenderJob;
 import tompkins.studio.Studio;
 
-/** Takes the photographs of a film one after the other, each with the quality that the studio asks for. */
-public final class AnimationRecorder {
+/**
+ * Takes photographs of a sequence one after the other, each with the quality that the studio asks for. The same frame
+ * gives the same bytes, whichever others are taken.
+ *
+ * @param film the sequence
+ * @param caption what is written into each photograph
+ * @param decorations what is drawn over the photograph of a studio
+ * @param threads number of threads, 1 or more
+ */
+public record AnimationRecorder(
+        FrameSequence film,
+        FrameSequence.Caption caption,
+        Function<Studio, PictureDecoration> decorations,
+        int threads) {
 
-    private AnimationRecorder() {}
+    /** What is in a folder under the name of a frame. */
+    public enum Found {
+        /** Nothing, or the frame damaged. */
+        NOTHING,
+        /** The frame. */
+        SAME,
+        /** Anything else, such as a frame of another film or with other settings. */
+        OTHER
+    }
+
+    /** Where the photographs go. */
+    private interface Store {
+
+        void add(int frame, FramePicture picture, PhotographInfo info) throws FileException;
+    }
 
     /**
      * Takes all photographs and adds them to a file, but does not complete the file.
      *
-     * @param caption what is written into each photograph
-     * @param decorations what is drawn over the photograph of a studio
      * @return what the user should know about the photographs
      * @throws CancellationException if it is cancelled
      * @throws FileException if the file cannot be written
      */
-    public static FrameWarnings record(
-            Film film,
-            AnimationWriter writer,
-            Film.Caption caption,
-            Function<Studio, PictureDecoration> decorations,
-            Progress progress)
+    public FrameWarnings record(AnimationWriter writer, Progress progress) throws FileException, InterruptedException {
+        Store file = (frame, picture, info) -> writer.add(picture, info);
+        return record(FrameSelection.all(film.frames()), frame -> false, file, progress);
+    }
+
+    /**
+     * Takes some of the photographs into a folder, to which other processes may add at the same time.
+     *
+     * @param skips whether frames are left out that another process has meanwhile taken
+     * @return what the user should know about the photographs
+     * @throws CancellationException if it is cancelled
+     * @throws FileException if a file cannot be written; the frames before stay
+     */
+    public FrameWarnings record(FrameSelection frames, FrameFolder folder, boolean skips, Progress progress)
             throws FileException, InterruptedException {
-        int frames = film.frames();
-        FrameWarnings warnings = new FrameWarnings(frames);
-        try (PhotographTaker taker = new PhotographTaker()) {
-            for (int i = 0; i < frames; i++) {
-                Studio moment = film.studio(i);
-                RenderJob photograph = taker.take(moment, progress, (double) i / frames, 1.0 / frames);
-                ToneCurve curve = moment.settings().toneCurve();
-                writer.add(
-                        photograph.image(),
-                        curve,
-                        decorations.apply(moment),
-                        caption.of(moment, i),
-                        SelfDescription.of(moment));
-                warnings.add(i + 1, photograph.report().warnings());
+        return record(frames, frame -> skips && found(folder, frame) == Found.SAME, folder::write, progress);
+    }
+
+    /** What is in a folder under the name of a frame. */
+    public Found found(FrameFolder folder, int frame) {
+        if (!folder.isThere(frame)) {
+            return Found.NOTHING;
+        }
+        try {
+            PhotographInfo there = folder.info(frame);
+            PhotographInfo wanted = info(frame, film.studio(frame));
+            boolean isSame = there.sceneJson().equals(wanted.sceneJson())
+                    && there.description().equals(wanted.description());
+            return !isSame ? Found.OTHER : folder.isWhole(frame) ? Found.SAME : Found.NOTHING;
+        } catch (FileException notAFrame) {
+            return Found.OTHER;
+        }
+    }
+
+    private FrameWarnings record(FrameSelection frames, IntPredicate isThere, Store store, Progress progress)
+            throws FileException, InterruptedException {
+        FrameWarnings warnings = new FrameWarnings(film.frames());
+        int count = frames.frames().size();
+        try (PhotographTaker taker = new PhotographTaker(threads)) {
+            for (int i = 0; i < count; i++) {
+                int frame = frames.frames().get(i);
+                if (!isThere.test(frame)) {
+                    Studio moment = film.studio(frame);
+                    RenderJob photograph = taker.take(moment, progress, (double) i / count, 1.0 / count);
+                    store.add(frame, painted(photograph, moment, frame), info(frame, moment));
+                    warnings.add(frame, photograph.report().warnings());
+                }
             }
         }
         return warnings;
+    }
+
+    private FramePicture painted(RenderJob photograph, Studio moment, int frame) {
+        return FramePicture.of(
+                photograph.image(),
+                moment.settings().toneCurve(),
+                decorations.apply(moment),
+                caption.of(moment, frame));
+    }
+
+    private PhotographInfo info(int frame, Studio moment) {
+        String words = OneLine.of(caption.of(moment, frame));
+        FramePlace place = new FramePlace(frame, film.frames(), film.frameRate(), words);
+        return SelfDescription.of(moment).withDescription(place.toString());
     }
 }

@@ -22,7 +22,7 @@ public final class FrameWarnings {
         this.frames = frames;
     }
 
-    /** Adds the warnings of a photograph, which is numbered from 1. */
+    /** Adds the warnings of a photograph, which is numbered from 0. */
     void add(int number, List<String> warnings) {
         if (warnings.isEmpty()) {
             return;
@@ -31,14 +31,14 @@ public final class FrameWarnings {
             others++;
             return;
         }
-        warnings.forEach(warning -> sentences.add("picture " + number + " of " + frames + ": " + warning));
+        warnings.forEach(warning -> sentences.add("frame " + number + " of 0-" + (frames - 1) + ": " + warning));
     }
 
     /** One sentence for each; empty if all is well. */
     public List<String> sentences() {
         List<String> all = new ArrayList<>(sentences);
         if (others > 0) {
-            all.add("there are warnings about " + others + (others == 1 ? " other picture" : " other pictures")
+            all.add("there are warnings about " + others + (others == 1 ? " other frame" : " other frames")
                     + ", too; render a single one to read them");
         }
         return all;

@@ -8,7 +8,7 @@ import tompkins.studio.RideMoment;
 import tompkins.studio.Studio;
 
 /** The film of the ride that begins with a studio. */
-public final class RideFilm implements Film {
+public final class RideFilm implements FrameSequence {
 
     /** The longest film, in seconds. */
     public static final double LONGEST = 3600;

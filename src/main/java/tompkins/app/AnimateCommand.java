@@ -1,73 +1,77 @@
 package tompkins.app;
 
-import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParseResult;
-import picocli.CommandLine.Spec;
 import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
-import tompkins.animation.Film;
+import tompkins.animation.FilmAssembly;
+import tompkins.animation.FrameSelection;
+import tompkins.animation.FrameSequence;
 import tompkins.animation.RideFilm;
+import tompkins.file.FileException;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
-import tompkins.image.FileException;
+import tompkins.image.Fonts;
+import tompkins.image.FrameFolder;
 import tompkins.image.PictureDecoration;
-import tompkins.io.StudioReader;
 import tompkins.property.InvalidPropertyException;
+import tompkins.property.MistakeException;
 import tompkins.property.Require;
 import tompkins.render.Quality;
 import tompkins.studio.RideLeg;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
 import tompkins.trace.RenderPlan;
-import tompkins.ui.Captions;
+import tompkins.ui.photograph.Captions;
 
 /** Saves animations of a number of a scene. */
 @Command(
-        mixinStandardHelpOptions = true,
-        versionProvider = ProgramVersion.class,
         description =
                 "Takes photographs while a number of the scene, such as the speed of the camera, runs from one value"
                         + " to another, or along a recorded ride, and saves them as an animation.")
-final class AnimateCommand implements Callable<Integer>, SceneCommand {
+final class AnimateCommand extends ProgramCommand {
 
     /** How long it plays unless an option says otherwise. */
     private static final double DEFAULT_SECONDS = 4;
 
-    @Parameters(paramLabel = "SCENE", description = "scene file, or saved photograph")
+    /** The options that may come with {@code --assemble}. */
+    private static final Set<String> OF_ASSEMBLY = Set.of("--assemble", "--output", "--fps", "--force");
+
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "SCENE",
+            description = "scene file, or saved photograph; none with --assemble")
     private Path scene;
 
     @Option(
             names = {"-o", "--output"},
-            required = true,
             paramLabel = "FILE",
             description =
                     "the animation: .png or .apng (exact), .gif (256 colours), .mp4 (if ffmpeg is installed); a name"
-                            + " without an ending is a new folder of numbered pictures")
+                            + " without an ending is a new folder of PNG pictures")
     private Path output;
 
     @Option(
             names = "--number",
             defaultValue = "velocity.beta",
-            paramLabel = "PLACE",
+            paramLabel = "PATH",
             description =
-                    "place of the number in the scene file, such as velocity.rapidity, camera.shutter.openingTime or"
+                    "path of the number in the scene file, such as velocity.rapidity, camera.shutter.openingTime or"
                             + " scene[0].centre.x; default: ${DEFAULT-VALUE}, the speed")
     private String number;
 
@@ -102,58 +106,169 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
     @Option(names = "--caption", description = "write beta, gamma and the number into the pictures")
     private boolean captioned;
 
-    @Option(names = "--force", description = "replace a file that is already there")
-    private boolean force;
+    @Mixin
+    private FrameOptions frames;
+
+    @Option(names = "--list", description = "print the number of frames, and take none")
+    private boolean listed;
+
+    @Option(
+            names = "--assemble",
+            paramLabel = "FOLDER",
+            description = "make the animation of the frames in a folder, or print which are missing (exit code 3)")
+    private Path assembled;
+
+    @Mixin
+    private ThreadsOption threads;
 
     @ArgGroup
-    private QualityWish quality = new QualityWish();
+    private QualityOptions.Wish quality = new QualityOptions.Wish();
 
     @Mixin
-    private PictureOptions picture;
-
-    @Mixin
-    private StudioOptions options;
-
-    @Spec
-    private CommandSpec spec;
+    private SampledOptions options;
 
     @Override
-    public Path scene() {
+    Path scene() {
         return scene;
     }
 
     @Override
-    public Integer call() throws IOException, InterruptedException {
-        Studio studio = picture.applyTo(quality.applyTo(options.applyTo(StudioReader.read(scene))));
-        Recording recording = ride ? ofRide(studio) : ofNumber(studio);
-        Set<String> warnings = new LinkedHashSet<>(requirePossible(recording.film));
-        long start = System.nanoTime();
-        PrintWriter err = spec.commandLine().getErr();
-        ProgressLine progress = new ProgressLine(err);
-        Path place;
-        try (AnimationWriter writer = open(recording.film.frameRate())) {
-            warnings.addAll(AnimationRecorder.record(
-                            recording.film, writer, recording.caption, moment -> PictureDecoration.NONE, progress)
-                    .sentences());
-            place = writer.finish();
-        } finally {
-            progress.clear();
+    public Integer call() throws Exception {
+        requireWhatIsNeeded();
+        if (assembled != null) {
+            return assemble();
         }
-        warnings.forEach(warning -> err.println("warning: " + warning));
-        spec.commandLine()
-                .getOut()
-                .println(String.format(
-                        Locale.ROOT,
-                        "%s  (%.2f s, %d pictures)",
-                        place.toRealPath(LinkOption.NOFOLLOW_LINKS),
-                        (System.nanoTime() - start) / 1e9,
-                        recording.film.frames()));
-        Photographer.tellFilesToKeep(studio, err);
+        Studio studio = options.read(scene, quality.assignments());
+        Recording recording = ride ? ofRide(studio) : ofNumber(studio);
+        if (listed) {
+            out().println(frames.choose(recording.film.frames()).frames().size());
+            return 0;
+        }
+        if (captioned) {
+            Fonts.require();
+        }
+        AnimationRecorder recorder = new AnimationRecorder(
+                recording.film, recording.caption, moment -> PictureDecoration.NONE, threads.number());
+        Set<String> warnings = new LinkedHashSet<>(requirePossible(recording.film));
+        if (frames.areGiven()) {
+            requireFolder();
+            OutputOption.inFolder(output, () -> takeFrames(recorder, warnings));
+        } else {
+            takeFilm(recorder, warnings);
+        }
+        Photographer.tellFilesToKeep(studio, err());
         return 0;
     }
 
+    private void requireWhatIsNeeded() {
+        if (assembled != null) {
+            requireOnlyAssembly();
+        } else if (scene == null) {
+            throw new MistakeException("Missing required parameter: SCENE: scene file, or saved photograph");
+        }
+        if (output == null && !listed) {
+            throw new MistakeException(
+                    "Missing required option: --output=FILE: the animation, or a folder for its" + " frames");
+        }
+    }
+
+    private void requireOnlyAssembly() {
+        Optional<String> other = scene != null
+                ? Optional.of(scene.toString())
+                : commandLine().getParseResult().matchedOptions().stream()
+                        .map(OptionSpec::longestName)
+                        .filter(name -> !OF_ASSEMBLY.contains(name))
+                        .findFirst();
+        if (other.isPresent()) {
+            throw new MistakeException("--assemble takes frames as they are; leave out " + other.get());
+        }
+    }
+
+    private void takeFilm(AnimationRecorder recorder, Set<String> warnings) throws Exception {
+        requireFree();
+        FrameSequence film = recorder.film();
+        report(film.frames() + " pictures", warnings, progress -> {
+            try (AnimationWriter writer = open(film.frameRate())) {
+                warnings.addAll(recorder.record(writer, progress).sentences());
+                return writer.finish();
+            }
+        });
+    }
+
+    /** Takes frames into a folder to which other processes may add. */
+    private int takeFrames(AnimationRecorder recorder, Set<String> warnings) throws Exception {
+        FrameFolder folder = new FrameFolder(output);
+        FrameSelection chosen = frames.choose(recorder.film().frames());
+        FrameSelection left = frames.left(chosen, recorder, folder);
+        if (!left.frames().isEmpty()) {
+            Photographer.requireWritable(folder.file(left.frames().get(0)));
+        }
+        report(left.frames().size() + " of " + recorder.film().frames() + " pictures", warnings, progress -> {
+            warnings.addAll(
+                    recorder.record(left, folder, frames.skips(), progress).sentences());
+            return output;
+        });
+        return 0;
+    }
+
+    private int assemble() throws Exception {
+        FilmAssembly film = assembly();
+        if (!film.missing().frames().isEmpty()) {
+            err().println(assembled + ": of the frames 0-" + (film.count() - 1) + " some are missing or damaged;"
+                    + " animate SCENE --skip-existing --frames LIST takes these:");
+            out().println(film.missing());
+            return Failures.INCOMPLETE;
+        }
+        requireFree();
+        boolean isRateGiven = commandLine().getParseResult().hasMatchedOption("--fps");
+        int rate = isRateGiven ? frameRate() : film.frameRate().orElse(Animation.FRAME_RATE);
+        report(film.count() + " pictures", Set.of(), progress -> {
+            try (AnimationWriter writer = open(rate)) {
+                film.write(writer, progress);
+                return writer.finish();
+            }
+        });
+        return 0;
+    }
+
+    private FilmAssembly assembly() {
+        try {
+            return new FilmAssembly(new FrameFolder(assembled));
+        } catch (FileException wrongPlace) {
+            throw new MistakeException(wrongPlace.getMessage());
+        }
+    }
+
+    private void requireFree() {
+        if (!frames.force()) {
+            Photographer.requireFree(output);
+        }
+    }
+
+    /** Work that takes a while, and makes a file or a folder. */
+    private interface Work {
+
+        Path make(ProgressLine progress) throws Exception;
+    }
+
+    /** Works, and says where the result lies. */
+    private void report(String made, Set<String> warnings, Work work) throws Exception {
+        long start = System.nanoTime();
+        ProgressLine progress = new ProgressLine(err());
+        Path place;
+        try {
+            place = work.make(progress);
+        } finally {
+            progress.clear();
+        }
+        warnings.forEach(warning -> err().println("warning: " + warning));
+        double seconds = (System.nanoTime() - start) / 1e9;
+        Path real = place.toRealPath(LinkOption.NOFOLLOW_LINKS);
+        out().println(String.format(Locale.ROOT, "%s  (%.2f s, %s)", real, seconds, made));
+    }
+
     /** What is photographed, and what is written into it. */
-    private record Recording(Film film, Film.Caption caption) {}
+    private record Recording(FrameSequence film, FrameSequence.Caption caption) {}
 
     private double duration(double usual) {
         return seconds == null
@@ -168,7 +283,7 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
     }
 
     private Recording ofRide(Studio studio) {
-        ParseResult given = spec.commandLine().getParseResult();
+        ParseResult given = commandLine().getParseResult();
         for (String other : List.of("--number", "--from", "--to", "--back")) {
             if (given.hasMatchedOption(other)) {
                 throw new MistakeException(
@@ -199,7 +314,7 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
         for (int i = 0; i < animation.frames(); i++) {
             with("--number " + number, animation.value(animation.timeOf(i)), studio, animated);
         }
-        return new Recording(animation.film(studio), Captions.ofPictures(studio, animated, captioned));
+        return new Recording(animation.sequence(studio), Captions.ofPictures(studio, animated, captioned));
     }
 
     private void requireEnds() {
@@ -217,16 +332,13 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
      *
      * @return warnings about the scene at both ends
      */
-    private List<String> requirePossible(Film film) {
+    private List<String> requirePossible(FrameSequence film) {
         Studio first = film.studio(0);
         Studio last = film.studio(film.frames() - 1);
         Photographer.info(first, scene);
         RenderPlan begin = ScenePlan.of(first, scene);
         RenderPlan end = ScenePlan.of(last, begin, scene);
         Photographer.requireMemory(first.settings(), Quality.of(first));
-        if (!force) {
-            Photographer.requireFree(output);
-        }
         return Stream.concat(begin.warnings().stream(), end.warnings().stream()).toList();
     }
 
@@ -239,11 +351,24 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
         }
     }
 
+    private void requireFolder() {
+        if (format() != AnimationFormat.NUMBERED_PNG) {
+            throw new MistakeException("--frames, --part and --skip-existing take frames into a folder: give -o a name"
+                    + " without an ending, was " + output + "; --assemble makes the film of them");
+        }
+    }
+
+    private AnimationFormat format() {
+        try {
+            return OutputOption.namesFolder(commandLine()) ? AnimationFormat.NUMBERED_PNG : AnimationFormat.of(output);
+        } catch (FileException wrongName) {
+            throw new MistakeException(wrongName.getMessage());
+        }
+    }
+
     private AnimationWriter open(int rate) {
         try {
-            AnimationFormat format =
-                    OutputOption.namesFolder(spec) ? AnimationFormat.NUMBERED_PNG : AnimationFormat.of(output);
-            return force ? format.open(output, rate) : format.openNew(output, rate);
+            return format().open(output, rate, frames.force());
         } catch (FileException wrongPlace) {
             // not a failure of the disk: the user named the place
             throw new MistakeException(wrongPlace.getMessage());

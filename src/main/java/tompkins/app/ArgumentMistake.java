@@ -4,12 +4,9 @@ import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine;
@@ -21,32 +18,31 @@ import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.MutuallyExclusiveArgsException;
 import picocli.CommandLine.OverwrittenOptionException;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
-import tompkins.image.FileFailure;
 import tompkins.io.Spelling;
 
 /** Says what is wrong with arguments in the words of the user; the library that reads them speaks of Java. */
 final class ArgumentMistake {
-
-    /** Characters that a terminal obeys instead of showing them. */
-    private static final Pattern CONTROLS = Pattern.compile("\\p{Cc}");
-
-    private static final Pattern WHOLE = Pattern.compile("[+-]?[0-9]+");
 
     private ArgumentMistake() {}
 
     /** What is wrong, and what is allowed. */
     static String message(ParameterException mistake, String[] arguments) {
         CommandSpec command = mistake.getCommandLine().getCommandSpec();
+        Optional<String> replacement = FormerOption.replacement(arguments);
+        if (replacement.isPresent()) {
+            return replacement.get();
+        }
         if (mistake instanceof MissingParameterException missing) {
             return missing.getMissing().get(0) instanceof OptionSpec option && !isNeeded(option)
-                    ? withoutValue(option)
-                    : fileLikeOption(arguments).orElse("needs " + explained(missing.getMissing()));
+                    ? option.longestName() + " needs " + value(option)
+                    : fileLikeOption(arguments)
+                            .or(() -> unknownOption(command, arguments))
+                            .orElse("needs " + explained(missing.getMissing()));
         }
         if (mistake.getCause() instanceof InvalidPathException notAName) {
-            String name = mistake.getValue();
-            return (name.isEmpty() ? "\"\"" : CONTROLS.matcher(name).replaceAll("?")) + ": "
-                    + FileFailure.reason(notAName);
+            return NamedFile.mistake(notAName);
         }
         if (mistake instanceof OverwrittenOptionException twice
                 && twice.getOverwritten() instanceof OptionSpec option) {
@@ -76,10 +72,6 @@ final class ArgumentMistake {
         return "; the commands are " + String.join(", ", names) + Spelling.hint(word, names);
     }
 
-    private static String withoutValue(OptionSpec option) {
-        return option.longestName() + " needs " + (isNumber(option) ? kind(option) + example(option) : value(option));
-    }
-
     /** Whether the command needs an option. The library says so, too, of options that exclude each other. */
     private static boolean isNeeded(OptionSpec option) {
         return option.required() && option.group() == null;
@@ -103,48 +95,13 @@ final class ArgumentMistake {
 
     private static String withWrongValue(OptionSpec option, ParameterException mistake) {
         String name = option.longestName();
-        if (option.type().isEnum()) {
-            String allowed = Arrays.stream(option.type().getEnumConstants())
-                    .map(constant -> ((Enum<?>) constant).name().toLowerCase(Locale.ROOT))
-                    .collect(Collectors.joining(", "));
-            return name + " must be one of " + allowed + ", was " + mistake.getValue();
-        }
-        if (isEither(option, Boolean.class, boolean.class)) {
+        if (option.arity().max() == 0) {
             return name + " is given without a value, was " + mistake.getValue();
         }
-        if (!isNumber(option)) {
-            return mistake.getMessage();
-        }
-        if (WHOLE.matcher(mistake.getValue()).matches()) {
-            return name + " must be a whole number from " + Long.MIN_VALUE + " to " + Long.MAX_VALUE + ", was "
-                    + mistake.getValue();
-        }
         String alone = option.arity().min() == 0 ? "; without a number it must come after SCENE" : "";
-        return name + " must be " + kind(option) + example(option) + ", was " + mistake.getValue() + alone;
-    }
-
-    private static boolean isNumber(OptionSpec option) {
-        return isFraction(option) || isEither(option, Long.class, long.class);
-    }
-
-    private static boolean isFraction(OptionSpec option) {
-        return isEither(option, Double.class, double.class);
-    }
-
-    private static boolean isEither(OptionSpec option, Class<?> one, Class<?> other) {
-        return option.type() == one || option.type() == other;
-    }
-
-    private static String kind(OptionSpec option) {
-        return isFraction(option) ? "a number" : "a whole number";
-    }
-
-    /** The end of a sentence that shows how the option is written. */
-    private static String example(OptionSpec option) {
-        boolean hasUsualValue =
-                option.fallbackValue() != null && !option.fallbackValue().isEmpty();
-        String value = hasUsualValue ? option.fallbackValue() : isFraction(option) ? "1.5" : "8";
-        return ", such as " + option.longestName() + "=" + value;
+        return mistake.getCause() instanceof TypeConversionException refused
+                ? name + " must be " + refused.getMessage() + ", was " + mistake.getValue() + alone
+                : mistake.getMessage();
     }
 
     /** What to say if the name of a file begins like an option. */
@@ -166,7 +123,7 @@ final class ArgumentMistake {
         if (!unmatched.isUnknownOption()) {
             return "too many arguments: " + String.join(" ", unmatched.getUnmatched());
         }
-        String name = wrong.replaceFirst("=.*", "");
+        String name = name(wrong);
         String owners = command.subcommands().values().stream()
                 .map(CommandLine::getCommandSpec)
                 .filter(owner -> owner.findOption(name) != null)
@@ -175,7 +132,28 @@ final class ArgumentMistake {
         if (!owners.isEmpty()) {
             return name + " is an option of " + owners + "; write the command before it";
         }
-        return fileLikeOption(wrong).orElse("unknown option " + name + hint(name, command.options()));
+        return fileLikeOption(wrong).orElseGet(() -> unknown(name, command));
+    }
+
+    private static String unknown(String option, CommandSpec command) {
+        return "unknown option " + option + hint(option, command.options());
+    }
+
+    /**
+     * What to say of the first word that looks like an option and is none; the library looks for what is missing first.
+     */
+    private static Optional<String> unknownOption(CommandSpec command, String... words) {
+        return Stream.of(words)
+                .filter(word -> word.startsWith("--"))
+                .map(ArgumentMistake::name)
+                .filter(name -> name.length() > 2 && command.findOption(name) == null)
+                .findFirst()
+                .map(name -> unknown(name, command));
+    }
+
+    /** The name of an option, without the value behind it. */
+    private static String name(String option) {
+        return option.replaceFirst("=.*", "");
     }
 
     /**

@@ -2,37 +2,36 @@ package tompkins.app;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
-import tompkins.experiment.LessonStudio;
-import tompkins.image.FileException;
+import tompkins.file.FileException;
 import tompkins.image.PhotographFile;
-import tompkins.io.SceneFileException;
 import tompkins.io.StudioReader;
+import tompkins.io.StudioWriter;
+import tompkins.measure.LessonStudio;
 import tompkins.property.InvalidPropertyException;
+import tompkins.property.MistakeException;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
 
 /** Looks for mistakes in scene files, and for damage in saved photographs. */
-@Command(
-        mixinStandardHelpOptions = true,
-        versionProvider = ProgramVersion.class,
-        description = "Looks for mistakes in scene files, and for damage in saved photographs.")
-final class CheckCommand implements Callable<Integer>, SceneCommand {
+@Command(description = "Looks for mistakes in scene files, and for damage in saved photographs.")
+final class CheckCommand extends ProgramCommand {
 
-    @Parameters(arity = "1..*", paramLabel = "SCENE", description = "scene files, or saved photographs")
+    @Parameters(
+            arity = "1..*",
+            paramLabel = "SCENE",
+            description = "scene files, or saved photographs; - is the standard input")
     private List<Path> scenes;
+
+    @Mixin
+    private SetOption option;
 
     private Path current;
 
-    @Spec
-    private CommandSpec spec;
-
     @Override
-    public Path scene() {
+    Path scene() {
         return current;
     }
 
@@ -42,23 +41,23 @@ final class CheckCommand implements Callable<Integer>, SceneCommand {
         for (Path scene : scenes) {
             current = scene;
             try {
-                Studio studio = StudioReader.read(scene);
+                Studio studio = option.read(scene, List.of());
                 ScenePlan.of(studio, scene)
                         .warnings()
-                        .forEach(warning -> spec.commandLine().getErr().println(scene + ": warning: " + warning));
+                        .forEach(warning -> err().println(scene + ": warning: " + warning));
+                StudioWriter.notes(studio).forEach(note -> err().println(scene + ": note: " + note));
                 requireLesson(studio);
                 Photographer.info(studio, scene);
                 Photographer.requireMemory(studio.settings(), Quality.of(studio));
-                PhotographFile.requireWhole(scene);
-                spec.commandLine().getOut().println(scene + ": no mistakes");
-            } catch (SceneFileException | MistakeException mistakes) {
-                spec.commandLine().getErr().println(mistakes.getMessage());
+                if (!scene.equals(StudioReader.PIPE)) {
+                    PhotographFile.requireWhole(scene);
+                }
+                out().println(scene + ": no mistakes");
+            } catch (MistakeException mistakes) {
+                mistakes.getMessage().lines().forEach(err()::println);
                 code = Failures.MISTAKE;
             } catch (FileException damaged) {
-                spec.commandLine()
-                        .getErr()
-                        .println(damaged.getMessage()
-                                + "; its scene has no mistakes: render can take the picture again");
+                err().println(damaged.getMessage() + "; its scene has no mistakes: render can take the picture again");
                 code = Failures.MISTAKE;
             }
         }
@@ -70,7 +69,7 @@ final class CheckCommand implements Callable<Integer>, SceneCommand {
         try {
             LessonStudio.of(studio).ifPresent(LessonStudio::requireAgreement);
         } catch (InvalidPropertyException wrong) {
-            throw new MistakeException(current + ": " + wrong.getMessage());
+            throw StudioReader.mistake(current, wrong);
         }
     }
 }

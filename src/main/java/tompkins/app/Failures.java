@@ -13,8 +13,8 @@ import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
-import tompkins.image.FileFailure;
-import tompkins.io.SceneFileException;
+import tompkins.file.FileFailure;
+import tompkins.property.MistakeException;
 
 /** What the program says when it cannot do what it was asked, and its exit codes. */
 final class Failures {
@@ -24,6 +24,9 @@ final class Failures {
 
     /** The arguments or the scene are wrong; so is a place for a picture where nothing can be saved. */
     static final int MISTAKE = 2;
+
+    /** Nothing is wrong, but frames of a film are still to be taken. */
+    static final int INCOMPLETE = 3;
 
     /** The program does not end: its window is open. */
     static final int WINDOW_IS_OPEN = -1;
@@ -36,8 +39,12 @@ final class Failures {
         if (isOfMemory(exception)) {
             return reportMemory(commandLine);
         }
-        if (exception instanceof SceneFileException || exception instanceof MistakeException) {
-            err.println(exception.getMessage());
+        if (exception instanceof MistakeException) {
+            exception.getMessage().lines().forEach(err::println);
+            return MISTAKE;
+        }
+        if (exception instanceof InvalidPathException notAName) {
+            err.println(NamedFile.mistake(notAName));
             return MISTAKE;
         }
         if (exception instanceof FileSystemException failure) {
@@ -63,7 +70,7 @@ final class Failures {
         while (called.hasSubcommand()) {
             called = called.subcommand();
         }
-        Path scene = called.commandSpec().userObject() instanceof SceneCommand command ? command.scene() : null;
+        Path scene = called.commandSpec().userObject() instanceof ProgramCommand command ? command.scene() : null;
         commandLine.getErr().println(memoryMessage(scene));
         return FAILURE;
     }

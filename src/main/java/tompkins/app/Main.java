@@ -6,11 +6,8 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
-import java.nio.file.InvalidPathException;
-import java.nio.file.Path;
 import java.util.function.BooleanSupplier;
 import picocli.CommandLine;
-import tompkins.property.NumberText;
 import tompkins.ui.Displays;
 import tompkins.ui.TompkinsWindow;
 
@@ -20,11 +17,15 @@ public final class Main {
     private Main() {}
 
     /**
-     * Runs the program and ends the Java machine with the exit code: 0, 1 (a failure such as a full disk), or 2 (a
-     * mistake in the arguments or in a scene).
+     * Runs the program and ends the Java machine with the exit code: 0, 1 (a failure such as a full disk), 2 (a mistake
+     * in the arguments or in a scene), or 3 (frames of a film are missing).
      */
     public static void main(String[] arguments) {
-        if (TompkinsCommand.opensWindow(arguments) && Displays.usable()) {
+        giveHome();
+        if (TompkinsCommand.isNamedBy(arguments)) {
+            // no command shows anything, and a display that is set but dead would be an error
+            System.setProperty("java.awt.headless", "true");
+        } else if (TompkinsCommand.opensWindow(arguments) && Displays.usable()) {
             TompkinsWindow.prepare();
             if (arguments.length == 0 && opensFirstScene()) {
                 return;
@@ -38,6 +39,17 @@ public final class Main {
         }
         if (code != Failures.WINDOW_IS_OPEN) {
             System.exit(code);
+        }
+    }
+
+    /**
+     * A user without a name has no home: Java says {@code ?}, and would keep what it knows of fonts in a folder of that
+     * name. Nothing can be kept at the place that is named instead.
+     */
+    private static void giveHome() {
+        if (System.getProperty("user.home", "?").equals("?")) {
+            String home = System.getenv("HOME");
+            System.setProperty("user.home", home != null && home.startsWith("/") ? home : "/dev/null");
         }
     }
 
@@ -60,14 +72,6 @@ public final class Main {
         return new PrintWriter(stream, true, Charset.defaultCharset());
     }
 
-    /** A file of some name; an empty one would mean the current folder. */
-    private static Path file(String name) {
-        if (name.isEmpty()) {
-            throw new InvalidPathException(name, "empty");
-        }
-        return Path.of(name);
-    }
-
     /**
      * Runs the program and returns its exit code.
      *
@@ -79,10 +83,7 @@ public final class Main {
         commandLine.setErr(new TerminalPrinter(err));
         // a name may begin with @
         commandLine.setExpandAtFiles(false);
-        commandLine.setCaseInsensitiveEnumValuesAllowed(true);
-        commandLine.registerConverter(Path.class, Main::file);
-        commandLine.registerConverter(Double.class, NumberText::parse);
-        commandLine.registerConverter(double.class, NumberText::parse);
+        OptionValues.addTo(commandLine);
         commandLine.setExecutionExceptionHandler(Failures::report);
         commandLine.setParameterExceptionHandler((exception, words) -> Failures.reportUsage(exception, words, display));
         try {

@@ -5,28 +5,29 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
-import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
-import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
-import tompkins.io.CsvText;
-import tompkins.io.MeasureWriter;
+import tompkins.io.FactCsv;
+import tompkins.io.FactJson;
+import tompkins.io.FactText;
 import tompkins.io.StudioReader;
+import tompkins.lesson.LessonNumber;
+import tompkins.measure.Fact;
+import tompkins.measure.LessonResult;
+import tompkins.measure.LessonStudio;
 import tompkins.measure.MeasureKind;
 import tompkins.measure.Measured;
 import tompkins.measure.Measurements;
 import tompkins.measure.Profile;
-import tompkins.measure.Quantity;
 import tompkins.measure.RayTable;
-import tompkins.measure.Sighting;
+import tompkins.measure.Sketch;
+import tompkins.property.InvalidPropertyException;
+import tompkins.property.MistakeException;
 import tompkins.property.NumberText;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
@@ -34,79 +35,58 @@ import tompkins.trace.RenderPlan;
 
 /** Measures in the picture of a scene. */
 @Command(
-        mixinStandardHelpOptions = true,
-        versionProvider = ProgramVersion.class,
         description =
                 "Measures in the picture of a scene, between pixels. \"between\" gives angles, distances, times and the"
                         + " interval between two pixels, in the frames of scene, camera and object; \"circle\" fits a circle of"
                         + " directions, such as the outline of a sphere, to three pixels or more; \"conic\" fits an ellipse, a parabola or a"
                         + " hyperbola to five pixels or more; \"line\" says how straight two"
-                        + " pixels or more lie; \"profile\" follows the line between two pixels.")
-final class MeasureCommand implements Callable<Integer>, SceneCommand {
+                        + " pixels or more lie; \"profile\" follows the line between two pixels. \"lesson\" measures the numbers of the"
+                        + " scene's lesson and compares them with its formulas.")
+final class MeasureCommand extends ProgramCommand {
 
-    @Parameters(index = "0", paramLabel = "WHAT", description = "between, profile, circle, conic or line")
+    private static final String LESSON = "lesson";
+
+    @Parameters(index = "0", paramLabel = "WHAT", description = "between, profile, circle, conic, line or lesson")
     private String what;
 
-    @Parameters(index = "1", paramLabel = "SCENE", description = "scene file, or saved photograph")
+    @Parameters(
+            index = "1",
+            paramLabel = "SCENE",
+            description = "scene file, or saved photograph; - is the standard input")
     private Path scene;
 
     @Option(
             names = "--pixel",
-            required = true,
             paramLabel = "X,Y",
             description = "column and row of a pixel, from 0 at the upper left; whole numbers are centres, and 3.5 lies"
                     + " on the edge between 3 and 4")
-    private List<String> pixels;
+    private List<String> pixels = new ArrayList<>();
 
     @Option(
             names = "--count",
             paramLabel = "N",
-            description = "number of places of a profile, 2 to 10000; default: one for each pixel on its way")
+            description = "number of points of a profile, 2 to 10000; default: one for each pixel on its way")
     private Long count;
-
-    @ArgGroup
-    private Form form = new Form();
 
     @Mixin
     private TextOutput output;
 
     @Mixin
-    private StudioOptions options;
-
-    @Spec
-    private CommandSpec spec;
-
-    /** How results are told, if not in words. */
-    private static final class Form {
-
-        @Option(names = "--json", description = "print JSON with 17 significant digits")
-        private boolean json;
-
-        @Option(names = "--csv", description = "print a table with 17 significant digits")
-        private boolean csv;
-    }
+    private SceneOptions options;
 
     @Override
-    public Path scene() {
+    Path scene() {
         return scene;
     }
 
     @Override
     public Integer call() throws IOException {
-        MeasureKind kind = kind();
-        Studio studio = options.applyTo(StudioReader.read(scene));
-        List<Vector2dc> places = new ArrayList<>();
-        pixels.forEach(pixel -> places.add(place(pixel, studio.settings())));
-        if (places.size() < kind.fewest() || places.size() > kind.most()) {
-            throw new MistakeException(kind + " needs " + kind.fewest()
-                    + (kind.most() == kind.fewest() ? "" : " or more") + " --pixel, was " + places.size());
-        }
-        requireCount(kind);
+        boolean isLesson = what.equals(LESSON);
+        MeasureKind kind = isLesson ? null : kind();
+        Studio studio = options.read(scene, List.of());
+        requireOptions(kind, studio.settings());
         output.check();
-        RenderPlan plan = ScenePlan.of(studio, scene);
-        Measured measured = measure(kind, plan, places);
-        output.write(
-                spec.commandLine().getOut(), kind == MeasureKind.PROFILE ? lines(measured.profile()) : lines(measured));
+        output.write(out(), isLesson ? lesson(studio) : lines(measure(kind, ScenePlan.of(studio, scene))));
         return 0;
     }
 
@@ -114,21 +94,30 @@ final class MeasureCommand implements Callable<Integer>, SceneCommand {
         return Arrays.stream(MeasureKind.values())
                 .filter(kind -> kind.toString().equals(what))
                 .findFirst()
-                .orElseThrow(() ->
-                        new MistakeException("WHAT must be one of between, profile, circle, conic, line; was " + what));
+                .orElseThrow(() -> new MistakeException(
+                        "WHAT must be one of between, profile, circle, conic, line, lesson; was " + what));
     }
 
-    private void requireCount(MeasureKind kind) {
+    /** Checks that there are as many pixels as a kind needs; a lesson, which has no kind, needs none. */
+    private void requireOptions(MeasureKind kind, RenderSettings settings) {
+        pixels.forEach(pixel -> point(pixel, settings));
+        if (kind == null && !pixels.isEmpty()) {
+            throw new MistakeException("--pixel is for what is measured between pixels; leave it out of " + what);
+        }
+        if (kind != null && (pixels.size() < kind.fewest() || pixels.size() > kind.most())) {
+            throw new MistakeException(kind + " needs " + kind.fewest()
+                    + (kind.most() == kind.fewest() ? "" : " or more") + " --pixel, was " + pixels.size());
+        }
         if (count != null && kind != MeasureKind.PROFILE) {
-            throw new MistakeException("--count is for a profile; leave it out of " + kind);
+            throw new MistakeException("--count is for a profile; leave it out of " + what);
         }
         if (count != null && (count < 2 || count > Profile.MOST)) {
             throw new MistakeException("--count must be from 2 to " + Profile.MOST + ", was " + count);
         }
     }
 
-    private static Vector2dc place(String pixel, RenderSettings settings) {
-        double[] numbers = StudioOptions.numbers("--pixel", pixel, "320,240");
+    private static Vector2dc point(String pixel, RenderSettings settings) {
+        double[] numbers = OptionNumbers.of("--pixel", pixel, "320,240");
         double right = settings.width() - 0.5;
         double bottom = settings.height() - 0.5;
         if (!(numbers[0] >= -0.5 && numbers[1] >= -0.5 && numbers[0] <= right && numbers[1] <= bottom)) {
@@ -138,65 +127,50 @@ final class MeasureCommand implements Callable<Integer>, SceneCommand {
         return new Vector2d(numbers[0] + 0.5, numbers[1] + 0.5);
     }
 
-    private Measured measure(MeasureKind kind, RenderPlan plan, List<Vector2dc> places) {
-        Vector2dc first = places.get(0);
-        Vector2dc second = places.get(1);
-        int number = count == null ? Profile.count(first.x(), first.y(), second.x(), second.y()) : count.intValue();
+    private Measured measure(MeasureKind kind, RenderPlan plan) {
+        List<Vector2dc> points = pixels.stream()
+                .map(pixel -> point(pixel, plan.studio().settings()))
+                .toList();
+        int number = count == null ? Profile.count(points.get(0), points.get(1)) : count.intValue();
         try {
-            return new Measurements(plan).measure(kind, places, number, () -> true);
+            return Measurements.measure(plan, kind, points, number, () -> true);
         } catch (ArithmeticException noFit) {
             throw new MistakeException("--pixel: " + noFit.getMessage());
         }
     }
 
-    private Stream<String> lines(Profile profile) {
-        if (form.json) {
-            return Stream.of(MeasureWriter.jsonTable(profile.places()));
-        }
-        if (form.csv) {
-            return Stream.concat(
-                    Stream.of(CsvText.rayHeadings()), profile.places().stream().map(CsvText::rayRow));
-        }
-        String heading = "place, object, D, scene time, red, green, blue";
-        return Stream.concat(Stream.of(heading), profile.places().stream().map(MeasureCommand::words));
-    }
-
-    private static String words(Sighting sighting) {
-        List<String> words = new ArrayList<>();
-        words.add(number(sighting.x() - 0.5) + "," + number(sighting.y() - 0.5));
-        for (String name : List.of("object", "doppler_factor", "hit_scene_time", "red", "green", "blue")) {
-            Object value = RayTable.column(name).value().apply(sighting);
-            words.add(value instanceof Double number ? number(number) : value == null ? "-" : CsvText.cell(value));
-        }
-        return String.join("  ", words);
-    }
-
+    /** What was measured; of a profile the rays. */
     private Stream<String> lines(Measured measured) {
-        if (form.json) {
-            return Stream.of(MeasureWriter.json(measured));
+        if (measured.profile() != null) {
+            return table(
+                    RayTable.headings(),
+                    measured.profile().points().stream().map(RayTable::row).toList());
         }
-        if (form.csv) {
-            return CsvText.quantities(measured);
+        if (output.isJson()) {
+            return Stream.of(FactJson.measured(measured.facts()));
         }
-        Stream<String> numbers = measured.quantities().stream().map(MeasureCommand::words);
-        return measured.shape() == null
-                ? numbers
-                : Stream.concat(Stream.of(line("shape", measured.shape().toString())), numbers);
+        return output.isCsv()
+                ? FactCsv.quantities(measured.facts())
+                : FactText.LETTERS.lines(measured.facts()).map(FactText.Line::toString);
     }
 
-    private static String words(Quantity quantity) {
-        String uncertainty = Double.isNaN(quantity.uncertainty())
-                ? ""
-                : " +- " + NumberText.of(NumberText.rounded(quantity.uncertainty(), 2));
-        String unit = quantity.unit().isEmpty() ? "" : " " + quantity.unit();
-        return line(quantity.words(), number(quantity.value()) + uncertainty + unit);
+    /** What the numbers of a lesson are in its picture, and by its formulas. */
+    private Stream<String> lesson(Studio studio) {
+        try {
+            LessonStudio lesson = LessonStudio.of(studio)
+                    .orElseThrow(() -> new MistakeException(scene + ": the scene must have a lesson"));
+            List<List<Fact>> rows =
+                    lesson.results().stream().map(LessonResult::facts).toList();
+            return table(new LessonResult(LessonNumber.DEFAULT, 0, Sketch.EMPTY).facts(), rows);
+        } catch (InvalidPropertyException wrong) {
+            throw StudioReader.mistake(scene, wrong);
+        }
     }
 
-    private static String line(String name, String value) {
-        return String.format(Locale.ROOT, "%-24s  %s", name, value);
-    }
-
-    private static String number(double value) {
-        return Double.isFinite(value) ? NumberText.of(NumberText.rounded(value, 9)) : "-";
+    private Stream<String> table(List<Fact> headings, List<List<Fact>> rows) {
+        if (output.isJson()) {
+            return FactJson.list(rows.stream().map(FactJson::values));
+        }
+        return output.isCsv() ? FactCsv.table(headings, rows.stream()) : FactText.EXACT.table(headings, rows);
     }
 }

@@ -1,15 +1,24 @@
 package tompkins.app;
 
+import java.io.BufferedOutputStream;
 import java.io.File;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
-import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine;
 import picocli.CommandLine.Model.OptionSpec;
-import tompkins.image.FileException;
-import tompkins.image.OutputFolder;
+import tompkins.file.FileException;
+import tompkins.file.OutputFolder;
+import tompkins.property.MistakeException;
 
 /** What the option {@code -o} of the commands means besides a name. */
 final class OutputOption {
+
+    /** The name of the standard output. */
+    static final Path PIPE = Path.of("-");
 
     private static final String NAME = "--output";
 
@@ -19,8 +28,8 @@ final class OutputOption {
      * Whether the name was written as that of a folder, with a separator at its end, which a {@code Path} does not
      * keep.
      */
-    static boolean namesFolder(CommandSpec command) {
-        OptionSpec option = command.findOption(NAME);
+    static boolean namesFolder(CommandLine command) {
+        OptionSpec option = command.getCommandSpec().findOption(NAME);
         return option.originalStringValues().stream()
                 .anyMatch(written -> written.endsWith("/") || written.endsWith(File.separator));
     }
@@ -35,6 +44,23 @@ final class OutputOption {
             return work.call();
         } finally {
             output.close();
+        }
+    }
+
+    /** Writes into a stream. */
+    interface Content {
+
+        void write(OutputStream out) throws IOException;
+    }
+
+    /** Writes bytes to the standard output, past the letters that are printed there. */
+    static void toPipe(Content content) throws IOException {
+        try {
+            OutputStream out = new BufferedOutputStream(new FileOutputStream(FileDescriptor.out));
+            content.write(out);
+            out.flush();
+        } catch (IOException lost) {
+            throw FileException.cannotWrite("standard output", lost);
         }
     }
 

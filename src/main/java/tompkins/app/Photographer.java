@@ -8,9 +8,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import picocli.CommandLine;
-import tompkins.image.FileException;
+import tompkins.file.FileException;
 import tompkins.image.PhotographFile;
 import tompkins.image.PhotographInfo;
 import tompkins.image.PictureFormat;
@@ -19,7 +20,9 @@ import tompkins.io.SelfDescription;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.property.InvalidPropertyException;
+import tompkins.property.MistakeException;
 import tompkins.property.NumberText;
+import tompkins.render.CostForecast;
 import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderReport;
@@ -30,10 +33,34 @@ import tompkins.studio.View;
 import tompkins.trace.RenderPlan;
 
 /** Takes photographs and saves them, with the scene inside. */
-final class Photographer {
+final class Photographer implements AutoCloseable {
+
+    /**
+     * A picture that is to be taken.
+     *
+     * @param scene the file of the studio
+     * @param target where the picture goes
+     */
+    record Order(Path scene, Studio studio, Quality quality, Path target, PictureFormat format) {
+
+        /** Whether a file is a photograph of the studio, perhaps in another format or damaged. */
+        boolean isAt(Path picture) {
+            try {
+                return Files.isRegularFile(picture)
+                        && PhotographFile.readScene(picture)
+                                .equals(Optional.of(info(studio, scene).sceneJson()));
+            } catch (FileException otherFile) {
+                return false;
+            }
+        }
+    }
+
+    /** Who waits longer for the first tile of a picture is told what the whole will take. */
+    private static final double PATIENCE = 1;
 
     private final PrintWriter out;
     private final PrintWriter err;
+    private final ProgressLine progress;
     private final int threads;
 
     /**
@@ -44,6 +71,7 @@ final class Photographer {
     Photographer(CommandLine commandLine, int threads) {
         out = commandLine.getOut();
         err = commandLine.getErr();
+        progress = new ProgressLine(err);
         this.threads = threads;
     }
 
@@ -52,10 +80,15 @@ final class Photographer {
      * photograph of the same scene is replaced, and nothing else.
      */
     void takeDefault(Path file, Path folder) throws IOException, InterruptedException {
+        reads();
         Studio studio = StudioReader.read(file);
-        Predicate<Path> isPhotograph = place -> isPhotographOf(place, studio, file);
-        Path target = free(targetOf(file, folder), place -> Files.exists(place) && !isPhotograph.test(place));
-        take(file, studio, Quality.of(studio), target, PictureFormat.of(target), isPhotograph);
+        Order wanted = order(file, studio, targetOf(file, folder));
+        Path target = free(wanted.target, place -> Files.exists(place) && !wanted.isAt(place));
+        take(order(file, studio, target), () -> wanted.isAt(target));
+    }
+
+    private static Order order(Path file, Studio studio, Path target) throws FileException {
+        return new Order(file, studio, Quality.of(studio), target, PictureFormat.of(target));
     }
 
     /** The name of a picture; if it is taken, the same name with the first free number before its ending. */
@@ -69,16 +102,6 @@ final class Photographer {
         return free;
     }
 
-    private static boolean isPhotographOf(Path picture, Studio studio, Path scene) {
-        try {
-            return Files.isRegularFile(picture)
-                    && PhotographFile.readScene(picture)
-                            .equals(Optional.of(info(studio, scene).sceneJson()));
-        } catch (FileException otherFile) {
-            return false;
-        }
-    }
-
     /**
      * The name of the picture of a scene, in a folder: {@code scene.png}, or {@code scene-again.png} for a photograph.
      */
@@ -90,34 +113,85 @@ final class Photographer {
     }
 
     /**
-     * Takes the picture of a scene file, saves it, and says where. A file that has its name is replaced if that is
-     * allowed; otherwise the picture gets a number, so that the work is not lost.
+     * Takes a picture, saves it, and says where. A file that has its name is replaced if that is allowed; otherwise the
+     * picture gets a number, so that the work is not lost. Standard output takes the picture and nothing else.
      *
      * @param mayReplace whether a file may be replaced; asked before and after the picture is taken
      */
-    void take(Path scene, Studio studio, Quality quality, Path target, PictureFormat format, Predicate<Path> mayReplace)
-            throws IOException, InterruptedException {
-        requirePossible(studio, quality, target, mayReplace);
-        PhotographInfo info = info(studio, scene);
-        RenderPlan plan = ScenePlan.of(studio, scene);
-        ProgressLine progress = new ProgressLine(err);
-        RenderJob job;
-        try (Renderer renderer = new Renderer(threads)) {
-            job = renderer.start(plan, quality, progress);
-            job.await();
-        } finally {
-            progress.clear();
-        }
-        ToneCurve curve = studio.settings().toneCurve();
-        Path place = target;
-        if (mayReplace.test(target)) {
-            PhotographFile.write(target, job.image(), format, curve, info);
+    void take(Order order, BooleanSupplier mayReplace) throws IOException, InterruptedException {
+        Studio studio = order.studio;
+        Path target = order.target;
+        PictureFormat format = order.format;
+        boolean isPiped = target.equals(OutputOption.PIPE);
+        if (isPiped) {
+            requireMemory(studio.settings(), order.quality);
         } else {
-            place = PhotographFile.writeNew(target, job.image(), format, curve, info);
+            requirePossible(order, mayReplace);
         }
+        PhotographInfo info = info(studio, order.scene);
+        progress.begin("preparing the objects of the scene");
+        RenderPlan plan = ScenePlan.of(studio, order.scene);
+        RenderJob job = traced(plan, order.quality);
+        progress.clear();
+        ToneCurve curve = studio.settings().toneCurve();
+        if (isPiped) {
+            OutputOption.toPipe(out -> PhotographFile.encode(out, job.image(), format, curve, info));
+        }
+        Path place = isPiped
+                ? target
+                : PhotographFile.write(target, job.image(), format, curve, info, mayReplace.getAsBoolean());
         plan.warnings().forEach(warning -> err.println("warning: " + warning));
         report(place, job.report(), studio.view());
         tellFilesToKeep(studio, err);
+    }
+
+    /** Says on a terminal that a scene is being read. */
+    void reads() {
+        progress.begin("reading the scene");
+    }
+
+    /** Says that a picture that is there is left. */
+    void leave(Path picture) throws IOException {
+        progress.clear();
+        out.println(picture.toRealPath(LinkOption.NOFOLLOW_LINKS) + "  (left as it is)");
+    }
+
+    /** Removes what the terminal shows of a picture that is not complete. */
+    @Override
+    public void close() {
+        progress.clear();
+    }
+
+    /** Renders a picture. Where no tile is done for a while, it begins again with an estimate of the time. */
+    private RenderJob traced(RenderPlan plan, Quality quality) throws InterruptedException {
+        try (Renderer renderer = new Renderer(threads)) {
+            progress.begin("tracing rays");
+            RenderJob job = begun(renderer, plan, quality);
+            if (job == null) {
+                progress.begin("tracing rays, to estimate how long all of them take");
+                Optional<CostForecast> forecast = CostForecast.of(plan, quality, renderer);
+                progress.begin("tracing rays: "
+                        + forecast.map(CostForecast::duration).orElse("too long to predict") + " in all");
+                job = renderer.start(plan, quality, progress);
+            }
+            job.await();
+            return job;
+        }
+    }
+
+    /** A picture that has begun; null if somebody waits for its first tile in vain, and then its memory is free. */
+    private RenderJob begun(Renderer renderer, RenderPlan plan, Quality quality) throws InterruptedException {
+        RenderJob job = renderer.start(plan, quality, progress);
+        if (!progress.watched() || quality instanceof Quality.TimeLimit) {
+            return job;
+        }
+        job.await(PATIENCE);
+        if (job.isComplete() || job.samples() > 0) {
+            return job;
+        }
+        job.cancel();
+        job.await();
+        return null;
     }
 
     /** Names the files of a scene that are too large to travel inside its photographs. */
@@ -125,19 +199,19 @@ final class Photographer {
         List<String> named = StudioWriter.filesOnlyNamed(studio);
         if (!named.isEmpty()) {
             err.println("note: keep " + String.join(", ", named)
-                    + " in the same folder to take the photograph again: too large to store in it");
+                    + " in the same folder to take the photograph again: not stored in it");
         }
     }
 
     /**
      * Refuses a picture that could not be saved or held, before any time is spent on it; leaves everything as it was.
      */
-    static void requirePossible(Studio studio, Quality quality, Path target, Predicate<Path> mayReplace) {
-        if (!mayReplace.test(target)) {
-            requireFree(target);
+    static void requirePossible(Order order, BooleanSupplier mayReplace) {
+        if (!mayReplace.getAsBoolean()) {
+            requireFree(order.target);
         }
-        requireMemory(studio.settings(), quality);
-        requireWritable(target);
+        requireMemory(order.studio.settings(), order.quality);
+        requireWritable(order.target);
     }
 
     /** Refuses the name of a file that exists. */
@@ -185,17 +259,19 @@ final class Photographer {
     private void report(Path target, RenderReport report, View view) throws IOException {
         double seconds = report.time().toNanos() / 1e9;
         String samples = NumberText.plain(report.samplesPerPixel(), 3);
-        out.println(String.format(
-                Locale.ROOT,
-                "%s  (%s%.2f s, %.2f million rays/s, %s per pixel%s)",
-                target.toRealPath(LinkOption.NOFOLLOW_LINKS),
-                view == View.MEASURED ? "measured, not a photograph; " : "",
-                seconds,
-                (report.rays() + report.shadowRays()) / seconds / 1e6,
-                samples.equals("1") ? "1 sample" : samples + " samples",
-                Double.isNaN(report.error())
-                        ? ""
-                        : String.format(Locale.ROOT, ", estimated error %.2g", report.error())));
+        boolean isPiped = target.equals(OutputOption.PIPE);
+        (isPiped ? err : out)
+                .println(String.format(
+                        Locale.ROOT,
+                        "%s  (%s%.2f s, %.2f million rays/s, %s per pixel%s)",
+                        isPiped ? target : target.toRealPath(LinkOption.NOFOLLOW_LINKS),
+                        view == View.MEASURED ? "measured, not a photograph; " : "",
+                        seconds,
+                        (report.rays() + report.shadowRays()) / seconds / 1e6,
+                        samples.equals("1") ? "1 sample" : samples + " samples",
+                        Double.isNaN(report.error())
+                                ? ""
+                                : String.format(Locale.ROOT, ", estimated error %.2g", report.error())));
         for (String warning : report.warnings()) {
             err.println("warning: " + warning);
         }
@@ -206,12 +282,15 @@ final class Photographer {
      * file's name allows it; or the usual one for the name.
      */
     static PictureFormat formatFor(Path file, PictureFormat wish, Path scene) {
+        if (file.equals(OutputOption.PIPE)) {
+            return wish == null ? PictureFormat.PNG : wish;
+        }
         try {
             if (wish == null) {
                 PictureFormat usual = PictureFormat.of(file);
-                return PhotographFile.format(scene)
-                        .filter(before -> before.fits(file))
-                        .orElse(usual);
+                Optional<PictureFormat> format =
+                        scene.equals(StudioReader.PIPE) ? Optional.empty() : PhotographFile.format(scene);
+                return format.filter(before -> before.fits(file)).orElse(usual);
             }
             wish.requireFor(file);
             return wish;

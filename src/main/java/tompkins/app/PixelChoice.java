@@ -3,15 +3,17 @@ package tompkins.app;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import tompkins.property.MistakeException;
 import tompkins.studio.RenderSettings;
 
 /** The pixels that were chosen by {@code --pixel}: single ones, rectangles of them, or all. */
 final class PixelChoice {
 
     private static final String ALL = "all";
-    private static final String TO = "..";
+    private static final Pattern CORNER = Pattern.compile(" *-?[0-9]{1,9} *, *-?[0-9]{1,9} *");
 
     /** Rectangles: first column and row, last column and row. */
     private final List<int[]> rectangles = new ArrayList<>();
@@ -50,12 +52,15 @@ final class PixelChoice {
         if (pixel.equals(ALL)) {
             return new int[] {0, 0, settings.width() - 1, settings.height() - 1};
         }
-        int middle = pixel.indexOf(TO);
-        String demand = "--pixel must be two whole numbers inside the picture with a comma between them"
-                + (middle < 0 ? "" : ", or two such pairs as in 10,20..30,40");
-        int[] first = StudioOptions.pair(middle < 0 ? pixel : pixel.substring(0, middle), ",", demand);
-        int[] last = middle < 0 ? first : StudioOptions.pair(pixel.substring(middle + TO.length()), ",", demand);
-        return new int[] {first[0], first[1], last[0], last[1]};
+        String[] corners = pixel.split("\\.\\.", 2);
+        if (!Stream.of(corners).allMatch(corner -> CORNER.matcher(corner).matches())) {
+            throw new MistakeException("--pixel must be two whole numbers inside the picture with a comma between them"
+                    + (corners.length == 1 ? "" : ", or two such pairs as in 10,20..30,40") + ", was " + pixel);
+        }
+        String both = pixel.contains("..") ? pixel : pixel + ".." + pixel;
+        return Stream.of(both.split(",|\\.\\."))
+                .mapToInt(number -> Integer.parseInt(number.strip()))
+                .toArray();
     }
 
     private static void requireInside(int column, int row, RenderSettings settings) {

@@ -7,17 +7,29 @@ import tompkins.render.Progress;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderListener;
 
-/** One line on a terminal that says how far a picture or an animation is, and how long it still takes. */
+/** One line on a terminal that says what is being done, how far a picture or an animation is, and how long it takes. */
 final class ProgressLine implements RenderListener, Progress {
 
     private static final long INTERVAL_NANOS = 200_000_000;
 
     private final ConsoleLine line;
-    private final long start = System.nanoTime();
+    private long start = System.nanoTime();
     private long last = start;
 
     ProgressLine(PrintWriter out) {
         line = new ConsoleLine(out);
+    }
+
+    /** Whether somebody sees the line. */
+    boolean watched() {
+        return line.watched();
+    }
+
+    /** Says at once what is being done; the time that is left counts from here. */
+    synchronized void begin(String doing) {
+        start = System.nanoTime();
+        last = start;
+        line.show(doing);
     }
 
     @Override

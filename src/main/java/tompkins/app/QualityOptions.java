@@ -1,15 +1,52 @@
 package tompkins.app;
 
+import java.util.List;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Option;
+import tompkins.io.Assignment;
+import tompkins.property.MistakeException;
+import tompkins.property.NumberText;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
 
 /** How good a picture has to be, as one wish. */
 final class QualityOptions {
 
-    /** The wishes for a single picture, at most one of which may be given. */
-    private static final class PictureWish extends QualityWish {
+    private static final String ERROR = "settings.targetError";
+
+    /** The wishes that a scene can hold, too; at most one may be given. */
+    static class Wish {
+
+        @Option(names = "--samples", paramLabel = "N", description = "takes N samples per pixel, 1 or more")
+        private String samples;
+
+        @Option(
+                names = "--error",
+                arity = "0..1",
+                fallbackValue = "0.002",
+                paramLabel = "E",
+                description = "takes samples where they are needed until the root mean square error, in linear light,"
+                        + " is E; alone it means ${FALLBACK-VALUE}, half a step of an 8-bit picture")
+        private Double error;
+
+        /** The values of a scene that were given. */
+        List<Assignment> assignments() {
+            if (samples != null) {
+                return List.of(
+                        new Assignment("--samples", "settings.samples", samples),
+                        new Assignment("--samples", ERROR, "0"));
+            }
+            if (error == null) {
+                return List.of();
+            }
+            // 0 has a meaning in a scene, but cannot be asked for as an error
+            MistakeException.inOption("--error", () -> new Quality.TargetError(error));
+            return List.of(new Assignment("--error", ERROR, NumberText.of(error)));
+        }
+    }
+
+    /** The wishes for a single picture. */
+    private static final class PictureWish extends Wish {
 
         @Option(
                 names = "--seconds",
@@ -21,9 +58,9 @@ final class QualityOptions {
     @ArgGroup
     private PictureWish wish = new PictureWish();
 
-    /** The studio with the samples or the error that were given. */
-    Studio applyTo(Studio studio) {
-        return wish.applyTo(studio);
+    /** The values of a scene that were given. */
+    List<Assignment> assignments() {
+        return wish.assignments();
     }
 
     /** What the studio says, unless the time is limited. */

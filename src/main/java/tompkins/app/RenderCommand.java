@@ -6,80 +6,77 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
+import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
+import tompkins.file.FileException;
+import tompkins.image.PhotographFile;
 import tompkins.image.PictureFormat;
 import tompkins.io.StudioReader;
-import tompkins.property.Require;
-import tompkins.render.Quality;
+import tompkins.property.MistakeException;
 import tompkins.studio.Studio;
 
 /** Takes photographs of scene files. */
 @Command(
-        mixinStandardHelpOptions = true,
-        versionProvider = ProgramVersion.class,
         description = "Takes the photographs of scene files. The scene travels inside the picture: render a saved"
                 + " photograph to take it again.")
-final class RenderCommand implements Callable<Integer>, SceneCommand {
+final class RenderCommand extends ProgramCommand {
 
-    /** More than the cores of any machine, and not so many that systems refuse to start them. */
-    private static final int MOST_THREADS = 1024;
-
-    /** A picture that is to be taken of a scene, and where it goes. */
-    private record Order(Studio studio, Quality quality, Path target, PictureFormat format) {}
-
-    @Parameters(arity = "1..*", paramLabel = "SCENE", description = "scene files, or saved photographs")
+    @Parameters(
+            arity = "1..*",
+            paramLabel = "SCENE",
+            description = "scene files, or saved photographs; - is the standard input")
     private List<Path> scenes;
 
     @Option(
             names = {"-o", "--output"},
             paramLabel = "FILE",
-            description = "the picture (.png, .tif, .tiff, .hdr or .pic), or a folder, which is made if its name ends"
-                    + " in / and there is none; default: SCENE.png in the current folder, or SCENE-again.png for a"
+            description = "the picture (.png, .tif, .tiff, .hdr or .pic; - is the standard output), or a folder, which"
+                    + " is made if its name ends in / and there is none; default: SCENE.png in the current folder, or SCENE-again.png for a"
                     + " photograph")
     private Path output;
 
     @Option(
             names = "--format",
             paramLabel = "FORMAT",
-            completionCandidates = OptionWords.Formats.class,
-            description = "${COMPLETION-CANDIDATES}; default: that of a photograph that is taken again, or else the"
-                    + " usual one for the file's ending: png, tiff (16 bit) or hdr")
+            description =
+                    "png, png16, tiff, tiff_float or hdr; default: that of a photograph that is taken again, or else the"
+                            + " usual one for the file's ending: png, tiff (16 bit) or hdr")
     private PictureFormat format;
 
     @Mixin
     private QualityOptions quality;
 
     @Mixin
-    private PictureOptions picture;
-
-    @Option(names = "--threads", paramLabel = "N", description = "number of threads; default: one per core")
-    private Long threads;
-
-    @Option(names = "--force", description = "replace files that are already there")
-    private boolean force;
+    private ThreadsOption threads;
 
     @Mixin
-    private StudioOptions options;
+    private ManyPictures pictures;
+
+    @Mixin
+    private SampledOptions options;
 
     private Path current;
 
-    @Spec
-    private CommandSpec spec;
-
     @Override
-    public Path scene() {
+    Path scene() {
         return current;
     }
 
     @Override
     public Integer call() throws Exception {
-        if (OutputOption.namesFolder(spec)) {
+        if (pictures.skips() && commandLine().getParseResult().hasMatchedOption("--seconds")) {
+            throw new MistakeException(
+                    "--skip-existing: a picture does not hold for how many --seconds it was taken; use"
+                            + " --samples or --error");
+        }
+        if (scenes.contains(StudioReader.PIPE) && (scenes.size() > 1 || !namesFile())) {
+            throw new MistakeException("the scene - is the standard input, which has no name for a picture: give it"
+                    + " alone, with a name after -o; -o - is the standard output");
+        }
+        if (OutputOption.namesFolder(commandLine())) {
             return OutputOption.inFolder(output, this::takeAll);
         }
         if (scenes.size() > 1 && output != null && !Files.isDirectory(output)) {
@@ -89,60 +86,98 @@ final class RenderCommand implements Callable<Integer>, SceneCommand {
         return takeAll();
     }
 
+    private boolean namesFile() {
+        return output != null && !OutputOption.namesFolder(commandLine()) && !Files.isDirectory(output);
+    }
+
     private int takeAll() throws IOException, InterruptedException {
-        Photographer photographer = new Photographer(spec.commandLine(), threads());
-        if (scenes.size() > 1) {
-            requireAllPossible();
+        try (Photographer photographer = new Photographer(commandLine(), threads.number())) {
+            photographer.reads();
+            List<Path> own = pictures.own(scenes);
+            if (own.size() > 1) {
+                requireAllPossible(own);
+            }
+            for (Path scene : own) {
+                photographer.reads();
+                Photographer.Order order = order(scene);
+                if (isDone(order)) {
+                    photographer.leave(order.target());
+                } else {
+                    photographer.take(order, () -> mayReplace(order));
+                }
+            }
+            return 0;
         }
-        for (Path scene : scenes) {
-            Order order = order(scene);
-            photographer.take(scene, order.studio, order.quality, order.target, order.format, target -> force);
-        }
-        return 0;
     }
 
     /**
      * Looks for mistakes in all scenes first, so that one in the last scene is not found after an hour of work. The
      * scenes are not kept but read again when it is their turn, because all at once may be more than the memory holds.
      */
-    private void requireAllPossible() throws IOException {
+    private void requireAllPossible(List<Path> own) throws IOException {
         Map<Path, Path> sources = new HashMap<>();
-        for (Path scene : scenes) {
-            Order order = order(scene);
-            Path other = sources.putIfAbsent(order.target, scene);
+        for (Path scene : own) {
+            Photographer.Order order = order(scene);
+            Path other = sources.putIfAbsent(order.target(), scene);
             if (other != null) {
-                throw new MistakeException(scene + ": its picture would be " + order.target + ", as that of " + other
+                throw new MistakeException(scene + ": its picture would be " + order.target() + ", as that of " + other
                         + "; render one of them alone, with another name after -o");
             }
-            Photographer.requirePossible(order.studio, order.quality, order.target, target -> force);
-            ScenePlan.of(order.studio, scene);
-            Photographer.info(order.studio, scene);
+            if (isDone(order)) {
+                continue;
+            }
+            Photographer.requirePossible(order, () -> mayReplace(order));
+            ScenePlan.of(order.studio(), scene);
+            Photographer.info(order.studio(), scene);
+        }
+    }
+
+    /** Whether the picture is there, whole, and is to be left. */
+    private boolean isDone(Photographer.Order order) {
+        try {
+            if (!isFound(order)) {
+                return false;
+            }
+            PhotographFile.requireWhole(order.target());
+            return true;
+        } catch (FileException damaged) {
+            return false;
+        }
+    }
+
+    /** Whether the same picture is there, perhaps damaged, and is looked for. */
+    private boolean isFound(Photographer.Order order) throws FileException {
+        return pictures.skips()
+                && order.isAt(order.target())
+                && PhotographFile.format(order.target()).equals(Optional.of(order.format()));
+    }
+
+    /** Whether the picture replaces what has its name: a damaged one of the same scene is mended. */
+    private boolean mayReplace(Photographer.Order order) {
+        try {
+            return pictures.force() || isFound(order);
+        } catch (FileException unreadable) {
+            return false;
         }
     }
 
     /** The picture to take of a scene. */
-    private Order order(Path scene) throws IOException {
+    private Photographer.Order order(Path scene) throws IOException {
         current = scene;
         // read first: what can be read has a name, and so has its picture
-        Studio studio = studio(scene);
+        Studio studio = options.read(scene, quality.assignments());
         Path target = target(scene);
-        return new Order(studio, quality.of(studio), target, Photographer.formatFor(target, format, scene));
+        return new Photographer.Order(
+                scene, studio, quality.of(studio), target, Photographer.formatFor(target, format, scene));
     }
 
     private Path target(Path scene) throws IOException {
+        if (OutputOption.PIPE.equals(output)) {
+            return output;
+        }
         if (output == null) {
-            return Photographer.targetOf(scene, Path.of(""));
+            return Photographer.targetOf(scene, NamedFile.currentFolder());
         }
         return Files.isDirectory(output) ? Photographer.targetOf(scene, output) : output;
-    }
-
-    private int threads() {
-        return threads == null
-                ? Runtime.getRuntime().availableProcessors()
-                : MistakeException.inOption("--threads", () -> Require.within("threads", threads, 1, MOST_THREADS));
-    }
-
-    private Studio studio(Path scene) {
-        return picture.applyTo(quality.applyTo(options.applyTo(StudioReader.read(scene))));
     }
 }

@@ -1,6 +1,7 @@
 package tompkins.app;
 
 import java.nio.file.Path;
+import tompkins.io.StudioReader;
 import tompkins.property.InvalidPropertyException;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
@@ -20,7 +21,7 @@ final class ScenePlan {
         try {
             return RenderPlan.of(studio, before);
         } catch (InvalidPropertyException object) {
-            throw new MistakeException(scene + ": " + object.getMessage());
+            throw StudioReader.mistake(scene, object);
         }
     }
 }

@@ -1,7 +1,6 @@
 package tompkins.app;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -10,17 +9,16 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
+import tompkins.image.Fonts;
 import tompkins.io.BundledScenes;
 import tompkins.io.SelfDescription;
-import tompkins.io.StudioReader;
+import tompkins.property.MistakeException;
 import tompkins.studio.Studio;
 import tompkins.study.Finding;
 import tompkins.study.Measurement;
@@ -32,12 +30,10 @@ import tompkins.study.StudySetup;
 
 /** Charts speed against accuracy. */
 @Command(
-        mixinStandardHelpOptions = true,
-        versionProvider = ProgramVersion.class,
         description =
                 "Charts speed against accuracy: measures methods against each other and writes charts, figures and"
                         + " what they show. A study that was stopped with Ctrl-C continues where it stopped when it is started again.")
-final class StudyCommand implements Callable<Integer>, SceneCommand {
+final class StudyCommand extends ProgramCommand {
 
     private static final String ALL = "all";
     private static final String PAGE_OF_ALL = "speed-and-accuracy";
@@ -63,7 +59,7 @@ final class StudyCommand implements Callable<Integer>, SceneCommand {
             paramLabel = "FOLDER",
             description = "a folder for the page, and for a folder of charts and figures beside it, which is made if"
                     + " there is none; default: the current folder")
-    private Path output = Path.of("");
+    private Path output;
 
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "seed of everything that is random")
     private long seed;
@@ -73,25 +69,30 @@ final class StudyCommand implements Callable<Integer>, SceneCommand {
             description = "replace figures of other settings or of another machine, and a page that is there")
     private boolean force;
 
-    @Spec
-    private CommandSpec spec;
+    @Mixin
+    private SetOption option;
 
     private ConsoleLine line;
 
     @Override
-    public Path scene() {
+    Path scene() {
         return scene;
     }
 
     @Override
     public Integer call() throws Exception {
         List<StudyKind> kinds = kinds();
-        Studio own = scene == null ? null : StudioReader.read(scene);
+        Studio own = scene == null ? null : option.read(scene, List.of());
+        if (own == null && !option.assignments().isEmpty()) {
+            throw new MistakeException(SetOption.NAME + " changes SCENE, which is missing");
+        }
         if (own != null) {
             kinds = requireScene(kinds);
         }
+        Fonts.require();
         StudySetup setup = new StudySetup(seed, own, StudyCommand::bundled, bundledNames());
         List<StudyKind> fitting = kinds;
+        output = output == null ? NamedFile.currentFolder() : output;
         return OutputOption.inFolder(output, () -> study(fitting, setup));
     }
 
@@ -107,7 +108,7 @@ final class StudyCommand implements Callable<Integer>, SceneCommand {
         for (StudyKind kind : studies.keySet()) {
             holds &= make(kind, studies.get(kind), page);
         }
-        spec.commandLine().getOut().println(page.write().toAbsolutePath());
+        out().println(page.write().toAbsolutePath());
         return holds ? 0 : Failures.FAILURE;
     }
 
@@ -178,11 +179,10 @@ final class StudyCommand implements Callable<Integer>, SceneCommand {
                 data(kind, study, page).complete((point, done, count) -> progress(kind, point, done, count));
         progressEnds();
         page.add(kind, study, all);
-        PrintWriter out = spec.commandLine().getOut();
-        out.println(study.answer(all));
+        out().println(study.answer(all));
         boolean holds = true;
         for (Finding finding : study.findings(all)) {
-            out.println((finding.holds() ? "" : "BROKEN: ") + finding.sentence());
+            out().println((finding.holds() ? "" : "BROKEN: ") + finding.sentence());
             holds &= finding.holds();
         }
         return holds;
@@ -206,7 +206,7 @@ final class StudyCommand implements Callable<Integer>, SceneCommand {
 
     private ConsoleLine line() {
         if (line == null) {
-            line = new ConsoleLine(spec.commandLine().getErr());
+            line = new ConsoleLine(err());
         }
         return line;
     }

@@ -1,16 +1,14 @@
 package tompkins.app;
 
 import java.io.PrintWriter;
-import java.util.regex.Pattern;
+import tompkins.property.OneLine;
 
 /**
- * Prints lines for a terminal, which obeys control characters instead of showing them: names of files and texts of
- * scenes may hold some. Each becomes a space, except new lines and tabs. What is printed without the end of its line is
- * left alone, so that the program can use such characters itself.
+ * Prints lines for a terminal: names of files and texts of scenes may hold characters that it would obey. A line stays
+ * one line, whatever it holds. What is printed without the end of its line is left alone, so that the program can use
+ * such characters itself.
  */
 final class TerminalPrinter extends PrintWriter {
-
-    private static final Pattern CONTROLS = Pattern.compile("[\\p{Cc}&&[^\\n\\t]]+");
 
     TerminalPrinter(PrintWriter terminal) {
         super(terminal, true);
@@ -23,6 +21,6 @@ final class TerminalPrinter extends PrintWriter {
 
     @Override
     public void println(String line) {
-        super.println(line == null ? null : CONTROLS.matcher(line).replaceAll(" "));
+        super.println(line == null ? null : OneLine.of(line));
     }
 }

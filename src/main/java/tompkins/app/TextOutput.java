@@ -9,9 +9,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.stream.Stream;
+import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Option;
-import tompkins.image.FileException;
-import tompkins.image.PendingFile;
+import tompkins.file.FileException;
+import tompkins.file.PendingFile;
 
 /** The file into which a command can write text instead of printing it. */
 final class TextOutput {
@@ -24,6 +25,34 @@ final class TextOutput {
 
     @Option(names = "--force", description = "replace a file that is there")
     private boolean force;
+
+    @ArgGroup
+    private Form form = new Form();
+
+    /** How results are told, if not in words. */
+    private static final class Form {
+
+        @Option(
+                names = "--json",
+                description =
+                        "print JSON with 17 significant digits; null where there is no number, or none that is finite")
+        private boolean json;
+
+        @Option(
+                names = "--csv",
+                description = "print a table with 17 significant digits; empty where there is no number")
+        private boolean csv;
+    }
+
+    /** Whether results are told as JSON. */
+    boolean isJson() {
+        return form.json;
+    }
+
+    /** Whether results are told as a table with commas. */
+    boolean isCsv() {
+        return form.csv;
+    }
 
     /** Refuses a file that exists or cannot be written, before the work begins. */
     void check() {
@@ -43,7 +72,7 @@ final class TextOutput {
      */
     void write(PrintWriter printed, Stream<String> lines) throws IOException {
         if (file == null) {
-            lines.forEachOrdered(printed::println);
+            lines.flatMap(String::lines).forEachOrdered(printed::println);
             return;
         }
         try (PendingFile pending = force ? PendingFile.replacing(file) : PendingFile.newFile(file)) {

@@ -6,17 +6,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import java.util.function.BooleanSupplier;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.HelpCommand;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 import tompkins.io.BundledScenes;
-import tompkins.io.SceneFileException;
 import tompkins.io.StudioReader;
+import tompkins.property.MistakeException;
 import tompkins.studio.Studio;
 import tompkins.ui.FirstScene;
 import tompkins.ui.TompkinsWindow;
@@ -24,15 +21,13 @@ import tompkins.ui.TompkinsWindow;
 /** The program as a whole. */
 @Command(
         name = "tompkins",
-        mixinStandardHelpOptions = true,
-        versionProvider = ProgramVersion.class,
         description = "Takes photographs with a camera that moves at nearly the speed of light.",
         footer = {
             "",
             "Without a command: opens the window, with a scene file or saved photograph if one is given; without a display,"
                     + " takes the photograph."
         })
-final class TompkinsCommand implements Callable<Integer>, SceneCommand {
+final class TompkinsCommand extends ProgramCommand {
 
     /** The name of the command that shows the help of another one. */
     static final String HELP = "help";
@@ -52,9 +47,6 @@ final class TompkinsCommand implements Callable<Integer>, SceneCommand {
 
     @Parameters(arity = "0..1", paramLabel = "SCENE", description = "scene file or saved photograph to open")
     private Path scene;
-
-    @Spec
-    private CommandSpec spec;
 
     private final BooleanSupplier display;
 
@@ -81,11 +73,16 @@ final class TompkinsCommand implements Callable<Integer>, SceneCommand {
         return commandLine.addSubcommand(HELP, HelpCommand.class);
     }
 
+    /** Whether some arguments call one of the commands, none of which opens a window. */
+    static boolean isNamedBy(String... arguments) {
+        return arguments.length > 0 && COMMANDS.containsKey(arguments[0]);
+    }
+
     /** Whether some arguments ask for a window, provided that there is nothing wrong with them; quickly decided. */
     static boolean opensWindow(String... arguments) {
         return arguments.length == 0
                 || arguments.length == 1
-                        && !COMMANDS.containsKey(arguments[0])
+                        && !isNamedBy(arguments)
                         && !arguments[0].equals(HELP)
                         && !arguments[0].startsWith("-");
     }
@@ -111,7 +108,7 @@ final class TompkinsCommand implements Callable<Integer>, SceneCommand {
         Studio studio;
         try {
             studio = StudioReader.read(file);
-        } catch (SceneFileException mistakes) {
+        } catch (MistakeException mistakes) {
             openWithProblem(mistakes.getMessage());
             return;
         } catch (OutOfMemoryError tooMuch) {
@@ -122,12 +119,12 @@ final class TompkinsCommand implements Callable<Integer>, SceneCommand {
     }
 
     private void openWithProblem(String problem) throws IOException {
-        spec.commandLine().getErr().println(problem);
+        problem.lines().forEach(err()::println);
         openWindow(problem);
     }
 
     @Override
-    public Path scene() {
+    Path scene() {
         return scene;
     }
 
@@ -140,7 +137,8 @@ final class TompkinsCommand implements Callable<Integer>, SceneCommand {
     public Integer call() throws Exception {
         boolean hasDisplay = display.getAsBoolean();
         if (scene != null && Files.notExists(scene) && !(hasDisplay && isFileName(scene.toString()))) {
-            throw new MistakeException(ArgumentMistake.unknownWord(scene.toString(), spec));
+            throw new MistakeException(
+                    ArgumentMistake.unknownWord(scene.toString(), commandLine().getCommandSpec()));
         }
         if (hasDisplay) {
             if (scene == null) {
@@ -150,11 +148,11 @@ final class TompkinsCommand implements Callable<Integer>, SceneCommand {
             }
             return Failures.WINDOW_IS_OPEN;
         }
-        spec.commandLine()
-                .getErr()
-                .println("There is no display: taking the photograph instead of opening the window.");
-        new Photographer(spec.commandLine(), Runtime.getRuntime().availableProcessors())
-                .takeDefault(scene == null ? BundledScenes.first() : scene, Path.of(""));
+        err().println("There is no display: taking the photograph instead of opening the window.");
+        try (Photographer photographer =
+                new Photographer(commandLine(), Runtime.getRuntime().availableProcessors())) {
+            photographer.takeDefault(scene == null ? BundledScenes.first() : scene, NamedFile.currentFolder());
+        }
         return 0;
     }
 }

@@ -8,7 +8,7 @@ import tompkins.spacetime.IdentityTransformation;
 
 /**
  * Where a camera looks, as two angles about its top direction, and how it is turned so that something is seen at a
- * place of the picture. The top direction stays, so that a level horizon stays level.
+ * position of the picture. The top direction stays, so that a level horizon stays level.
  *
  * @param right angle about the top direction, towards the right, from where the camera looked at first; radians
  * @param up angle above the plane across the top direction; radians
@@ -56,13 +56,14 @@ public record Aim(double right, double up) {
     }
 
     /**
-     * A camera, turned so that a direction is seen at a place of its picture, as far as that goes with a level horizon.
+     * A camera, turned so that a direction is seen at a position of its picture, as far as that goes with a level
+     * horizon.
      *
      * @param direction unit vector in the camera frame
-     * @param place the place
+     * @param position the position
      */
-    public static Camera at(Camera camera, Vector3dc direction, PicturePlace place) {
-        Vector3dc seen = place.direction(camera);
+    public static Camera at(Camera camera, Vector3dc direction, PicturePosition position) {
+        Vector3dc seen = position.direction(camera);
         Vector3dc across = camera.rightDirection();
         double seenRight = seen.dot(across);
         double seenUp = seen.dot(camera.upDirection());
@@ -82,7 +83,7 @@ public record Aim(double right, double up) {
 
     /** A camera whose middle looks along a direction of any length, as far as that goes with a level horizon. */
     public static Camera along(Camera camera, Vector3dc direction) {
-        return at(camera, Vectors.unit(direction), PicturePlace.MIDDLE);
+        return at(camera, Vectors.unit(direction), PicturePosition.MIDDLE);
     }
 
     /** The one of two angles that is nearer to a third; turns by 360 degrees do not count. */
@@ -92,24 +93,26 @@ public record Aim(double right, double up) {
         return Math.abs(a - wanted) <= Math.abs(b - wanted) ? a : b;
     }
 
-    /** A camera whose field of view is changed by a factor, as far as it goes, while a place keeps showing the same. */
-    public static Camera zoomed(Camera camera, double factor, PicturePlace place) {
-        Vector3dc direction = place.direction(camera);
-        return at(FieldOfView.zoomed(camera, factor), direction, place);
+    /**
+     * A camera whose field of view is changed by a factor, as far as it goes, while a position keeps showing the same.
+     */
+    public static Camera zoomed(Camera camera, double factor, PicturePosition position) {
+        Vector3dc direction = position.direction(camera);
+        return at(FieldOfView.zoomed(camera, factor), direction, position);
     }
 
     /**
-     * A place of a picture.
+     * A position of a picture.
      *
      * @param x pixels from the left edge
      * @param y pixels from the upper edge
      * @param width pixels in a row
      * @param height number of rows
      */
-    public record PicturePlace(double x, double y, int width, int height) {
+    public record PicturePosition(double x, double y, int width, int height) {
 
         /** The middle of the picture of a camera. */
-        public static final PicturePlace MIDDLE = new PicturePlace(0.5, 0.5, 1, 1);
+        public static final PicturePosition MIDDLE = new PicturePosition(0.5, 0.5, 1, 1);
 
         /** The unit direction that a camera sees there. */
         public Vector3d direction(Camera camera) {
@@ -117,9 +120,9 @@ public record Aim(double right, double up) {
                     camera.rays(width, height, new IdentityTransformation()).chiefDirection(x, y));
         }
 
-        /** The place at which a camera sees a unit direction; null if it lies behind its lens. */
+        /** The position at which a camera sees a unit direction; null if it lies behind its lens. */
         public static Vector2dc of(Camera camera, Vector3dc direction, int width, int height) {
-            return camera.rays(width, height, new IdentityTransformation()).place(direction);
+            return camera.rays(width, height, new IdentityTransformation()).position(direction);
         }
     }
 }

@@ -7,7 +7,7 @@ import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpaceTimeTransformation;
 
 /**
- * A camera, described in its own frame. Immutable, checked when it is made. {@link CameraMotion}, {@link Aim},
+ * A camera, described in its rest frame. Immutable, checked when it is made. {@link CameraMotion}, {@link Aim},
  * {@link FieldOfView} and {@link FocusDistance} make changed cameras from it.
  */
 public sealed interface Camera permits ThinLensCamera, PanoramicCamera {

@@ -7,7 +7,7 @@ import tompkins.property.Descriptions;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.Shutter;
 
-/** Moves and turns cameras in their own frame. Its shutter and the surface in focus go along. */
+/** Moves and turns cameras in their rest frame. Its shutter and the surface in focus go along. */
 public final class CameraMotion {
 
     private CameraMotion() {}

@@ -14,21 +14,21 @@ public interface CameraRays {
      * Makes the rays of some samples, in the camera frame. A sample that brings no light because it never crosses the
      * shutter gets none.
      *
-     * @param places the samples
+     * @param positions the samples
      * @param rays receives the rays, which know their samples
      * @param counts takes note of rays without focus or shutter
      */
-    void make(SamplePlaces places, RayPacket rays, RayCounts counts);
+    void make(SamplePositions positions, RayPacket rays, RayCounts counts);
 
     /** The ray of a single sample in the middle of the exposure time, or null. */
     default Ray ray(double x, double y, double lensX, double lensY, RayCounts counts) {
-        return ray(x, y, lensX, lensY, SamplePlaces.MIDDLE, counts);
+        return ray(x, y, lensX, lensY, SamplePositions.MIDDLE, counts);
     }
 
-    /** The ray of a single sample, or null; for the place see {@link SamplePlaces#add}. */
+    /** The ray of a single sample, or null; for the position see {@link SamplePositions#add}. */
     default Ray ray(double x, double y, double lensX, double lensY, double moment, RayCounts counts) {
         RayPacket rays = new RayPacket(1);
-        make(SamplePlaces.single(x, y, lensX, lensY, moment), rays, counts);
+        make(SamplePositions.single(x, y, lensX, lensY, moment), rays, counts);
         return rays.count() == 0 ? null : rays.ray(0);
     }
 
@@ -47,5 +47,5 @@ public interface CameraRays {
      *
      * @param direction unit vector in the camera frame
      */
-    Vector2dc place(Vector3dc direction);
+    Vector2dc position(Vector3dc direction);
 }

@@ -87,7 +87,7 @@ public record PanoramicCamera(
 
     /** Checks all values. */
     public PanoramicCamera {
-        position = Require.place("position", position);
+        position = Require.position("position", position);
         viewDirection = Require.direction("viewDirection", viewDirection);
         topDirection = CameraAxes.requireTop(topDirection, viewDirection);
         Require.positive("horizontalAngleDegrees", horizontalAngleDegrees, 360);
@@ -137,7 +137,7 @@ public record PanoramicCamera(
         }
 
         @Override
-        public Vector2dc place(Vector3dc direction) {
+        public Vector2dc position(Vector3dc direction) {
             double ahead = direction.dot(axes.forward());
             double right = direction.dot(axes.right());
             double latitude = Math.atan2(direction.dot(axes.up()), Math.hypot(ahead, right));
@@ -157,11 +157,11 @@ public record PanoramicCamera(
         }
 
         @Override
-        public void make(SamplePlaces places, RayPacket rays, RayCounts counts) {
-            rays.begin(places.count());
+        public void make(SamplePositions positions, RayPacket rays, RayCounts counts) {
+            rays.begin(positions.count());
             int made = 0;
-            for (int i = 0; i < places.count(); i++) {
-                Vector3d chief = chiefDirection(places.x[i], places.y[i]);
+            for (int i = 0; i < positions.count(); i++) {
+                Vector3d chief = chiefDirection(positions.x[i], positions.y[i]);
                 double time = camera.shutter.transmissionTime(chiefRay(chief), sceneFromCamera);
                 if (!Double.isFinite(time)) {
                     counts.withoutShutter++;
@@ -174,13 +174,13 @@ public record PanoramicCamera(
                 rays.dy[i] = chief.y;
                 rays.dz[i] = chief.z;
                 rays.time[i] = time;
-                double level = Math.cos((middleY - places.y[i]) * latitudePerPixel);
+                double level = Math.cos((middleY - positions.y[i]) * latitudePerPixel);
                 rays.spread[i] = Math.max(latitudePerPixel, longitudePerPixel * level);
                 rays.move(i, made);
                 made++;
             }
             rays.keep(made);
-            delays.addTo(rays, places);
+            delays.addTo(rays, positions);
         }
     }
 }

@@ -4,18 +4,19 @@ import java.util.Arrays;
 import tompkins.ray.RayPacket;
 
 /**
- * Places in the pixel, on the lens and in the exposure time for each sample of a pixel. They depend on the seed, the
+ * Positions in the pixel, on the lens and in the exposure time for each sample of a pixel. They depend on the seed, the
  * pixel and the number of the sample alone, so that a picture does not depend on which thread took which sample. One
  * for each thread.
  *
- * <p>The places are the points of a five-dimensional Sobol sequence, scrambled differently in each pixel (Owen
+ * <p>The positions are the points of a five-dimensional Sobol sequence, scrambled differently in each pixel (Owen
  * scrambling by hashing: Laine and Karras 2011): the first 2^n samples fill pixel, lens and exposure time evenly for
- * every n. Among the samplers that were compared it needs the least time for the same error of a picture (see the
- * charts of the aperture in docs/speed-and-accuracy.md). It works through a block in short loops, from which the
- * compiler makes instructions for several pixels at once; this takes two thirds of the time of one pixel after the
- * other.
+ * every n. Among the samplers that were compared on the renderer's own way it needs the least time for the same error
+ * of a picture (see the charts of the aperture in docs/speed-and-accuracy.md; on the lens alone, at an edge, a spiral
+ * needs fewer samples, but no photograph is spread over the lens alone). It works through a block in short loops, from
+ * which the compiler makes instructions for several pixels at once; this takes two thirds of the time of one pixel
+ * after the other.
  */
-public final class PixelSampler {
+public final class PixelSampler implements Sampler {
 
     /**
      * The number of the sample in the centre of the pixel and of the lens, in the middle of the exposure time: the one
@@ -35,8 +36,8 @@ public final class PixelSampler {
     /**
      * A sampler for one picture.
      *
-     * @param seed other seeds give other places
-     * @param wideAperture whether the place on the lens matters; for a pinhole it stays in the centre
+     * @param seed other seeds give other positions
+     * @param wideAperture whether the position on the lens matters; for a pinhole it stays in the centre
      * @param blursInTime whether the moment matters; otherwise it stays in the middle of the exposure time
      */
     public PixelSampler(long seed, boolean wideAperture, boolean blursInTime) {
@@ -54,57 +55,52 @@ public final class PixelSampler {
         return samples == 1 ? CENTRE : 0;
     }
 
-    /**
-     * Chooses the places of one sample of each pixel.
-     *
-     * @param places the pixels, at most {@link RayPacket#MOST}; gets the places
-     * @param sample {@link #CENTRE}, or the number of the sample from 0 upwards
-     */
-    public void choose(SamplePlaces places, int sample) {
-        int count = places.count();
-        Arrays.fill(places.lensX, 0, count, 0);
-        Arrays.fill(places.lensY, 0, count, 0);
-        Arrays.fill(places.moments, 0, count, SamplePlaces.MIDDLE);
+    @Override
+    public void choose(SamplePositions positions, int sample) {
+        int count = positions.count();
+        Arrays.fill(positions.lensX, 0, count, 0);
+        Arrays.fill(positions.lensY, 0, count, 0);
+        Arrays.fill(positions.moments, 0, count, SamplePositions.MIDDLE);
         if (sample == CENTRE) {
             for (int i = 0; i < count; i++) {
-                places.x[i] = places.columns[i] + 0.5;
-                places.y[i] = places.rows[i] + 0.5;
+                positions.x[i] = positions.columns[i] + 0.5;
+                positions.y[i] = positions.rows[i] + 0.5;
             }
             return;
         }
-        hashPixels(places, count);
+        hashPixels(positions, count);
         SobolPoints.shuffle(sample, pixels, points, count);
         // the first dimensions fill their square or cube best; they go to what blurs most
         if (wideAperture) {
-            coordinates(0, places.lensX, count);
-            coordinates(1, places.lensY, count);
-            toLens(places, count);
+            coordinates(0, positions.lensX, count);
+            coordinates(1, positions.lensY, count);
+            toLens(positions, count);
         }
         if (!blursInTime) {
-            coordinates(2, places.x, count);
-            coordinates(3, places.y, count);
+            coordinates(2, positions.x, count);
+            coordinates(3, positions.y, count);
         } else if (wideAperture) {
             // among the last three, 2 and 4 combine worst, so that neither is the moment, which blurs more than the
             // pixel
-            coordinates(3, places.moments, count);
-            coordinates(2, places.x, count);
-            coordinates(4, places.y, count);
+            coordinates(3, positions.moments, count);
+            coordinates(2, positions.x, count);
+            coordinates(4, positions.y, count);
         } else {
-            coordinates(0, places.moments, count);
-            coordinates(1, places.x, count);
-            coordinates(2, places.y, count);
+            coordinates(0, positions.moments, count);
+            coordinates(1, positions.x, count);
+            coordinates(2, positions.y, count);
         }
         for (int i = 0; i < count; i++) {
-            places.x[i] += places.columns[i];
-            places.y[i] += places.rows[i];
+            positions.x[i] += positions.columns[i];
+            positions.y[i] += positions.rows[i];
         }
     }
 
-    private void hashPixels(SamplePlaces places, int count) {
-        System.arraycopy(places.rows, 0, pixels, 0, count);
+    private void hashPixels(SamplePositions positions, int count) {
+        System.arraycopy(positions.rows, 0, pixels, 0, count);
         hash(pixels, count);
         for (int i = 0; i < count; i++) {
-            pixels[i] += places.columns[i];
+            pixels[i] += positions.columns[i];
         }
         hash(pixels, count);
         for (int i = 0; i < count; i++) {
@@ -124,12 +120,12 @@ public final class PixelSampler {
         }
     }
 
-    private static void toLens(SamplePlaces places, int count) {
+    private static void toLens(SamplePositions positions, int count) {
         for (int i = 0; i < count; i++) {
-            double radius = ConcentricMap.radius(places.lensX[i], places.lensY[i]);
-            double angle = ConcentricMap.angle(places.lensX[i], places.lensY[i]);
-            places.lensX[i] = radius * Math.cos(angle);
-            places.lensY[i] = radius * Math.sin(angle);
+            double radius = ConcentricMap.radius(positions.lensX[i], positions.lensY[i]);
+            double angle = ConcentricMap.angle(positions.lensX[i], positions.lensY[i]);
+            positions.lensX[i] = radius * Math.cos(angle);
+            positions.lensY[i] = radius * Math.sin(angle);
         }
     }
 

@@ -25,23 +25,23 @@ final class ShutterDelays {
         int lines = overRows ? height : width;
         ofLines = new double[rolls ? lines : 0];
         for (int line = 0; line < ofLines.length; line++) {
-            ofLines[line] = rolling.delay(line, lines);
+            ofLines[line] = rolling.delay(line + 0.5, lines);
         }
     }
 
     /** Lets each ray start as much later as its sample does; rays of an instant shutter stay as they are. */
-    void addTo(RayPacket rays, SamplePlaces places) {
+    void addTo(RayPacket rays, SamplePositions positions) {
         if (rolls) {
-            int[] lines = overRows ? places.rows : places.columns;
+            int[] lines = overRows ? positions.rows : positions.columns;
             int last = ofLines.length - 1;
             for (int i = 0; i < rays.count(); i++) {
-                // a place on the far edge of the picture belongs to its last line
+                // a position on the far edge of the picture belongs to its last line
                 rays.time[i] += ofLines[Math.max(0, Math.min(last, lines[rays.sample(i)]))];
             }
         }
         if (exposureTime > 0) {
             for (int i = 0; i < rays.count(); i++) {
-                rays.time[i] += exposureTime * places.moments[rays.sample(i)];
+                rays.time[i] += exposureTime * positions.moments[rays.sample(i)];
             }
         }
     }

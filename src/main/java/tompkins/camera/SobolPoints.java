@@ -1,5 +1,8 @@
 package tompkins.camera;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.util.Arrays;
 import org.hipparchus.random.SobolSequenceGenerator;
 
@@ -38,7 +41,7 @@ final class SobolPoints {
 
     /** The direction numbers: the fractions that the bits of a point's number add up to (without carry). */
     private static int[][] directions() {
-        SobolSequenceGenerator sequence = new SobolSequenceGenerator(DIMENSIONS);
+        SobolSequenceGenerator sequence = sequence();
         int[][] directions = new int[DIMENSIONS][Integer.SIZE];
         for (int bit = 0; bit < Integer.SIZE - 1; bit++) {
             // the library counts in Gray code, where the numbers 2^bit - 1 and 2^bit differ in one bit only
@@ -49,6 +52,19 @@ final class SobolPoints {
             }
         }
         return directions;
+    }
+
+    /**
+     * The first five dimensions of the table of S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better
+     * two-dimensional projections", SIAM J. Sci. Comput. 30 (2008), doi:10.1137/070709359. The library's own table has
+     * 21 201 dimensions and would be a fifteenth of the program's file, which leaves it out.
+     */
+    private static SobolSequenceGenerator sequence() {
+        try (InputStream table = SobolPoints.class.getResourceAsStream("sobol-directions.txt")) {
+            return new SobolSequenceGenerator(DIMENSIONS, table);
+        } catch (IOException impossible) {
+            throw new UncheckedIOException(impossible);
+        }
     }
 
     private static int[] fractions(double[] point) {

@@ -95,7 +95,7 @@ public record ThinLensCamera(
      * size.
      */
     public ThinLensCamera {
-        position = Require.place("position", position);
+        position = Require.position("position", position);
         viewDirection = Require.direction("viewDirection", viewDirection);
         topDirection = CameraAxes.requireTop(topDirection, viewDirection);
         Require.between("horizontalAngleDegrees", horizontalAngleDegrees, 0, 180);

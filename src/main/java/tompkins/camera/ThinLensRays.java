@@ -74,12 +74,12 @@ final class ThinLensRays implements CameraRays {
     @Override
     public Vector3d chiefDirection(double x, double y) {
         RayPacket rays = new RayPacket(1);
-        aim(SamplePlaces.single(x, y, 0, 0, SamplePlaces.MIDDLE), rays);
+        aim(SamplePositions.single(x, y, 0, 0, SamplePositions.MIDDLE), rays);
         return new Vector3d(rays.dx[0], rays.dy[0], rays.dz[0]);
     }
 
     @Override
-    public Vector2dc place(Vector3dc direction) {
+    public Vector2dc position(Vector3dc direction) {
         double ahead = direction.dot(axes.forward());
         return ahead <= 0
                 ? null
@@ -94,40 +94,40 @@ final class ThinLensRays implements CameraRays {
     }
 
     @Override
-    public void make(SamplePlaces places, RayPacket rays, RayCounts counts) {
-        rays.begin(places.count());
-        aim(places, rays);
+    public void make(SamplePositions positions, RayPacket rays, RayCounts counts) {
+        rays.begin(positions.count());
+        aim(positions, rays);
         if (constantTime && apertureRadius == 0) {
             startInPinhole(rays);
-            delays.addTo(rays, places);
+            delays.addTo(rays, positions);
             return;
         }
         int made = 0;
-        for (int i = 0; i < places.count(); i++) {
-            if (startOnLens(places.lensX[i], places.lensY[i], rays, i, counts)) {
+        for (int i = 0; i < positions.count(); i++) {
+            if (startOnLens(positions.lensX[i], positions.lensY[i], rays, i, counts)) {
                 rays.move(i, made);
                 made++;
             }
         }
         rays.keep(made);
-        delays.addTo(rays, places);
+        delays.addTo(rays, positions);
     }
 
     /**
      * Sets all directions to those through the centre of the lens. Short loops, because the compiler makes no
      * instructions for several rays at once from a long one.
      */
-    private void aim(SamplePlaces places, RayPacket rays) {
-        int count = places.count();
+    private void aim(SamplePositions positions, RayPacket rays) {
+        int count = positions.count();
         // slopes and scales first, where the directions will be
         double[] right = rays.dx;
         double[] up = rays.dy;
         double[] scale = rays.dz;
         for (int i = 0; i < count; i++) {
-            right[i] = (places.x[i] - middleX) * slopePerColumn;
+            right[i] = (positions.x[i] - middleX) * slopePerColumn;
         }
         for (int i = 0; i < count; i++) {
-            up[i] = (middleY - places.y[i]) * slopePerRow;
+            up[i] = (middleY - positions.y[i]) * slopePerRow;
         }
         for (int i = 0; i < count; i++) {
             scale[i] = 1 / Math.sqrt(1 + right[i] * right[i] + up[i] * up[i]);
@@ -153,9 +153,9 @@ final class ThinLensRays implements CameraRays {
         Arrays.fill(rays.time, 0, rays.count(), shutter.openingTime());
     }
 
-    /** Lets a ray that was aimed start at a place on the lens; false if it never crosses the shutter. */
-    private boolean startOnLens(double lensX, double lensY, RayPacket rays, int place, RayCounts counts) {
-        Vector3d chief = new Vector3d(rays.dx[place], rays.dy[place], rays.dz[place]);
+    /** Lets a ray that was aimed start at a position on the lens; false if it never crosses the shutter. */
+    private boolean startOnLens(double lensX, double lensY, RayPacket rays, int index, RayCounts counts) {
+        Vector3d chief = new Vector3d(rays.dx[index], rays.dy[index], rays.dz[index]);
         double inverseFocusDistance = inverseFocusDistance(chief, counts);
         Vector3d pupilPoint = offset(lensX, lensY).add(centre);
         LensRay ray = new LensRay(centre, pupilPoint, chief, inverseFocusDistance, axes.forward());
@@ -164,15 +164,15 @@ final class ThinLensRays implements CameraRays {
             counts.withoutShutter++;
             return false;
         }
-        rays.x[place] = pupilPoint.x;
-        rays.y[place] = pupilPoint.y;
-        rays.z[place] = pupilPoint.z;
-        rays.time[place] = time;
+        rays.x[index] = pupilPoint.x;
+        rays.y[index] = pupilPoint.y;
+        rays.z[index] = pupilPoint.z;
+        rays.time[index] = time;
         if (apertureRadius > 0) {
             Vector3d direction = ray.towardsFocus().normalize();
-            rays.dx[place] = direction.x;
-            rays.dy[place] = direction.y;
-            rays.dz[place] = direction.z;
+            rays.dx[index] = direction.x;
+            rays.dy[index] = direction.y;
+            rays.dz[index] = direction.z;
         }
         return true;
     }

@@ -5,6 +5,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import tompkins.file.FileException;
+import tompkins.file.PendingFile;
 
 /** The formats in which animations are saved. They play forever if the format can say so. */
 public enum AnimationFormat {
@@ -19,7 +21,7 @@ public enum AnimationFormat {
     MP4("an MP4 video", List.of(".mp4")),
 
     /**
-     * A folder of PNG pictures {@code frame0001.png}, {@code frame0002.png}, ..., each with its scene inside: exact.
+     * A folder of PNG pictures {@code frame0000.png}, {@code frame0001.png}, ..., each with its scene inside: exact.
      */
     NUMBERED_PNG("a folder of numbered PNG pictures", List.of());
 
@@ -61,36 +63,23 @@ public enum AnimationFormat {
         return NUMBERED_PNG;
     }
 
+    /** The most frames a second that this format can show. */
+    public int fastest() {
+        return this == GIF ? GifWriter.FASTEST : FASTEST;
+    }
+
     /**
-     * Begins an animation that replaces the file that has its name, if there is one.
+     * Begins an animation.
      *
      * @param target the file, or for numbered pictures the folder, which must be new or empty
      * @param framesPerSecond from 1 to {@link #FASTEST}
-     * @throws FileException if the name does not fit the format, nothing can be written there, or ffmpeg is missing
+     * @param replace whether it replaces the file that has its name; otherwise, if that is taken when the animation is
+     *     complete, it gets a name with a number
+     * @throws FileException if the name does not fit the format, the format cannot show so many frames, nothing can be
+     *     written there, or ffmpeg is missing
      * @throws IllegalArgumentException if {@code framesPerSecond} is out of range
      */
-    public AnimationWriter open(Path target, int framesPerSecond) throws FileException {
-        return open(target, framesPerSecond, PendingFile::replacing);
-    }
-
-    /**
-     * Begins an animation that replaces nothing: if its name is taken when it is complete, it gets a name with a
-     * number. Otherwise as {@link #open}.
-     */
-    public AnimationWriter openNew(Path target, int framesPerSecond) throws FileException {
-        return open(target, framesPerSecond, file -> {
-            PendingFile.requireReplaceable(file);
-            return PendingFile.newFile(file);
-        });
-    }
-
-    /** Begins a file. */
-    private interface Beginning {
-
-        PendingFile begin(Path target) throws IOException;
-    }
-
-    private AnimationWriter open(Path target, int framesPerSecond, Beginning file) throws FileException {
+    public AnimationWriter open(Path target, int framesPerSecond, boolean replace) throws FileException {
         if (framesPerSecond < 1 || framesPerSecond > FASTEST) {
             throw new IllegalArgumentException(
                     "framesPerSecond must be a whole number from 1 to " + FASTEST + ", was " + framesPerSecond);
@@ -98,18 +87,28 @@ public enum AnimationFormat {
         if (!endings.isEmpty()) {
             FileEndings.require(target, endings, description);
         }
+        if (framesPerSecond > fastest()) {
+            throw new FileException(target + ": " + description + " can show at most " + fastest()
+                    + " pictures a second, the film has " + framesPerSecond
+                    + "; give the film fewer, or save it as .png (an animated PNG) or .mp4");
+        }
         try {
             return switch (this) {
-                case APNG -> new ApngWriter(file.begin(target), framesPerSecond);
-                case GIF -> new GifWriter(file.begin(target), framesPerSecond);
+                case APNG -> new ApngWriter(file(target, replace), framesPerSecond);
+                case GIF -> new GifWriter(file(target, replace), framesPerSecond);
                 case MP4 -> {
                     Path program = Mp4Writer.program();
-                    yield new Mp4Writer(file.begin(target), framesPerSecond, program);
+                    yield new Mp4Writer(file(target, replace), framesPerSecond, program);
                 }
                 case NUMBERED_PNG -> new NumberedPngWriter(PendingFile.newFolder(target));
             };
         } catch (IOException e) {
             throw FileException.cannotWrite(target, e);
         }
+    }
+
+    private static PendingFile file(Path target, boolean replace) throws IOException {
+        PendingFile.requireReplaceable(target);
+        return PendingFile.at(target, replace);
     }
 }

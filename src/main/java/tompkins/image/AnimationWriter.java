@@ -4,13 +4,15 @@ import java.awt.image.BufferedImage;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
+import tompkins.file.FileException;
+import tompkins.file.PendingFile;
 
 /**
  * An animation that is being saved frame by frame; only one frame is held in memory. It appears under its name with
  * {@link #finish}; if it is closed without that, it leaves no trace. For one thread at a time.
  *
  * <pre>{@code
- * try (AnimationWriter animation = AnimationFormat.GIF.open(file, 25)) {
+ * try (AnimationWriter animation = AnimationFormat.GIF.open(file, 25, true)) {
  *     animation.add(frame, info);
  *     ...
  *     animation.finish();
@@ -30,23 +32,9 @@ public abstract sealed class AnimationWriter implements Closeable
         this.pending = pending;
     }
 
-    /**
-     * Adds a photograph as a frame. All frames have the size of the first.
-     *
-     * @param curve how its light becomes colours
-     * @param decoration draws over it
-     * @param caption what is written into its lower left corner; nothing if it is empty
-     * @param info as in {@link #add(BufferedImage, PhotographInfo)}, which also says what is thrown
-     */
-    public final void add(
-            LinearImage photograph, ToneCurve curve, PictureDecoration decoration, String caption, PhotographInfo info)
-            throws FileException {
-        BufferedImage frame = BufferedImages.toBufferedImage(photograph, curve);
-        decoration.paint(frame);
-        if (!caption.isEmpty()) {
-            PictureLabel.paint(frame, caption);
-        }
-        add(frame, info);
+    /** As {@link #add(BufferedImage, PhotographInfo)}. */
+    public final void add(FramePicture frame, PhotographInfo info) throws FileException {
+        add(frame.image(), info);
     }
 
     /**

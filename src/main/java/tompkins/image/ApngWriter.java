@@ -8,6 +8,7 @@ import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.channels.Channels;
 import java.nio.channels.SeekableByteChannel;
+import tompkins.file.PendingFile;
 
 /**
  * An animated PNG (PNG specification, third edition, section 11.3.6): the chunks of ordinary PNG pictures, with the

@@ -13,6 +13,7 @@ import java.awt.image.PixelInterleavedSampleModel;
 import java.awt.image.Raster;
 import java.awt.image.SampleModel;
 import java.awt.image.WritableRaster;
+import java.util.stream.IntStream;
 
 /** Photographs in the forms that screens and image writers take. */
 public final class BufferedImages {
@@ -32,16 +33,16 @@ public final class BufferedImages {
         BufferedImage result = new BufferedImage(width, image.height(), BufferedImage.TYPE_INT_RGB);
         WritableRaster raster = result.getRaster();
         float[] rgb = image.rgb();
-        int[] row = new int[width];
-        for (int y = 0, index = 0; y < image.height(); y++) {
-            for (int x = 0; x < width; x++, index += 3) {
+        IntStream.range(0, image.height()).parallel().forEach(y -> {
+            int[] row = new int[width];
+            for (int x = 0, index = 3 * y * width; x < width; x++, index += 3) {
                 row[x] = levels.level(rgb[index]) << 16
                         | levels.level(rgb[index + 1]) << 8
                         | levels.level(rgb[index + 2]);
             }
             // Row by row, because an image whose data buffer was ever asked for stays slow to draw.
             raster.setDataElements(0, y, width, 1, row);
-        }
+        });
         return result;
     }
 

@@ -3,6 +3,7 @@ package tompkins.image;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import tompkins.file.FileException;
 
 /** The endings of file names, such as {@code .png}; small and capital letters are the same. */
 final class FileEndings {

@@ -11,6 +11,7 @@ import javax.imageio.metadata.IIOMetadata;
 import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
+import tompkins.file.PendingFile;
 
 /** An animated GIF that plays forever; each frame has its own palette. */
 final class GifWriter extends AnimationWriter {
@@ -18,8 +19,8 @@ final class GifWriter extends AnimationWriter {
     private static final String NATIVE = "javax_imageio_gif_image_1.0";
     private static final int LARGEST_SIDE = 65535;
 
-    /** Browsers take shorter delays for mistakes and play slowly. */
-    private static final int SHORTEST_DELAY = 2;
+    /** Delays are hundredths of a second, and browsers take those below two for mistakes and play slowly. */
+    static final int FASTEST = 50;
 
     private final int framesPerSecond;
     private final OutputStream out;
@@ -61,10 +62,7 @@ final class GifWriter extends AnimationWriter {
         writer.prepareWriteSequence(null);
     }
 
-    /**
-     * Whole hundredths of a second whose sum keeps up with the time, up to 50 frames a second; faster animations are
-     * slowed down.
-     */
+    /** Whole hundredths of a second whose sum keeps up with the time. */
     private IIOMetadataNode delayNode(int index) {
         long delay = Math.round(100.0 * (index + 1) / framesPerSecond) - Math.round(100.0 * index / framesPerSecond);
         IIOMetadataNode control = new IIOMetadataNode("GraphicControlExtension");
@@ -72,7 +70,7 @@ final class GifWriter extends AnimationWriter {
         control.setAttribute("userInputFlag", "FALSE");
         control.setAttribute("transparentColorFlag", "FALSE");
         control.setAttribute("transparentColorIndex", "0");
-        control.setAttribute("delayTime", Long.toString(Math.max(SHORTEST_DELAY, delay)));
+        control.setAttribute("delayTime", Long.toString(delay));
         return control;
     }
 

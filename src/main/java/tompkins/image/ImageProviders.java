@@ -38,7 +38,9 @@ final class ImageProviders {
             case PNG -> jdkReader("png.PNGImageReaderSpi");
             case JPEG -> jdkReader("jpeg.JPEGImageReaderSpi");
             case TIFF -> new TIFFImageReaderSpi().createReaderInstance();
-            case BMP, GIF, HDR -> throw new IllegalArgumentException("no library reads such pictures rightly");
+            case BMP -> jdkReader("bmp.BMPImageReaderSpi");
+            case GIF -> jdkReader("gif.GIFImageReaderSpi");
+            case HDR -> throw new IllegalArgumentException("no library reads such pictures rightly");
         };
     }
 

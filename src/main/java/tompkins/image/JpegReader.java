@@ -1,63 +1,34 @@
 package tompkins.image;
 
-import java.awt.image.Raster;
-import java.io.ByteArrayOutputStream;
-import java.io.EOFException;
+import com.twelvemonkeys.imageio.metadata.jpeg.JPEG;
+import com.twelvemonkeys.imageio.metadata.jpeg.JPEGSegment;
+import com.twelvemonkeys.imageio.metadata.jpeg.JPEGSegmentUtil;
+import com.twelvemonkeys.imageio.stream.ByteArrayImageInputStream;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import javax.imageio.stream.ImageInputStream;
+import tompkins.file.FileException;
 
 /**
- * Reads JPEG pictures (ITU-T T.81) with the JDK's reader, which is handed a plain file: left to itself, it converts by
- * embedded profiles, takes YCbCr pictures without a marker of JFIF or Adobe for RGB, and gives no reason when it
- * refuses a picture.
+ * Reads JPEG pictures (ITU-T T.81): grey, RGB and YCbCr, baseline and progressive. The JDK's reader is asked for the
+ * samples as they are stored. Left to itself it converts them by embedded profiles, and takes YCbCr pictures without a
+ * marker of JFIF or Adobe for RGB.
  */
 final class JpegReader {
 
-    private static final int START_OF_IMAGE = 0xd8;
-    private static final int END_OF_IMAGE = 0xd9;
-    private static final int START_OF_SCAN = 0xda;
-    private static final int COMMENT = 0xfe;
-    private static final int FIRST_APPLICATION = 0xe0;
-    private static final int EXIF = 0xe1;
-    private static final int ADOBE = 0xee;
-    private static final int LAST_APPLICATION = 0xef;
-    private static final int JPEG_LS = 0xf7;
-
-    /** Markers without a segment: restarts, start and end. */
-    private static final int FIRST_BARE = 0xd0;
-
-    /**
-     * Codes among those of frames that do not begin a frame: tables, an extension, conditioning of arithmetic codes.
-     */
-    private static final byte[] NO_FRAMES = {(byte) 0xc4, (byte) 0xc8, (byte) 0xcc};
-
-    private static final int FIRST_FRAME = 0xc0;
-    private static final int PROGRESSIVE = 0xc2;
-    private static final int LAST_FRAME = 0xcf;
-
-    private static final byte[] EXIF_START = {'E', 'x', 'i', 'f', 0, 0};
     private static final byte[] RGB_COMPONENTS = {'R', 'G', 'B'};
 
-    private static final byte[] JFIF_SEGMENT = {
-        (byte) 0xff, (byte) 0xe0, 0, 16, 'J', 'F', 'I', 'F', 0, 1, 1, 0, 0, 1, 0, 1, 0, 0
-    };
-    private static final byte[] ADOBE_RGB_SEGMENT = {
-        (byte) 0xff, (byte) 0xee, 0, 14, 'A', 'd', 'o', 'b', 'e', 0, 100, 0, 0, 0, 0, 0
-    };
+    /** Where a segment of Adobe holds the number of its colours, 0 for RGB, after the name. */
+    private static final int ADOBE_TRANSFORM_AT = 5;
 
-    private final byte[] file;
     private final String name;
-    private final ByteArrayOutputStream kept = new ByteArrayOutputStream();
     private Orientation orientation = Orientation.TOP_LEFT;
     private boolean exifSeen;
     private boolean jfif;
     private int adobeTransform = -1;
     private byte[] components = {};
-    private int pixelsAt;
 
-    private JpegReader(byte[] file, String name) {
-        this.file = file;
+    private JpegReader(String name) {
         this.name = name;
     }
 
@@ -68,33 +39,81 @@ final class JpegReader {
      * @throws IOException if the file is damaged
      */
     static Pixels read(byte[] file, String name) throws IOException {
-        JpegReader reader = new JpegReader(file, name);
-        reader.readSegments();
-        reader.requireColours();
-        return reader.orientation.turn(LibraryReader.read(PictureEncoding.JPEG, reader.plainFile(), name));
+        JpegReader reader = new JpegReader(name);
+        try (ImageInputStream stream = new ByteArrayImageInputStream(file)) {
+            for (JPEGSegment segment : JPEGSegmentUtil.readSegments(stream, JPEGSegmentUtil.ALL_SEGMENTS)) {
+                reader.readSegment(segment);
+            }
+        }
+        if (reader.components.length == 0) {
+            throw new IOException("the picture has no pixels");
+        }
+        Pixels pixels = PixelDecoder.decode(LibraryReader.samples(PictureEncoding.JPEG, file, name), null);
+        if (reader.components.length == 3 && !reader.isRgb()) {
+            toRgb(pixels.rgba());
+        }
+        return reader.orientation.turn(pixels);
+    }
+
+    private void readSegment(JPEGSegment segment) throws IOException {
+        int marker = segment.marker();
+        if (marker >= JPEG.SOF0
+                        && marker <= JPEG.SOF15
+                        && marker != JPEG.DHT
+                        && marker != JPEG.DAC
+                        && marker != JPEG.SOF0 + 8
+                || marker == JPEG.SOF55) {
+            readFrame(marker, segment.segmentData().readAllBytes());
+        } else if (marker == JPEG.APP0 && "JFIF".equals(segment.identifier())) {
+            jfif = true;
+        } else if (marker == JPEG.APP14 && "Adobe".equals(segment.identifier())) {
+            byte[] data = segment.data().readAllBytes();
+            adobeTransform = data.length > ADOBE_TRANSFORM_AT ? data[ADOBE_TRANSFORM_AT] & 0xff : -1;
+        } else if (marker == JPEG.APP1 && "Exif".equals(segment.identifier()) && !exifSeen) {
+            exifSeen = true;
+            byte[] data = segment.data().readAllBytes();
+            orientation =
+                    TiffDirectory.exifOrientation(Arrays.copyOfRange(data, Math.min(1, data.length), data.length));
+        }
     }
 
     /**
-     * The samples of a picture that is a part of another file, which says what they mean.
-     *
-     * @throws FileException if the picture is of a kind that is not read
-     * @throws IOException if it is damaged
+     * A frame: bits of a sample, height, width, and components with three bytes each, the first of which is its name.
      */
-    static Raster samples(byte[] file, String name) throws IOException {
-        JpegReader reader = new JpegReader(file, name);
-        reader.readSegments();
-        return LibraryReader.samples(PictureEncoding.JPEG, reader.plainFile(), name);
+    private void readFrame(int marker, byte[] frame) throws IOException {
+        if (marker > JPEG.SOF2) {
+            throw PictureEncoding.JPEG.refusal(name, "its coding is " + coding(marker), "be baseline or progressive");
+        }
+        if (frame[0] != 8) {
+            throw PictureEncoding.JPEG.refusal(name, "has " + frame[0] + " bits a sample", "have 8");
+        }
+        // The library has a limit of its own, and no reason.
+        Pixels.requireSize(bigEndian(frame, 3), bigEndian(frame, 1), name);
+        int count = frame[5] & 0xff;
+        if (count != 1 && count != 3) {
+            throw PictureEncoding.JPEG.refusal(
+                    name,
+                    "has " + count + " colours"
+                            + (count == 4 ? ", as for printing in cyan, magenta, yellow and black" : ""),
+                    "be grey or red, green and blue");
+        }
+        components = new byte[count];
+        for (int i = 0; i < count; i++) {
+            components[i] = frame[6 + 3 * i];
+        }
     }
 
-    /** The file with one marker that says what its colours are, and without profiles, thumbnails and comments. */
-    private byte[] plainFile() {
-        ByteArrayOutputStream plain = new ByteArrayOutputStream(file.length);
-        plain.write(0xff);
-        plain.write(START_OF_IMAGE);
-        plain.writeBytes(isRgb() ? ADOBE_RGB_SEGMENT : JFIF_SEGMENT);
-        plain.writeBytes(kept.toByteArray());
-        plain.write(file, pixelsAt, file.length - pixelsAt);
-        return plain.toByteArray();
+    private static int bigEndian(byte[] data, int at) {
+        return (data[at] & 0xff) << 8 | data[at + 1] & 0xff;
+    }
+
+    private static String coding(int marker) {
+        return switch (marker) {
+            case JPEG.SOF3 -> "lossless";
+            case JPEG.SOF5, JPEG.SOF6, JPEG.SOF7 -> "hierarchical";
+            case JPEG.SOF55 -> "JPEG-LS";
+            default -> "arithmetic";
+        };
     }
 
     /**
@@ -102,125 +121,22 @@ final class JpegReader {
      * names.
      */
     private boolean isRgb() {
-        return components.length == 3
-                && !jfif
-                && (adobeTransform >= 0 ? adobeTransform == 0 : Arrays.equals(components, RGB_COMPONENTS));
+        return !jfif && (adobeTransform >= 0 ? adobeTransform == 0 : Arrays.equals(components, RGB_COMPONENTS));
     }
 
-    private void readSegments() throws IOException {
-        int at = 2;
-        while (true) {
-            at = nextMarker(at);
-            int marker = file[at] & 0xff;
-            if (marker == END_OF_IMAGE) {
-                throw new EOFException("the picture has no pixels");
-            }
-            if (marker == START_OF_SCAN) {
-                pixelsAt = at - 1;
-                return;
-            }
-            int end = at + 1;
-            if (marker != 1 && (marker < FIRST_BARE || marker > START_OF_IMAGE)) {
-                end = at + 1 + bigEndian(at + 1);
-                readSegment(marker, at + 3, end);
-            }
-            at = end;
+    /** From luminance and differences (JFIF 1.02, after ITU-R BT.601) to whole levels of red, green and blue. */
+    private static void toRgb(float[] rgba) {
+        for (int pixel = 0; pixel < rgba.length; pixel += 4) {
+            double luminance = 255 * rgba[pixel];
+            double blueDifference = 255 * rgba[pixel + 1] - 128;
+            double redDifference = 255 * rgba[pixel + 2] - 128;
+            rgba[pixel] = level(luminance + 1.402 * redDifference);
+            rgba[pixel + 1] = level(luminance - 0.34414 * blueDifference - 0.71414 * redDifference);
+            rgba[pixel + 2] = level(luminance + 1.772 * blueDifference);
         }
     }
 
-    /** The place of the code of the next marker; bytes of 255 before it are padding. */
-    private int nextMarker(int from) throws IOException {
-        int at = from;
-        while (unsigned(at) != 0xff) {
-            at++;
-        }
-        while (unsigned(at) == 0xff) {
-            at++;
-        }
-        return at;
-    }
-
-    private int bigEndian(int at) throws IOException {
-        return unsigned(at) << 8 | unsigned(at + 1);
-    }
-
-    private int unsigned(int at) throws IOException {
-        if (at >= file.length) {
-            throw new EOFException("the file ends before its pixels");
-        }
-        return file[at] & 0xff;
-    }
-
-    private void readSegment(int marker, int from, int end) throws IOException {
-        if (end < from || end > file.length) {
-            throw new EOFException("the file ends inside a segment");
-        }
-        if (marker >= FIRST_APPLICATION && marker <= LAST_APPLICATION) {
-            readApplication(marker, Arrays.copyOfRange(file, from, end));
-        } else if (marker != COMMENT) {
-            if (marker == JPEG_LS || isFrame(marker)) {
-                readFrame(marker, from);
-            }
-            kept.write(file, from - 4, end - from + 4);
-        }
-    }
-
-    private static boolean isFrame(int marker) {
-        return marker >= FIRST_FRAME && marker <= LAST_FRAME && Arrays.binarySearch(NO_FRAMES, (byte) marker) < 0;
-    }
-
-    private void readApplication(int marker, byte[] data) {
-        if (marker == FIRST_APPLICATION && startsWith(data, "JFIF\0")) {
-            jfif = true;
-        } else if (marker == ADOBE && startsWith(data, "Adobe") && data.length >= 12) {
-            adobeTransform = data[11] & 0xff;
-        } else if (marker == EXIF && !exifSeen && startsWith(data, "Exif\0")) {
-            exifSeen = true;
-            orientation = TiffDirectory.exifOrientation(Arrays.copyOfRange(data, EXIF_START.length, data.length));
-        }
-    }
-
-    private static boolean startsWith(byte[] data, String start) {
-        byte[] bytes = start.getBytes(StandardCharsets.ISO_8859_1);
-        return data.length >= EXIF_START.length && Arrays.equals(data, 0, bytes.length, bytes, 0, bytes.length);
-    }
-
-    /**
-     * The segment: bits of a sample, height, width, components with three bytes each, of which the first is the name.
-     */
-    private void readFrame(int marker, int from) throws IOException {
-        if (marker > PROGRESSIVE) {
-            throw new FileException(
-                    name + ": its coding is " + coding(marker) + "; a JPEG picture must be baseline or progressive");
-        }
-        int bits = unsigned(from);
-        if (bits != 8) {
-            throw new FileException(name + ": has " + bits + " bits a sample; a JPEG picture must have 8");
-        }
-        // The library has a limit of its own, and no reason.
-        Pixels.requireSize(bigEndian(from + 3), bigEndian(from + 1), name);
-        components = new byte[unsigned(from + 5)];
-        for (int i = 0; i < components.length; i++) {
-            components[i] = (byte) unsigned(from + 6 + 3 * i);
-        }
-    }
-
-    private void requireColours() throws FileException {
-        if (components.length != 1 && components.length != 3) {
-            throw new FileException(name + ": has " + components.length
-                    + (components.length == 4
-                            ? " colours, as for printing in cyan, magenta, yellow and black"
-                            : " colours")
-                    + "; a JPEG picture must be grey or red, green and blue");
-        }
-    }
-
-    private static String coding(int marker) {
-        return switch (marker) {
-            case 0xc3 -> "lossless";
-            case 0xc5, 0xc6, 0xc7 -> "hierarchical";
-            case JPEG_LS -> "JPEG-LS";
-            default -> "arithmetic";
-        };
+    private static float level(double number) {
+        return Math.round(Math.max(0, Math.min(255, number))) / 255f;
     }
 }

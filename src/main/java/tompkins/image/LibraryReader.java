@@ -10,18 +10,13 @@ import java.util.List;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 
-/** Reads the pixels of pictures with the readers of the libraries. */
+/** Reads pictures with the readers of the libraries. The size is checked before a picture is made. */
 final class LibraryReader {
 
     private LibraryReader() {}
 
-    /** The pixels of a picture. */
-    static Pixels read(PictureEncoding encoding, byte[] file, String name) throws IOException {
-        return PixelDecoder.decode(image(encoding, file, name));
-    }
-
     /**
-     * A picture as the library gives it. Its size is checked before it is made.
+     * A picture as the library gives it.
      *
      * @throws IOException if the file is damaged, or ends too early
      */
@@ -30,7 +25,7 @@ final class LibraryReader {
     }
 
     /**
-     * The samples of a picture as they are stored, not converted. Its size is checked before they are made.
+     * The samples of a picture as they are stored, not converted.
      *
      * @throws IOException if the file is damaged, or ends too early
      */

@@ -3,29 +3,24 @@ package tompkins.image;
 /**
  * A photograph in linear light: red, green and blue for each pixel, row 0 at the top. Values are not bounded; 1 is the
  * brightest that a screen shows. The array is handed over, not copied: nobody may change it afterwards.
+ *
+ * @param width pixels in a row
+ * @param height number of rows
+ * @param rgb three numbers a pixel, row after row from the top
  */
-public final class LinearImage {
-
-    private final int width;
-    private final int height;
-    private final float[] rgb;
+public record LinearImage(int width, int height, float[] rgb) {
 
     /**
-     * A photograph of {@code width} by {@code height} pixels.
+     * Checks the size.
      *
-     * @param rgb three numbers a pixel, row after row from the top
      * @throws IllegalArgumentException if a side is below 1, if the pixels do not fit into one array, or if the number
      *     of values does not fit the size
      */
-    public LinearImage(int width, int height, float[] rgb) {
-        int length = requireSize(width, height);
-        if (rgb.length != length) {
-            throw new IllegalArgumentException("a picture of " + width + " x " + height + " pixels needs " + length
-                    + " values, there are " + rgb.length);
+    public LinearImage {
+        if (rgb.length != requireSize(width, height)) {
+            throw new IllegalArgumentException("a picture of " + width + " x " + height + " pixels needs "
+                    + requireSize(width, height) + " values, there are " + rgb.length);
         }
-        this.width = width;
-        this.height = height;
-        this.rgb = rgb;
     }
 
     /**
@@ -43,21 +38,6 @@ public final class LinearImage {
                     "a picture must have at most " + Integer.MAX_VALUE / 3 + " pixels, was " + width + " x " + height);
         }
         return 3 * width * height;
-    }
-
-    /** Pixels in a row. */
-    public int width() {
-        return width;
-    }
-
-    /** Number of rows. */
-    public int height() {
-        return height;
-    }
-
-    /** The values themselves, not a copy: three numbers a pixel, row after row from the top. Must not be changed. */
-    public float[] rgb() {
-        return rgb;
     }
 
     /**

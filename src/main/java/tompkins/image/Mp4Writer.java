@@ -5,31 +5,42 @@ import java.io.BufferedOutputStream;
 import java.io.BufferedReader;
 import java.io.File;
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.InputStreamReader;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentLinkedDeque;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import tompkins.file.FileException;
+import tompkins.file.FileFailure;
+import tompkins.file.PendingFile;
 
 /** H.264 video, made by feeding the pixels to the program ffmpeg. What it complains about becomes the message. */
 final class Mp4Writer extends AnimationWriter {
 
+    private static final String ENCODER = "libx264";
+
+    private static final String INSTEAD = "save an animated PNG, an animated GIF or numbered pictures";
+
     /** What the system says, and ffmpeg at the end of a line. */
     private static final String FULL_DISK = "No space left on device";
 
+    /**
+     * How long to wait for the end of the complaints: programs that ffmpeg has started may live on and keep it open.
+     */
+    private static final long PATIENCE_MILLISECONDS = 1000;
+
     private final Path program;
     private final int framesPerSecond;
+    private final Deque<String> complaints = new ConcurrentLinkedDeque<>();
     private Process process;
-    private Complaints complaints;
+    private Thread listener;
     private OutputStream pixels;
 
     Mp4Writer(PendingFile pending, int framesPerSecond, Path program) {
@@ -58,8 +69,8 @@ final class Mp4Writer extends AnimationWriter {
      */
     static Path program() throws FileException {
         return findProgram(System.getenv("PATH"))
-                .orElseThrow(() -> new FileException("ffmpeg: not found on the path; install it to save MP4 videos,"
-                        + " or save an animated PNG, an animated GIF or numbered pictures"));
+                .orElseThrow(() -> new FileException(
+                        "ffmpeg: not found on the path; install it to save MP4 videos," + " or " + INSTEAD));
     }
 
     @Override
@@ -78,7 +89,9 @@ final class Mp4Writer extends AnimationWriter {
         process = new ProcessBuilder(command(width, height))
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD)
                 .start();
-        complaints = new Complaints(process.getErrorStream());
+        listener = new Thread(() -> listen(process.errorReader(StandardCharsets.UTF_8)), "tompkins-ffmpeg");
+        listener.setDaemon(true);
+        listener.start();
         pending().stopAtEnd(this::kill);
         pixels = new BufferedOutputStream(process.getOutputStream(), 1 << 16);
     }
@@ -95,7 +108,7 @@ final class Mp4Writer extends AnimationWriter {
         String shape = "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv";
         // A player that does not know how colours are coded guesses, and may make green darker.
         String colours = "-colorspace bt709 -color_range tv -color_primaries bt709 -color_trc iec61966-2-1";
-        String output = "-c:v libx264 -pix_fmt yuv420p -crf 18 -movflags +faststart -f mp4";
+        String output = "-c:v " + ENCODER + " -pix_fmt yuv420p -crf 18 -movflags +faststart -f mp4";
         // without -xerror it counts a film as complete even if its end did not fit on the disk
         List<String> command = new ArrayList<>(List.of(program.toString(), "-y", "-loglevel", "error", "-xerror"));
         command.addAll(List.of(String.join(" ", input, shape, colours, output).split(" ")));
@@ -147,67 +160,44 @@ final class Mp4Writer extends AnimationWriter {
         if (pending().isEnded()) {
             return new InterruptedIOException(FileFailure.STOPPED);
         }
-        IOException failure = new IOException(reason(complaints.lines(), exitCode));
+        awaitComplaints();
+        IOException failure = new IOException(reason(exitCode));
         if (consequence != null) {
             failure.addSuppressed(consequence);
         }
         return failure;
     }
 
-    private String reason(List<String> complaints, int exitCode) {
+    private String reason(int exitCode) {
         if (complaints.stream().anyMatch(line -> line.endsWith(FULL_DISK))) {
             return FULL_DISK;
         }
-        String last = complaints.isEmpty() ? "" : ": " + complaints.get(complaints.size() - 1);
+        Optional<String> encoder =
+                complaints.stream().filter(line -> line.contains(ENCODER)).findFirst();
+        if (encoder.isPresent()) {
+            return "ffmpeg cannot make such videos: " + encoder.get() + "; install one that can, or " + INSTEAD;
+        }
+        String last = complaints.isEmpty() ? "" : ": " + complaints.getLast();
         // the hidden place means nothing to the user
         return "ffmpeg failed with exit code " + exitCode
                 + last.replace(pending().path().toString(), pending().toString());
     }
 
-    /** The last lines that a program writes, kept in memory because the disk may be full. */
-    private static final class Complaints {
-
-        private static final int MOST_LINES = 20;
-
-        /**
-         * How long to wait for the end of the stream: programs that this one has started may live on and keep it open.
-         */
-        private static final long PATIENCE_MILLISECONDS = 1000;
-
-        private final Deque<String> lines = new ArrayDeque<>();
-        private final Thread reader;
-
-        Complaints(InputStream stream) {
-            reader = new Thread(() -> read(stream), "tompkins-ffmpeg");
-            reader.setDaemon(true);
-            reader.start();
+    /** Keeps what the program complains of, in memory because the disk may be full. */
+    private void listen(BufferedReader text) {
+        try (text) {
+            text.lines().map(String::strip).filter(line -> !line.isEmpty()).forEach(complaints::add);
+        } catch (IOException | UncheckedIOException ended) {
+            // there is nothing more to read
         }
+    }
 
-        private void read(InputStream stream) {
-            try (BufferedReader text = new BufferedReader(new InputStreamReader(stream, StandardCharsets.UTF_8))) {
-                text.lines().map(String::strip).filter(line -> !line.isEmpty()).forEach(this::add);
-            } catch (IOException | UncheckedIOException ended) {
-                // there is nothing more to read
-            }
-        }
-
-        private synchronized void add(String line) {
-            if (lines.size() == MOST_LINES) {
-                lines.removeFirst();
-            }
-            lines.addLast(line);
-        }
-
-        /** The lines, once the program has ended. */
-        List<String> lines() {
-            try {
-                reader.join(PATIENCE_MILLISECONDS);
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-            }
-            synchronized (this) {
-                return List.copyOf(lines);
-            }
+    /** Waits for the last complaint of a program that has ended. */
+    private void awaitComplaints() {
+        try {
+            listener.join(PATIENCE_MILLISECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
         }
     }
 }

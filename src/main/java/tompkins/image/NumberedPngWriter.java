@@ -3,9 +3,9 @@ package tompkins.image;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.util.Locale;
+import tompkins.file.PendingFile;
 
-/** A folder of pictures {@code frame0001.png}, ..., which other programs make into a film. */
+/** A folder of pictures {@code frame0000.png}, ..., which other programs make into a film. */
 final class NumberedPngWriter extends AnimationWriter {
 
     NumberedPngWriter(PendingFile pending) {
@@ -14,7 +14,7 @@ final class NumberedPngWriter extends AnimationWriter {
 
     @Override
     void write(BufferedImage frame, PhotographInfo info, int index) throws IOException {
-        try (OutputStream out = pending().open(String.format(Locale.ROOT, "frame%04d.png", index + 1))) {
+        try (OutputStream out = pending().open(FrameFolder.name(index))) {
             PngFile.write(out, frame, info);
         }
     }

@@ -2,6 +2,7 @@ package tompkins.image;
 
 import java.awt.Rectangle;
 import java.io.BufferedInputStream;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -13,6 +14,8 @@ import javax.imageio.ImageReadParam;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.FileImageInputStream;
 import javax.imageio.stream.ImageInputStream;
+import tompkins.file.FileException;
+import tompkins.file.PendingFile;
 
 /** Saves photographs with the scene inside, and finds the scene in saved photographs. */
 public final class PhotographFile {
@@ -23,46 +26,27 @@ public final class PhotographFile {
     private PhotographFile() {}
 
     /**
-     * Saves a photograph, in the place of the file that has its name, if there is one. The file appears complete or not
-     * at all, and what was there before stays until then. The same arguments give the same bytes.
+     * Saves a photograph. The file appears complete or not at all, and what was there before stays until then. The same
+     * arguments give the same bytes.
      *
      * @param curve how light becomes levels; formats that hold the light itself do not need it
+     * @param replace whether it replaces the file that has its name; otherwise, if that is taken when the photograph is
+     *     complete, it gets the same with a number
+     * @return where it lies
      * @throws FileException if the file's name does not fit the format, or the file cannot be written
      */
-    public static void write(Path file, LinearImage image, PictureFormat format, ToneCurve curve, PhotographInfo info)
+    public static Path write(
+            Path file, LinearImage image, PictureFormat format, ToneCurve curve, PhotographInfo info, boolean replace)
             throws FileException {
         format.requireFor(file);
-        try (PendingFile pending = PendingFile.replacing(file)) {
-            write(pending, image, format, curve, info);
+        try (PendingFile pending = PendingFile.at(file, replace)) {
+            try (OutputStream out = pending.open()) {
+                encode(out, image, format, curve, info);
+            }
+            return pending.commit();
         } catch (IOException e) {
             throw FileException.cannotWrite(file, e);
         }
-    }
-
-    /**
-     * Saves a photograph as {@link #write} does, but replaces nothing: if its name is taken when it is complete, it
-     * gets the same with a number.
-     *
-     * @return where it lies
-     */
-    public static Path writeNew(
-            Path file, LinearImage image, PictureFormat format, ToneCurve curve, PhotographInfo info)
-            throws FileException {
-        format.requireFor(file);
-        try (PendingFile pending = PendingFile.newFile(file)) {
-            return write(pending, image, format, curve, info);
-        } catch (IOException e) {
-            throw FileException.cannotWrite(file, e);
-        }
-    }
-
-    private static Path write(
-            PendingFile pending, LinearImage image, PictureFormat format, ToneCurve curve, PhotographInfo info)
-            throws IOException {
-        try (OutputStream out = pending.open()) {
-            encode(out, image, format, curve, info);
-        }
-        return pending.commit();
     }
 
     /**
@@ -93,7 +77,8 @@ public final class PhotographFile {
         }
     }
 
-    private static void encode(
+    /** Writes a photograph into a stream, with the bytes that its file would have. */
+    public static void encode(
             OutputStream out, LinearImage image, PictureFormat format, ToneCurve curve, PhotographInfo info)
             throws IOException {
         switch (format) {
@@ -120,6 +105,29 @@ public final class PhotographFile {
         } catch (RuntimeException e) {
             // The readers trust the file, and can fail in any way if it is damaged.
             throw FileException.cannotRead(file, new IOException(e));
+        }
+    }
+
+    /** Whether bytes are a picture, by how they begin. */
+    public static boolean isPicture(byte[] content) {
+        return PictureEncoding.of(content).isPresent();
+    }
+
+    /**
+     * The scene in the bytes of a PNG photograph; otherwise as {@link #readScene(Path)}.
+     *
+     * @param name for messages
+     * @throws FileException if the picture is damaged, or of another kind
+     */
+    public static Optional<String> readScene(byte[] content, String name) throws FileException {
+        PictureEncoding encoding = PictureEncoding.of(content).orElse(null);
+        if (encoding != PictureEncoding.PNG) {
+            throw new FileException(name + ": only PNG photographs can be read through a pipe; name the file");
+        }
+        try {
+            return PngFile.readScene(new ByteArrayInputStream(content));
+        } catch (IOException | RuntimeException damaged) {
+            throw new FileException(name + ": the picture is damaged: " + FileException.reason(damaged), damaged);
         }
     }
 
@@ -177,7 +185,7 @@ public final class PhotographFile {
         try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
             if (encoding == PictureEncoding.TIFF) {
                 // Another program may have packed it again, in a way that is not read.
-                TiffKind.of(TiffDirectory.read(stream), file.toString());
+                TiffReader.requireReadable(TiffDirectory.read(stream), file.toString());
                 stream.seek(0);
             }
             reader.setInput(stream, true, true);

@@ -1,5 +1,6 @@
 package tompkins.image;
 
+import java.util.Optional;
 import tompkins.property.InvalidPropertyException;
 
 /**
@@ -8,8 +9,11 @@ import tompkins.property.InvalidPropertyException;
  * @param title what it shows, one line; may be empty
  * @param software the program that took it, with its version; may be empty
  * @param sceneJson the scene from which it can be taken again, a JSON object; empty if there is none
+ * @param panorama what it shows of the sphere around the camera, if it is a panorama
+ * @param description what else is to be known about it, one line, which only PNG keeps; may be empty
  */
-public record PhotographInfo(String title, String software, String sceneJson) {
+public record PhotographInfo(
+        String title, String software, String sceneJson, Optional<Panorama> panorama, String description) {
 
     /** The most characters that a scene may have; a file that claims more is refused. */
     public static final int LONGEST_SCENE = 16 << 20;
@@ -31,6 +35,7 @@ public record PhotographInfo(String title, String software, String sceneJson) {
         requireText("title", title, "");
         requireText("software", software, "");
         requireText("sceneJson", sceneJson, "\t\n\r");
+        requireText("description", description, "");
         if (sceneJson.length() > LONGEST_SCENE) {
             throw new InvalidPropertyException(
                     "scene",
@@ -40,6 +45,21 @@ public record PhotographInfo(String title, String software, String sceneJson) {
         if (!sceneJson.isEmpty() && !sceneJson.stripLeading().startsWith("{")) {
             throw new IllegalArgumentException("sceneJson must be a JSON object, which begins with {, or empty");
         }
+    }
+
+    /** What a photograph without a description says about itself. */
+    public PhotographInfo(String title, String software, String sceneJson, Optional<Panorama> panorama) {
+        this(title, software, sceneJson, panorama, "");
+    }
+
+    /** What a photograph says about itself that is not a panorama and has no description. */
+    public PhotographInfo(String title, String software, String sceneJson) {
+        this(title, software, sceneJson, Optional.empty());
+    }
+
+    /** The same with another description. */
+    public PhotographInfo withDescription(String other) {
+        return new PhotographInfo(title, software, sceneJson, panorama, other);
     }
 
     private static void requireText(String name, String text, String allowedControls) {

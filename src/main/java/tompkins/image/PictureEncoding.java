@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import tompkins.file.FileException;
 
 /** The encodings of pictures that are read, told apart by the first bytes of the file and not by its name. */
 enum PictureEncoding {
@@ -19,7 +20,7 @@ enum PictureEncoding {
     static final int LONGEST_START = 8;
 
     /** The encodings that are read, for messages. */
-    static final String ALLOWED = "PNG, JPEG, GIF, BMP, TIFF and Radiance HDR";
+    static final String ALLOWED = "PNG, JPEG, BMP, TIFF and Radiance HDR";
 
     private final String label;
     private final List<byte[]> starts;
@@ -39,6 +40,18 @@ enum PictureEncoding {
     /** The name of the encoding, for messages. */
     String label() {
         return label;
+    }
+
+    /**
+     * The refusal of a picture of a kind that is not read.
+     *
+     * @param name the file's name
+     * @param property what is not read, such as "has 12 bits a sample"
+     * @param allowed what pictures of this encoding must do instead, such as "have 8 or 16"
+     */
+    FileException refusal(String name, String property, String allowed) {
+        return new FileException(name + ": " + property + "; a " + label + " picture must " + allowed
+                + "; convert it, for example with ImageMagick or GIMP");
     }
 
     private boolean begins(byte[] file) {

@@ -2,11 +2,13 @@ package tompkins.image;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import tompkins.file.FileException;
+import tompkins.file.WholeFile;
 import tompkins.ray.PixelPicture;
 
 /**
- * Reads pictures of any origin, for surfaces and masks: PNG, JPEG, GIF, BMP, TIFF and Radiance. One rule holds for all
- * of them: numbers are taken as they are stored, whole numbers divided by the largest that their bits can hold, and no
+ * Reads pictures of any origin, for surfaces and masks: PNG, JPEG, BMP, TIFF and Radiance. One rule holds for all of
+ * them: numbers are taken as they are stored, whole numbers divided by the largest that their bits can hold, and no
  * profile and no tone curve is applied; the picture is turned as its orientation tag says; colours that are multiplied
  * by their opacity are divided by it. Of files with several pictures, the first is read.
  */
@@ -45,6 +47,7 @@ public final class PictureFile {
                         name + ": not a picture that can be read; allowed are " + PictureEncoding.ALLOWED));
         try {
             Pixels pixels = pixels(encoding, file, name);
+            pixels.requireFinite(name);
             return new PixelPicture(name, pixels.width(), pixels.height(), pixels.rgba(), file);
         } catch (FileException e) {
             throw e;
@@ -62,7 +65,9 @@ public final class PictureFile {
         return switch (encoding) {
             case PNG -> PngReader.read(file, name);
             case JPEG -> JpegReader.read(file, name);
-            case GIF -> GifReader.read(file, name);
+            case GIF ->
+                throw new FileException(name + ": is a GIF picture; allowed are " + PictureEncoding.ALLOWED
+                        + "; convert it to PNG, for example with ImageMagick or GIMP");
             case BMP -> BmpReader.read(file, name);
             case TIFF -> TiffReader.read(file, name);
             case HDR -> RadianceReader.read(file, name);

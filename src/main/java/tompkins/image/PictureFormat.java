@@ -3,6 +3,7 @@ package tompkins.image;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import tompkins.file.FileException;
 
 /** The formats in which photographs are saved. Of those that share an ending, the first is the usual one. */
 public enum PictureFormat {

@@ -1,5 +1,7 @@
 package tompkins.image;
 
+import tompkins.file.FileException;
+
 /**
  * The pixels of a picture file in linear light, row after row.
  *
@@ -18,6 +20,38 @@ record Pixels(int width, int height, float[] rgba) {
         if (width < 1 || height < 1 || width > PictureFile.MOST_PIXELS || width * height > PictureFile.MOST_PIXELS) {
             throw new FileException(name + ": claims to have " + width + " x " + height
                     + " pixels; a picture may have from 1 to " + PictureFile.MOST_PIXELS);
+        }
+    }
+
+    /**
+     * Refuses floating point that is no number of light.
+     *
+     * @throws FileException if a value is infinite or not a number
+     */
+    void requireFinite(String name) throws FileException {
+        for (int i = 0; i < rgba.length; i++) {
+            if (!Float.isFinite(rgba[i])) {
+                int pixel = i / 4;
+                throw new FileException(name + ": pixel (" + pixel % width + ", " + pixel / width + ") has a value of "
+                        + rgba[i] + "; those of a picture must be finite");
+            }
+        }
+    }
+
+    /** Makes dark what is bright, for files in which 0 is white; the opacity stays. */
+    void invert() {
+        for (int i = 0; i < rgba.length; i++) {
+            rgba[i] = i % 4 == 3 ? rgba[i] : 1 - rgba[i];
+        }
+    }
+
+    /** Undoes that the colours were multiplied by the opacity; where there is none, they stay. */
+    void divideByOpacity() {
+        for (int pixel = 0; pixel < rgba.length; pixel += 4) {
+            float opacity = rgba[pixel + 3];
+            for (int channel = pixel; channel < pixel + 3 && opacity > 0; channel++) {
+                rgba[channel] /= opacity;
+            }
         }
     }
 }

@@ -29,7 +29,7 @@ record PngChunk(String type, byte[] data) {
     /** Where the first chunk begins. */
     static final int SIGNATURE_LENGTH = SIGNATURE.length;
 
-    /** The chunks of a PNG file that this program has made. */
+    /** The chunks of a PNG file up to the last; what lies behind that is not of the picture. */
     static List<PngChunk> all(byte[] png) throws IOException {
         DataInputStream in = new DataInputStream(new ByteArrayInputStream(png));
         skipSignature(in);

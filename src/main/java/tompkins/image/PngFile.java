@@ -6,8 +6,14 @@ import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.zip.Inflater;
 import java.util.zip.InflaterInputStream;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageTypeSpecifier;
@@ -17,6 +23,7 @@ import javax.imageio.metadata.IIOMetadataFormatImpl;
 import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
+import tompkins.property.OneLine;
 
 /** Photographs as PNG. The scene is a compressed international text (iTXt) with the keyword {@link #SCENE_KEYWORD}. */
 final class PngFile {
@@ -29,6 +36,10 @@ final class PngFile {
      */
     static final int BIT_DEPTH_AT = 24;
 
+    private static final String TITLE_KEYWORD = "Title";
+    private static final String SOFTWARE_KEYWORD = "Software";
+    private static final String DESCRIPTION_KEYWORD = "Description";
+
     private static final String NATIVE = "javax_imageio_png_1.0";
 
     private PngFile() {}
@@ -37,7 +48,7 @@ final class PngFile {
         ImageWriter writer = ImageProviders.pngWriter();
         try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
             IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(image), null);
-            describe(metadata, info);
+            describe(metadata, info, image);
             writer.setOutput(stream);
             writer.write(new IIOImage(image, null, metadata));
         } finally {
@@ -45,15 +56,21 @@ final class PngFile {
         }
     }
 
-    private static void describe(IIOMetadata metadata, PhotographInfo info) throws IOException {
+    private static void describe(IIOMetadata metadata, PhotographInfo info, BufferedImage image) throws IOException {
         IIOMetadataNode text = new IIOMetadataNode("Text");
-        addText(text, "Title", info.title());
-        addText(text, "Software", info.software());
+        addText(text, TITLE_KEYWORD, info.title());
+        addText(text, SOFTWARE_KEYWORD, info.software());
+        addText(text, DESCRIPTION_KEYWORD, info.description());
         if (text.hasChildNodes()) {
             merge(metadata, IIOMetadataFormatImpl.standardMetadataFormatName, text);
         }
         if (!info.sceneJson().isEmpty()) {
-            merge(metadata, NATIVE, sceneNode(info.sceneJson()));
+            merge(metadata, NATIVE, textNode(SCENE_KEYWORD, info.sceneJson(), true));
+        }
+        if (info.panorama().isPresent()) {
+            // where viewers look for it, it must not be compressed
+            String xmp = info.panorama().get().xmp(image.getWidth(), image.getHeight());
+            merge(metadata, NATIVE, textNode(Panorama.KEYWORD, xmp, false));
         }
     }
 
@@ -67,14 +84,14 @@ final class PngFile {
         }
     }
 
-    private static IIOMetadataNode sceneNode(String json) {
+    private static IIOMetadataNode textNode(String keyword, String text, boolean compressed) {
         IIOMetadataNode entry = new IIOMetadataNode("iTXtEntry");
-        entry.setAttribute("keyword", SCENE_KEYWORD);
-        entry.setAttribute("compressionFlag", "TRUE");
+        entry.setAttribute("keyword", keyword);
+        entry.setAttribute("compressionFlag", compressed ? "TRUE" : "FALSE");
         entry.setAttribute("compressionMethod", "0");
         entry.setAttribute("languageTag", "");
         entry.setAttribute("translatedKeyword", "");
-        entry.setAttribute("text", json);
+        entry.setAttribute("text", text);
         IIOMetadataNode texts = new IIOMetadataNode("iTXt");
         texts.appendChild(entry);
         return texts;
@@ -86,48 +103,85 @@ final class PngFile {
         metadata.mergeTree(format, root);
     }
 
-    /** The scene in a PNG file, which is read only that far; the JDK is not used, because it cuts texts at 256 kB. */
+    /** The scene in a PNG file, which is read only that far. */
     static Optional<String> readScene(InputStream file) throws IOException {
+        return Optional.ofNullable(
+                readTexts(file, Set.of(SCENE_KEYWORD), "IEND").get(SCENE_KEYWORD));
+    }
+
+    /** What a PNG file says about itself before its pixels, as {@link #write} does; empty where it says nothing. */
+    static PhotographInfo readInfo(InputStream file) throws IOException {
+        Set<String> keywords =
+                Set.of(TITLE_KEYWORD, SOFTWARE_KEYWORD, SCENE_KEYWORD, DESCRIPTION_KEYWORD, Panorama.KEYWORD);
+        Map<String, String> texts = readTexts(file, keywords, "IDAT");
+        return new PhotographInfo(
+                OneLine.of(texts.getOrDefault(TITLE_KEYWORD, "")),
+                OneLine.of(texts.getOrDefault(SOFTWARE_KEYWORD, "")),
+                texts.getOrDefault(SCENE_KEYWORD, ""),
+                Panorama.parse(texts.getOrDefault(Panorama.KEYWORD, "")),
+                OneLine.of(texts.getOrDefault(DESCRIPTION_KEYWORD, "")));
+    }
+
+    /**
+     * The texts with some keywords, read until all are found or a chunk of the last type comes; the JDK is not used,
+     * because it cuts texts at 256 kB.
+     */
+    private static Map<String, String> readTexts(InputStream file, Set<String> keywords, String lastType)
+            throws IOException {
+        Map<String, String> texts = new HashMap<>();
         DataInputStream in = new DataInputStream(file);
         long place = PngChunk.skipSignature(in);
-        while (true) {
+        while (!texts.keySet().equals(keywords)) {
             int length = in.readInt();
             String type = PngChunk.readType(in);
             if (length < 0) {
                 throw PngChunk.damaged(place);
             }
-            if (type.equals("IEND")) {
-                return Optional.empty();
+            if (type.equals(lastType)) {
+                break;
             }
-            if (type.equals("iTXt") && length <= PhotographInfo.LONGEST_STORED_SCENE) {
-                Optional<String> scene =
-                        scene(PngChunk.read(in, type, length, place).data());
-                if (scene.isPresent()) {
-                    return scene;
+            if ((type.equals("iTXt") || type.equals("tEXt")) && length <= PhotographInfo.LONGEST_STORED_SCENE) {
+                ByteArrayInputStream text = new ByteArrayInputStream(
+                        PngChunk.read(in, type, length, place).data());
+                String keyword = nullTerminated(text);
+                if (keywords.contains(keyword) && !texts.containsKey(keyword)) {
+                    texts.put(
+                            keyword,
+                            type.equals("iTXt")
+                                    ? international(text)
+                                    : new String(text.readAllBytes(), StandardCharsets.ISO_8859_1));
                 }
             } else {
                 in.skipNBytes(length + 4L);
             }
             place += length + PngChunk.FRAME;
         }
+        return texts;
     }
 
-    /** The text of an iTXt chunk, if it has our keyword: keyword, 0, compression, method, language, 0, keyword, 0. */
-    private static Optional<String> scene(byte[] data) throws IOException {
-        ByteArrayInputStream in = new ByteArrayInputStream(data);
-        if (!SCENE_KEYWORD.equals(nullTerminated(in))) {
-            return Optional.empty();
-        }
+    /** The text of an iTXt chunk behind its keyword: compression, method, language, 0, translated keyword, 0, text. */
+    private static String international(ByteArrayInputStream in) throws IOException {
         boolean compressed = in.read() == 1;
         in.read();
         nullTerminated(in);
         nullTerminated(in);
-        try (InputStream text = compressed ? new InflaterInputStream(in) : in) {
-            byte[] scene = text.readNBytes(PhotographInfo.LONGEST_STORED_SCENE);
+        Inflater inflater = new Inflater();
+        try (InputStream text = compressed ? new InflaterInputStream(in, inflater) : in) {
+            byte[] letters = text.readNBytes(PhotographInfo.LONGEST_STORED_SCENE);
             if (text.read() >= 0) {
                 throw new IOException("the scene in it is too long");
             }
-            return Optional.of(new String(scene, StandardCharsets.UTF_8));
+            if (inflater.needsDictionary()) {
+                throw new IOException("the scene in it is packed with a preset dictionary, which PNG does not allow");
+            }
+            return StandardCharsets.UTF_8
+                    .newDecoder()
+                    .decode(ByteBuffer.wrap(letters))
+                    .toString();
+        } catch (CharacterCodingException wrong) {
+            throw new IOException("the scene in it is not text in the encoding UTF-8");
+        } finally {
+            inflater.end();
         }
     }
 

@@ -1,42 +1,31 @@
 package tompkins.image;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import tompkins.file.FileException;
 
 /**
- * Reads PNG pictures with the JDK's reader, which is handed only the chunks that say what the pixels are. It knows no
- * transparent level of grey below 8 bits, so transparent levels and colours are found here.
+ * Reads PNG pictures with the JDK's reader, which is handed only the chunks that say what the pixels are. It does not
+ * check whether a chunk is damaged, and knows no transparent level of grey below 8 bits, so both are done here.
  */
 final class PngReader {
 
-    private static final int COLOUR_TYPE_AT = PngFile.BIT_DEPTH_AT + 1;
     private static final int GREY = 0;
     private static final int RGB = 2;
     private static final int PALETTE = 3;
-    private static final int LENGTH_AND_TYPE = 8;
     private static final String TRANSPARENCY = "tRNS";
     private static final String APPLE = "CgBI";
 
-    private final byte[] file;
-    private final int bitDepth;
-    private final int colourType;
-    private final ByteArrayOutputStream plain;
-    private Orientation orientation = Orientation.TOP_LEFT;
+    /** After the signature and the length of the first chunk. */
+    private static final int FIRST_TYPE_AT = PngChunk.SIGNATURE_LENGTH + 4;
 
-    /** The levels of the channels of what is transparent; empty if nothing is. */
-    private int[] transparent = {};
-
-    private PngReader(byte[] file) {
-        this.file = file;
-        this.bitDepth = file.length > COLOUR_TYPE_AT ? file[PngFile.BIT_DEPTH_AT] : 0;
-        this.colourType = file.length > COLOUR_TYPE_AT ? file[COLOUR_TYPE_AT] : 0;
-        this.plain = new ByteArrayOutputStream(file.length);
-    }
+    private PngReader() {}
 
     /**
      * The pixels of a picture.
@@ -45,59 +34,37 @@ final class PngReader {
      * @throws IOException if the file is damaged
      */
     static Pixels read(byte[] file, String name) throws IOException {
-        PngReader reader = new PngReader(file);
-        reader.readChunks(name);
-        BufferedImage image = LibraryReader.image(PictureEncoding.PNG, reader.plain.toByteArray(), name);
-        Pixels pixels = PixelDecoder.decode(image);
-        if (reader.transparent.length > 0) {
-            reader.clear(pixels, image.getRaster());
+        if (new String(file, FIRST_TYPE_AT, APPLE.length(), StandardCharsets.ISO_8859_1).equals(APPLE)) {
+            throw PictureEncoding.PNG.refusal(
+                    name, "is packed in a way that only Apple devices read (" + APPLE + ")", "be an ordinary one");
         }
-        return reader.orientation.turn(pixels);
-    }
-
-    /**
-     * Goes through the chunks up to the last; what lies behind it is not of this picture. If the file ends too early,
-     * the library will say so.
-     */
-    private void readChunks(String name) throws IOException {
-        int at = PngChunk.SIGNATURE_LENGTH;
-        plain.write(file, 0, Math.min(at, file.length));
-        String type = "";
-        while (file.length - at >= PngChunk.FRAME && !type.equals("IEND")) {
-            int length = ByteBuffer.wrap(file).getInt(at);
-            type = new String(file, at + 4, 4, StandardCharsets.ISO_8859_1);
-            if (type.equals(APPLE)) {
-                throw new FileException(name + ": is packed in a way that only Apple devices read (" + APPLE
-                        + "); save it as an ordinary PNG picture");
-            }
-            int rest = file.length - at - (int) PngChunk.FRAME;
-            boolean whole = length >= 0 && length <= rest;
-            int size = whole ? length : rest;
-            int end = at + LENGTH_AND_TYPE + size;
-            byte[] data = Arrays.copyOfRange(file, at + LENGTH_AND_TYPE, end);
-            if (type.equals("IHDR") && data.length >= 2 * Integer.BYTES) {
-                requireSize(ByteBuffer.wrap(data), name);
-            }
-            boolean needed = tellsPixels(type) || type.equals(TRANSPARENCY);
-            if (needed
-                    && whole
-                    && new PngChunk(type, data).checksum()
-                            != ByteBuffer.wrap(file).getInt(end)) {
-                throw PngChunk.damaged(at);
-            }
-            if (tellsPixels(type)) {
-                plain.write(file, at, size + (int) PngChunk.FRAME);
-            }
-            readChunk(type, data);
-            at += size + (int) PngChunk.FRAME;
-        }
-    }
-
-    private static void requireSize(ByteBuffer header, String name) throws FileException {
+        ByteBuffer header = ByteBuffer.wrap(file).position(FIRST_TYPE_AT + APPLE.length());
         Pixels.requireSize(Integer.toUnsignedLong(header.getInt()), Integer.toUnsignedLong(header.getInt()), name);
+        int bitDepth = header.get();
+        int colourType = header.get();
+        ByteArrayOutputStream plain = new ByteArrayOutputStream(file.length);
+        PngChunk.writeSignature(plain);
+        int[] transparent = {};
+        Orientation orientation = Orientation.TOP_LEFT;
+        for (PngChunk chunk : PngChunk.all(file)) {
+            if (tellsPixels(chunk.type(), colourType)) {
+                chunk.write(plain);
+            } else if (chunk.type().equals(TRANSPARENCY)) {
+                transparent = levels(chunk.data(), colourType == GREY ? 1 : colourType == RGB ? 3 : 0, bitDepth);
+            } else if (chunk.type().equals("eXIf")) {
+                orientation = TiffDirectory.exifOrientation(chunk.data());
+            }
+        }
+        BufferedImage image = LibraryReader.image(PictureEncoding.PNG, plain.toByteArray(), name);
+        float[] palette = image.getColorModel() instanceof IndexColorModel colours ? colours(colours) : null;
+        Pixels pixels = PixelDecoder.decode(image.getRaster(), palette);
+        if (transparent.length > 0) {
+            clear(pixels, image.getRaster(), transparent);
+        }
+        return orientation.turn(pixels);
     }
 
-    private boolean tellsPixels(String type) {
+    private static boolean tellsPixels(String type, int colourType) {
         return switch (type) {
             case "IHDR", "IDAT", "IEND" -> true;
             case "PLTE", TRANSPARENCY -> colourType == PALETTE;
@@ -105,20 +72,32 @@ final class PngReader {
         };
     }
 
-    private void readChunk(String type, byte[] data) {
-        int channels = colourType == GREY ? 1 : colourType == RGB ? 3 : 0;
-        if (type.equals(TRANSPARENCY) && data.length >= 2 * channels) {
-            transparent = new int[channels];
-            for (int i = 0; i < channels; i++) {
-                // Always two bytes; if there are fewer bits, the upper ones mean nothing.
-                transparent[i] = ByteBuffer.wrap(data).getShort(2 * i) & (1 << bitDepth) - 1;
-            }
-        } else if (type.equals("eXIf")) {
-            orientation = TiffDirectory.exifOrientation(data);
+    /**
+     * The levels of what is transparent: always two bytes each; if there are fewer bits, the upper ones mean nothing.
+     */
+    private static int[] levels(byte[] data, int channels, int bitDepth) throws IOException {
+        if (data.length < 2 * channels) {
+            throw new IOException("a transparent colour is not complete");
         }
+        int[] levels = new int[channels];
+        for (int i = 0; i < channels; i++) {
+            levels[i] = ByteBuffer.wrap(data).getShort(2 * i) & (1 << bitDepth) - 1;
+        }
+        return levels;
     }
 
-    private void clear(Pixels pixels, Raster levels) {
+    private static float[] colours(IndexColorModel model) {
+        float[] palette = new float[4 * model.getMapSize()];
+        for (int i = 0; i < model.getMapSize(); i++) {
+            palette[4 * i] = model.getRed(i) / 255f;
+            palette[4 * i + 1] = model.getGreen(i) / 255f;
+            palette[4 * i + 2] = model.getBlue(i) / 255f;
+            palette[4 * i + 3] = model.getAlpha(i) / 255f;
+        }
+        return palette;
+    }
+
+    private static void clear(Pixels pixels, Raster levels, int[] transparent) {
         int[] pixel = new int[levels.getNumBands()];
         for (int y = 0, opacity = 3; y < pixels.height(); y++) {
             for (int x = 0; x < pixels.width(); x++, opacity += 4) {

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import tompkins.file.FileException;
 
 /**
  * Reads Radiance pictures (G. Ward, "Real pixels", Graphics Gems II, 1991, and the Radiance file formats): rows in any
@@ -152,10 +153,16 @@ final class RadianceReader {
         return start.replaceAll("[^ -~]", "?");
     }
 
-    private void divideBy(double red, double green, double blue) {
+    private void divideBy(double red, double green, double blue) throws FileException {
         exposure[0] *= red;
         exposure[1] *= green;
         exposure[2] *= blue;
+        for (double product : exposure) {
+            if (!(product > 0 && product < Double.POSITIVE_INFINITY)) {
+                throw new FileException(name + ": the exposures of a Radiance picture must have a product above 0"
+                        + " that is finite, was " + product);
+            }
+        }
     }
 
     private Pixels readRows() throws IOException {

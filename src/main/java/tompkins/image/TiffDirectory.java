@@ -8,7 +8,6 @@ import com.twelvemonkeys.imageio.metadata.tiff.TIFFReader;
 import com.twelvemonkeys.imageio.stream.ByteArrayImageInputStream;
 import java.io.IOException;
 import java.lang.reflect.Array;
-import java.util.Arrays;
 import javax.imageio.stream.ImageInputStream;
 
 /**
@@ -63,14 +62,6 @@ final class TiffDirectory {
             throw damage;
         }
         return value;
-    }
-
-    /** All numbers of a tag, whole or fractions; none if there is no such tag, or if it holds something else. */
-    double[] fractions(int tag) throws IOException {
-        Object value = value(tag);
-        return value instanceof Number[] numbers
-                ? Arrays.stream(numbers).mapToDouble(Number::doubleValue).toArray()
-                : Arrays.stream(numbers(tag)).asDoubleStream().toArray();
     }
 
     /** The first number of a tag, or another one if there is no such tag. */

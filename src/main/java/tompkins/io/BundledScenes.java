@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import tompkins.property.MistakeException;
 import tompkins.studio.Studio;
 
 /** The scenes that come with the program, inside the jar. */
@@ -26,7 +27,8 @@ public final class BundledScenes {
     /**
      * The topics that come first because they show what the program is for; the others follow in alphabetical order.
      */
-    private static final List<String> FIRST_TOPICS = List.of("Rides", "Courtial et al. 2016", "Relativity", "Motion");
+    private static final List<String> FIRST_TOPICS =
+            List.of("Rides", "Courtial et al. 2016", "Relativity", "Motion", "Light in flight");
 
     private BundledScenes() {}
 
@@ -55,7 +57,7 @@ public final class BundledScenes {
      *
      * @param name the name of its file
      * @throws IOException if the program comes without its scenes
-     * @throws SceneFileException if there is no scene of this name
+     * @throws MistakeException if there is no scene of this name
      */
     public static Studio studio(String name) throws IOException {
         return StudioReader.read(file(name));
@@ -102,7 +104,7 @@ public final class BundledScenes {
     private static Optional<Studio> read(Path file) {
         try {
             return Optional.of(StudioReader.read(file));
-        } catch (SceneFileException broken) {
+        } catch (MistakeException broken) {
             return Optional.empty();
         }
     }

@@ -5,11 +5,14 @@ import java.lang.reflect.Type;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiFunction;
 import org.joml.Vector2ic;
 import org.joml.Vector3dc;
 import org.joml.Vector3ic;
+import tompkins.io.JsonValue.JsonChange;
 import tompkins.io.JsonValue.JsonList;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.JsonText;
@@ -20,6 +23,7 @@ import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
 import tompkins.ray.PixelPicture;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.StudioPath;
 
 /**
  * Makes descriptions from JSON, key by key, as the components of the records say; missing keys get their default
@@ -33,71 +37,58 @@ final class DescriptionReader {
     private final Problems problems;
     private final ValueReader values;
     private final VelocityReader velocities;
-    private final FileContentReader files;
+
+    /** What reads the values that are neither descriptions nor words of a list. */
+    private final Map<Class<?>, BiFunction<JsonValue, String, Object>> plainReaders;
 
     DescriptionReader(Problems problems, SceneFolder folder) {
         this.problems = problems;
         values = new ValueReader(problems);
         velocities = new VelocityReader(problems, values);
-        files = new FileContentReader(problems, folder);
+        FileContentReader files = new FileContentReader(problems, folder);
+        plainReaders = Map.ofEntries(
+                Map.entry(double.class, values::unlimited),
+                Map.entry(int.class, values::unlimitedWhole),
+                Map.entry(long.class, values::longNumber),
+                Map.entry(boolean.class, values::flag),
+                Map.entry(String.class, values::text),
+                Map.entry(Vector3dc.class, values::vector),
+                Map.entry(Vector3ic.class, values::wholeVector),
+                Map.entry(Vector2ic.class, values::wholePair),
+                Map.entry(Colour.class, values::colour),
+                Map.entry(Velocity.class, velocities::read),
+                Map.entry(PixelPicture.class, (value, path) -> files.read(value, path, FileContentParser.PICTURE)),
+                Map.entry(MeshData.class, (value, path) -> files.read(value, path, FileContentParser.MESH)));
     }
 
     /**
      * A value of any type that a component can have.
      *
+     * @param present what is there, if the value is only a change of it
      * @return null if a mistake was noted
      */
-    private Object read(Type type, JsonValue value, String path) {
+    private Object read(Type type, JsonValue value, String path, Object present) {
+        if (value instanceof JsonChange change) {
+            return changed(type, change.parts(), path, present);
+        }
         Optional<Class<?>> element = Descriptions.elementType(type);
         return element.isPresent() ? list(element.get(), value, path) : read((Class<?>) type, value, path);
     }
 
     private Object read(Class<?> type, JsonValue value, String path) {
+        BiFunction<JsonValue, String, Object> plain = plainReaders.get(type);
+        if (plain != null) {
+            return plain.apply(value, path);
+        }
         if (DescriptionTypes.isFamily(type)) {
             return member(type, value, path);
         }
         if (type.isEnum()) {
             return values.constant(type, value, path);
         }
-        if (type == double.class) {
-            return values.number(value, path);
-        }
-        if (type == int.class) {
-            return values.wholeNumber(value, path);
-        }
-        if (type == long.class) {
-            return values.longNumber(value, path);
-        }
-        if (type == boolean.class) {
-            return values.flag(value, path);
-        }
-        if (type == String.class) {
-            return values.text(value, path);
-        }
-        if (type == Vector3dc.class) {
-            return values.vector(value, path);
-        }
-        if (type == Vector3ic.class) {
-            return values.wholeVector(value, path);
-        }
-        if (type == Vector2ic.class) {
-            return values.wholePair(value, path);
-        }
-        if (type == Colour.class) {
-            return values.colour(value, path);
-        }
-        if (type == Velocity.class) {
-            return velocities.read(value, path);
-        }
-        if (type == PixelPicture.class) {
-            return files.read(value, path, FileContentParser.PICTURE);
-        }
-        if (type == MeshData.class) {
-            return files.read(value, path, FileContentParser.MESH);
-        }
         if (type.isRecord()) {
             return value instanceof JsonObject object
-                    ? record(type, object, path, List.of())
+                    ? record(type, object, path, List.of(), Descriptions.standard(type))
                     : values.refuse(value, path, "an object in braces");
         }
         throw new IllegalStateException("no way to read a " + type + " from a scene file");
@@ -109,29 +100,38 @@ final class DescriptionReader {
         }
         List<Object> elements = new ArrayList<>();
         for (int i = 0; i < list.values().size(); i++) {
-            elements.add(read(element, list.values().get(i), path + "[" + i + "]"));
+            elements.add(read(element, list.values().get(i), path + "[" + i + "]", null));
         }
         return elements.contains(null) ? null : elements;
     }
 
     private Object member(Class<?> family, JsonValue value, String path) {
-        List<String> names = DescriptionTypes.memberNames(family);
         if (!(value instanceof JsonObject object)) {
-            return values.refuse(value, path, "an object in braces, such as {\"type\": \"" + names.get(0) + "\"}");
+            String name = DescriptionTypes.memberNames(family).get(0);
+            return values.refuse(value, path, "an object in braces, such as {\"type\": \"" + name + "\"}");
         }
+        Class<?> member = member(family, object, path, DescriptionTypes.usualMember(family));
+        return member == null ? null : record(member, object, path, List.of(TYPE), Descriptions.standard(member));
+    }
+
+    /**
+     * The member of a family that an object names, or the usual one.
+     *
+     * @return null if a mistake was noted
+     */
+    private Class<?> member(Class<?> family, JsonObject object, String path, Optional<Class<?>> usual) {
+        List<String> names = DescriptionTypes.memberNames(family);
         Member type = object.members().get(TYPE);
         if (type == null) {
-            Optional<Class<?>> usual = DescriptionTypes.usualMember(family);
-            if (usual.isPresent()) {
-                return record(usual.get(), object, path, List.of(TYPE));
+            if (usual.isEmpty()) {
+                problems.add(object, path, "needs a key \"type\"; allowed are " + String.join(", ", names));
             }
-            problems.add(object, path, "needs a key \"type\"; allowed are " + String.join(", ", names));
-            return null;
+            return usual.orElse(null);
         }
         String name = type.value() instanceof JsonText text ? text.text() : null;
         int index = names.indexOf(name);
         if (index >= 0) {
-            return record(Descriptions.members(family).get(index), object, path, List.of(TYPE));
+            return Descriptions.members(family).get(index);
         }
         String hint = name == null ? "" : Spelling.hint(name, names);
         problems.add(
@@ -142,26 +142,77 @@ final class DescriptionReader {
     }
 
     /**
+     * What is there, with other values for some of its parts. Another type has its default values for the others.
+     *
+     * @return null if a mistake was noted
+     */
+    private Object changed(Type type, JsonObject parts, String path, Object present) {
+        if (present instanceof List<?> list) {
+            return changedList(Descriptions.elementType(type).orElseThrow(), parts, path, list);
+        }
+        if (present instanceof Vector3dc vector) {
+            return values.changedVector(parts, path, vector);
+        }
+        if (present instanceof Velocity velocity) {
+            return velocities.changed(parts, path, velocity);
+        }
+        if (!(present instanceof Record)) {
+            Refusal.noteUnknownKeys(problems, parts, path, List.of());
+            return null;
+        }
+        if (!DescriptionTypes.isFamily((Class<?>) type)) {
+            return record(present.getClass(), parts, path, List.of(), present);
+        }
+        Class<?> member = member((Class<?>) type, parts, path, Optional.of(present.getClass()));
+        if (member == null) {
+            return null;
+        }
+        Object base = member == present.getClass() ? present : Descriptions.standard(member);
+        return record(member, parts, path, List.of(TYPE), base);
+    }
+
+    private List<Object> changedList(Class<?> element, JsonObject parts, String path, List<?> present) {
+        List<Object> changed = new ArrayList<>(present);
+        for (Map.Entry<String, Member> part : parts.members().entrySet()) {
+            String place = part.getKey();
+            JsonValue value = part.getValue().value();
+            int index =
+                    place.startsWith("[") ? Integer.parseInt(place.substring(1, place.length() - 1)) : present.size();
+            if (index < present.size()) {
+                changed.set(index, read(element, value, path + place, present.get(index)));
+            } else {
+                String allowed = String.join("", StudioPath.stepsFrom(present));
+                problems.add(
+                        value,
+                        path,
+                        "has no part " + place + (allowed.isEmpty() ? "; it is empty" : ", only " + allowed));
+                return null;
+            }
+        }
+        return changed.contains(null) ? null : changed;
+    }
+
+    /**
      * A record.
      *
      * @param otherKeys keys that are allowed besides the names of the components
+     * @param standard a record of this type, whose values stand for keys that are missing
      * @return null if a mistake was noted
      */
-    Object record(Class<?> type, JsonObject object, String path, List<String> otherKeys) {
+    Object record(Class<?> type, JsonObject object, String path, List<String> otherKeys, Object standard) {
         List<String> keys = new ArrayList<>(otherKeys);
         keys.addAll(DescriptionTypes.keys(type));
         boolean clear = Refusal.noteUnknownKeys(problems, object, path, keys);
         List<RecordComponent> components = Descriptions.components(type);
         Object[] arguments = new Object[components.size()];
         Set<String> replaced = new HashSet<>();
-        Object standard = Descriptions.standard(type);
         for (int i = 0; i < components.size(); i++) {
             RecordComponent component = components.get(i);
             String key = component.getName();
             Member member = object.members().get(key);
             if (member != null) {
-                String inner = path.isEmpty() ? key : path + "." + key;
-                arguments[i] = read(component.getGenericType(), member.value(), inner);
+                Object present = Descriptions.value(component, standard);
+                arguments[i] = read(component.getGenericType(), member.value(), inner(path, key), present);
             }
             if (arguments[i] == null) {
                 arguments[i] = Descriptions.value(component, standard);
@@ -171,7 +222,18 @@ final class DescriptionReader {
             }
         }
         Object made = make(type, arguments, standard, object, path, replaced);
+        for (RecordComponent component : components) {
+            Member member = object.members().get(component.getName());
+            if (made != null && member != null && !replaced.contains(component.getName())) {
+                made = values.limited(component.getType(), made, member.value(), inner(path, component.getName()));
+            }
+        }
         return clear && replaced.isEmpty() ? made : null;
+    }
+
+    /** The way to a part of something. */
+    static String inner(String path, String key) {
+        return path.isEmpty() ? key : path + "." + key;
     }
 
     /**

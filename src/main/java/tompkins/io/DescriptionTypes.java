@@ -9,6 +9,7 @@ import java.util.Set;
 import tompkins.camera.ThinLensCamera;
 import tompkins.lesson.Lesson;
 import tompkins.lesson.PicturePoint;
+import tompkins.light.Pulse;
 import tompkins.property.Descriptions;
 import tompkins.studio.UniformBackground;
 import tompkins.surface.ColouredSurface;
@@ -18,7 +19,12 @@ final class DescriptionTypes {
 
     /** The members of families that are meant if a scene file does not name a type. */
     private static final Set<Class<?>> USUAL = Set.of(
-            ThinLensCamera.class, ColouredSurface.class, UniformBackground.class, Lesson.class, PicturePoint.class);
+            ThinLensCamera.class,
+            ColouredSurface.class,
+            UniformBackground.class,
+            Pulse.class,
+            Lesson.class,
+            PicturePoint.class);
 
     private DescriptionTypes() {}
 

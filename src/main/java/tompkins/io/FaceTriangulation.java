@@ -6,18 +6,18 @@ import org.joml.Vector3d;
 
 /**
  * Cuts faces into triangles. Seen from its first corner most faces are a fan, which takes a time that grows with their
- * corners. The others are laid flat, along their mean normal, and their ears are clipped by a library; large ones are
- * swept, which takes less time but needs a face that does not touch or cross itself.
+ * corners. The others are laid flat, along their mean normal, and their ears are clipped by a library. A face that
+ * crosses itself has no triangles that cover it, and is not cut.
  */
 final class FaceTriangulation {
 
     /** The share of the area of a face that may be wrong; rounding alone gives less. */
     private static final double TOLERANCE = 1e-12;
 
-    /** Faces of more corners are swept first: clipping ears may take a time that grows with their square. */
-    private static final int MOST_FOR_EARS = 1000;
+    /** The most corners of a face that is no fan: clipping ears may take a time that grows with their square. */
+    static final int MOST_CORNERS = 10_000;
 
-    /** For faces with more corners, only the first corner is tried as the first one. */
+    /** If a face touches itself, the library may need to begin at another corner; so many are tried. */
     private static final int MOST_TO_TRY = 64;
 
     /** The share of the area that may be missed: far more than by rounding, far less than if something is wrong. */
@@ -38,25 +38,34 @@ final class FaceTriangulation {
         this.triangles = new int[3 * expected];
     }
 
-    /** Three vertices for each triangle. */
+    /** The number of triangles. */
+    int count() {
+        return count / 3;
+    }
+
+    /** Three corners for each triangle, as their indices in the array from which they came. */
     int[] triangles() {
         return count == triangles.length ? triangles : Arrays.copyOf(triangles, count);
     }
 
-    /** Cuts the face whose corners are in a part of an array. */
-    void add(int[] corners, int from, int to) {
+    /**
+     * Cuts the face whose corners are in a part of an array.
+     *
+     * @return false if that is not possible: it crosses itself, or has dents and too many corners
+     */
+    boolean add(int[] corners, int from, int to) {
         int size = to - from;
         if (size > 3) {
-            Vector3d[] places = places(corners, from, to);
-            Vector3d normal = normal(places);
-            if (normal.lengthSquared() > 0 && !isFan(places, normal)) {
-                addConcave(corners, from, flat(places, normal));
-                return;
+            Vector3d[] positions = positions(corners, from, to);
+            Vector3d normal = normal(positions);
+            if (normal.lengthSquared() > 0 && !isFan(positions, normal)) {
+                return size <= MOST_CORNERS && addConcave(from, flat(positions, normal));
             }
         }
         for (int i = 2; i < size; i++) {
-            addTriangle(corners[from], corners[from + i - 1], corners[from + i]);
+            addTriangle(from, from + i - 1, from + i);
         }
+        return true;
     }
 
     private void addTriangle(int first, int second, int third) {
@@ -69,20 +78,20 @@ final class FaceTriangulation {
     }
 
     /** The corners seen from the first, in a unit that makes the largest coordinate 1, so that no product overflows. */
-    private Vector3d[] places(int[] corners, int from, int to) {
-        Vector3d[] places = new Vector3d[to - from];
+    private Vector3d[] positions(int[] corners, int from, int to) {
+        Vector3d[] positions = new Vector3d[to - from];
         double size = 0;
-        for (int i = 0; i < places.length; i++) {
+        for (int i = 0; i < positions.length; i++) {
             // halves: the difference of two numbers may be larger than any number
-            places[i] = half(corners[from + i]).sub(half(corners[from]));
-            size = Math.max(size, largest(places[i]));
+            positions[i] = half(corners[from + i]).sub(half(corners[from]));
+            size = Math.max(size, largest(positions[i]));
         }
         if (size > 0) {
-            for (Vector3d place : places) {
-                place.set(place.x / size, place.y / size, place.z / size);
+            for (Vector3d position : positions) {
+                position.set(position.x / size, position.y / size, position.z / size);
             }
         }
-        return places;
+        return positions;
     }
 
     private Vector3d half(int vertex) {
@@ -94,93 +103,60 @@ final class FaceTriangulation {
     }
 
     /** Twice the area of the face as a vector that points to where its corners run counter-clockwise. */
-    private static Vector3d normal(Vector3d[] places) {
+    private static Vector3d normal(Vector3d[] positions) {
         Vector3d sum = new Vector3d();
         Vector3d cross = new Vector3d();
-        for (int i = 2; i < places.length; i++) {
-            sum.add(places[i - 1].cross(places[i], cross));
+        for (int i = 2; i < positions.length; i++) {
+            sum.add(positions[i - 1].cross(positions[i], cross));
         }
         return sum;
     }
 
     /** Whether the triangles between the first corner and each side do not overlap. */
-    private static boolean isFan(Vector3d[] places, Vector3d normal) {
+    private static boolean isFan(Vector3d[] positions, Vector3d normal) {
         double area = normal.length();
         double backwards = 0;
         Vector3d cross = new Vector3d();
-        for (int i = 2; i < places.length; i++) {
-            backwards += Math.max(0, -places[i - 1].cross(places[i], cross).dot(normal) / area);
+        for (int i = 2; i < positions.length; i++) {
+            backwards +=
+                    Math.max(0, -positions[i - 1].cross(positions[i], cross).dot(normal) / area);
         }
         return backwards <= TOLERANCE * area;
     }
 
     /** x and y of each corner in a plane, so that they run counter-clockwise. */
-    private static double[] flat(Vector3d[] places, Vector3d normal) {
+    private static double[] flat(Vector3d[] positions, Vector3d normal) {
         Vector3d up = normal.normalize(new Vector3d());
         // with an axis along the longest side, the numbers of long thin faces are exact
         Vector3d right = new Vector3d();
-        for (Vector3d place : places) {
-            if (place.lengthSquared() > right.lengthSquared()) {
-                right.set(place);
+        for (Vector3d position : positions) {
+            if (position.lengthSquared() > right.lengthSquared()) {
+                right.set(position);
             }
         }
         right.fma(-right.dot(up), up).normalize();
         Vector3d forward = up.cross(right, new Vector3d());
-        double[] flat = new double[2 * places.length];
-        for (int i = 0; i < places.length; i++) {
-            flat[2 * i] = places[i].dot(right);
-            flat[2 * i + 1] = places[i].dot(forward);
+        double[] flat = new double[2 * positions.length];
+        for (int i = 0; i < positions.length; i++) {
+            flat[2 * i] = positions[i].dot(right);
+            flat[2 * i + 1] = positions[i].dot(forward);
         }
         return flat;
     }
 
-    private void addConcave(int[] corners, int from, double[] flat) {
-        int[] cut = cut(flat);
-        for (int i = 0; i < cut.length; i += 3) {
-            boolean swapped = area(flat, cut[i], cut[i + 1], cut[i + 2]) < 0;
-            addTriangle(
-                    corners[from + cut[i]],
-                    corners[from + cut[swapped ? i + 2 : i + 1]],
-                    corners[from + cut[swapped ? i + 1 : i + 2]]);
-        }
-    }
-
-    /**
-     * The corners of triangles that cover a flat face; for a face that crosses itself, whatever the library gives. If a
-     * face touches itself, the library may need to begin at another corner.
-     */
-    private static int[] cut(double[] flat) {
-        int size = flat.length / 2;
-        if (size > MOST_FOR_EARS) {
-            int[] swept = swept(flat);
-            if (covers(swept, flat)) {
-                return swept;
-            }
-        }
-        int[] first = ears(flat, 0);
-        int[] cut = first;
-        for (int start = 1; start < size && size <= MOST_TO_TRY && !covers(cut, flat); start++) {
+    private boolean addConcave(int from, double[] flat) {
+        int[] cut = ears(flat, 0);
+        for (int start = 1; start < Math.min(MOST_TO_TRY, flat.length / 2) && !covers(cut, flat); start++) {
             cut = ears(flat, start);
         }
-        return covers(cut, flat) ? cut : first;
-    }
-
-    private static int[] swept(double[] flat) {
-        int size = flat.length / 2;
-        double[] distinct = new double[flat.length];
-        int[] corners = new int[size];
-        int count = 0;
-        for (int i = 0; i < size; i++) {
-            int before = i == 0 ? size - 1 : i - 1;
-            if (flat[2 * i] != flat[2 * before] || flat[2 * i + 1] != flat[2 * before + 1]) {
-                distinct[2 * count] = flat[2 * i];
-                distinct[2 * count + 1] = flat[2 * i + 1];
-                corners[count++] = i;
-            }
+        if (!covers(cut, flat)) {
+            return false;
         }
-        return Arrays.stream(SweepTriangulation.triangles(Arrays.copyOf(distinct, 2 * count)))
-                .map(corner -> corners[corner])
-                .toArray();
+        for (int i = 0; i < cut.length; i += 3) {
+            boolean swapped = area(flat, cut[i], cut[i + 1], cut[i + 2]) < 0;
+            addTriangle(from + cut[i], from + cut[swapped ? i + 2 : i + 1], from + cut[swapped ? i + 1 : i + 2]);
+        }
+        return true;
     }
 
     private static int[] ears(double[] flat, int start) {

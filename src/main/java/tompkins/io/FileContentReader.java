@@ -3,7 +3,7 @@ package tompkins.io;
 import java.io.IOException;
 import java.util.Base64;
 import java.util.List;
-import tompkins.image.FileException;
+import tompkins.file.FileException;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.JsonText;
 import tompkins.io.JsonValue.Member;
@@ -32,7 +32,9 @@ final class FileContentReader {
             if (value instanceof JsonObject object && hold(object, NAME) && hold(object, BASE64)) {
                 boolean clear = Refusal.noteUnknownKeys(problems, object, path, List.of(NAME, BASE64));
                 byte[] content = decoded(object.members().get(BASE64).value(), path);
-                return clear && content != null ? parser.parse(content, text(object, NAME)) : null;
+                return clear && content != null
+                        ? parser.parse(content, text(object, NAME), FileContentParser.Files.NONE)
+                        : null;
             }
             String allowed = "the name of " + parser.noun() + " in quotes, or an object with the texts name and base64";
             problems.add(value, path, "must be " + allowed + ", was " + value.shown());

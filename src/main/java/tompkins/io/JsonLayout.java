@@ -26,6 +26,12 @@ final class JsonLayout {
         return text(value, 0);
     }
 
+    /** The text of such a value in one line. */
+    static String line(Object value) {
+        // inside texts, ends of lines are escaped
+        return text(value).replaceAll("(?<=[\\[{])\n *|\n *(?=[\\]}])", "").replaceAll("\n *", " ");
+    }
+
     private static String text(Object value, int indent) {
         if (value instanceof Map<?, ?> map) {
             List<String> parts = new ArrayList<>();

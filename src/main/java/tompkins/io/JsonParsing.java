@@ -12,6 +12,7 @@ import tompkins.io.JsonValue.JsonNumber;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.JsonText;
 import tompkins.io.JsonValue.Member;
+import tompkins.property.MistakeException;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
@@ -59,20 +60,42 @@ final class JsonParsing {
     private final Problems problems;
     private int values;
 
-    private JsonParsing(JsonParser parser, String text, Problems problems) {
+    /** The line in which all values are, or 0 for that of the text. */
+    private final int onlyLine;
+
+    private JsonParsing(JsonParser parser, String text, Problems problems, int onlyLine) {
         this.parser = parser;
         this.text = text;
         this.problems = problems;
+        this.onlyLine = onlyLine;
     }
 
     /**
      * The object that a text holds. Keys that occur twice are noted; the first one counts.
      *
-     * @throws SceneFileException if the text is not JSON, or not an object
+     * @throws MistakeException if the text is not JSON, or not an object
      */
     static JsonObject parse(String text, Problems problems) {
         try (JsonParser parser = FACTORY.createParser(ObjectReadContext.empty(), text)) {
-            return new JsonParsing(parser, text, problems).root();
+            return new JsonParsing(parser, text, problems, 0).root();
+        }
+    }
+
+    /**
+     * The value that a text holds, which stands for itself and not in a file.
+     *
+     * @param line what messages are to give as the line of all that is in it
+     * @throws MistakeException if the text is not JSON
+     */
+    static JsonValue parseValue(String text, String path, Problems problems, int line) {
+        try (JsonParser parser = FACTORY.createParser(ObjectReadContext.empty(), text)) {
+            JsonParsing parsing = new JsonParsing(parser, text, problems, line);
+            parsing.next(path);
+            JsonValue value = parsing.value(path, 0);
+            if (parsing.next(path) != null) {
+                throw parsing.failure(line, 1, path, "the value ends before its last letters");
+            }
+            return value;
         }
     }
 
@@ -198,7 +221,7 @@ final class JsonParsing {
         }
     }
 
-    private SceneFileException failure(String path, JacksonException syntax) {
+    private MistakeException failure(String path, JacksonException syntax) {
         TokenStreamLocation place = syntax.getLocation();
         if (place != null && SyntaxMistake.isInNumber(syntax)) {
             return numberFailure(path, place);
@@ -215,7 +238,7 @@ final class JsonParsing {
     }
 
     /** The failure for a number that holds, or ends before, a place. */
-    private SceneFileException numberFailure(String path, TokenStreamLocation place) {
+    private MistakeException numberFailure(String path, TokenStreamLocation place) {
         int found = (int) place.getCharOffset();
         int start = found;
         while (start > 0 && isOfNumber(text.charAt(start - 1))) {
@@ -233,13 +256,13 @@ final class JsonParsing {
         return Character.isLetterOrDigit(letter) || "+-.".indexOf(letter) >= 0;
     }
 
-    private SceneFileException failure(int line, int column, String path, String message) {
-        problems.add(line, column, path, message);
+    private MistakeException failure(int line, int column, String path, String message) {
+        problems.add(onlyLine > 0 ? onlyLine : line, column, path, message);
         return problems.exception();
     }
 
     private int line() {
-        return parser.currentTokenLocation().getLineNr();
+        return onlyLine > 0 ? onlyLine : parser.currentTokenLocation().getLineNr();
     }
 
     private int column() {

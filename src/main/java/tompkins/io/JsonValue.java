@@ -61,6 +61,24 @@ sealed interface JsonValue {
         }
     }
 
+    /** Other values for some parts of something that is there: what is not named stays as it is. */
+    record JsonChange(JsonObject parts) implements JsonValue {
+        @Override
+        public int line() {
+            return parts.line();
+        }
+
+        @Override
+        public int column() {
+            return parts.column();
+        }
+
+        @Override
+        public String shown() {
+            return "parts with names";
+        }
+    }
+
     /** A key of an object, its place, and its value. */
     record Member(int line, int column, JsonValue value) {}
 }

@@ -1,9 +1,22 @@
 package tompkins.io;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.regex.Pattern;
+import org.hipparchus.util.ResizableDoubleArray;
+import tompkins.io.ObjStatements.ObjMistake;
+import tompkins.ray.MeshDetail;
+import tompkins.ray.MeshMaterial;
 
-/** Collects vertices and faces of an OBJ file. Faces may come before their vertices. */
+/**
+ * Collects what an OBJ file says of its faces, which may come before their vertices, and cuts them into triangles. The
+ * axes of an OBJ file are right-handed, those of a scene left-handed: z changes its sign, and the corners of each
+ * triangle change their order.
+ */
 final class MeshFaces {
 
     private static final int MOST_TRIANGLES = 4_000_000;
@@ -11,22 +24,55 @@ final class MeshFaces {
     private static final Pattern NUMBER = Pattern.compile(
             "[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?|[+-]?(nan|inf|infinity)", Pattern.CASE_INSENSITIVE);
 
-    /** A vertex, its texture coordinate and its normal. */
+    /** A vertex, its texture coordinates and its normal. */
     private static final Pattern CORNER = Pattern.compile("[+-]?\\d+(/[+-]?\\d*){0,2}");
 
-    private double[] coordinates = new double[3 * 64];
-    private int coordinateCount;
-    private int[] corners = new int[3 * 64];
-    private int cornerCount;
+    /** Names and groups, which say nothing of what is seen. */
+    private static final Set<String> SILENT = Set.of("g", "o", "s", "mg");
 
-    /** For each face the number of corners up to its end, and the line where it begins. */
-    private int[] ends = new int[64];
+    private static final int NONE = -1;
 
-    private int[] lines = new int[64];
-    private int faceCount;
+    private final String name;
+    private final ObjNotes notes = new ObjNotes();
+    private final ObjMaterials library;
+    private final List<MeshMaterial> materials = new ArrayList<>();
+    private final Map<String, Integer> materialNumbers = new HashMap<>();
+    private int material = NONE;
+
+    private final ResizableDoubleArray coordinates = new ResizableDoubleArray();
+    private final ResizableDoubleArray textureCoordinates = new ResizableDoubleArray();
+    private final ResizableDoubleArray normals = new ResizableDoubleArray();
+
+    /** Numbers of vertices, texture coordinates and normals, one for each corner of each face. */
+    private final IntList corners = new IntList();
+
+    private final IntList textureCorners = new IntList();
+    private final IntList normalCorners = new IntList();
+
+    /** For each face the number of corners up to its end, the line where it begins, and its material. */
+    private final IntList ends = new IntList();
+
+    private final IntList lines = new IntList();
+    private final IntList faceMaterials = new IntList();
+
+    /** The corners of the triangles, as their indices in the lists, and for each triangle its material. */
+    private int[] cut = {};
+
+    private final IntList triangleMaterials = new IntList();
 
     /**
-     * Takes a statement; those that are neither vertices nor faces are passed over.
+     * No faces yet.
+     *
+     * @param name the name of the file
+     * @param files the files of its materials
+     */
+    MeshFaces(String name, FileContentParser.Files files) {
+        this.name = name;
+        library = new ObjMaterials(files, notes);
+    }
+
+    /**
+     * Takes a statement.
      *
      * @throws ObjMistake if it is a vertex or face that cannot be used
      */
@@ -38,16 +84,35 @@ final class MeshFaces {
             addVertex(statement);
         } else if (statement.wordIs("f")) {
             addFace(statement);
+        } else if (statement.wordIs("vt")) {
+            addNumbers(statement, textureCoordinates, 2, "texture coordinates (vt) cannot be read");
+        } else if (statement.wordIs("vn")) {
+            addNumbers(statement, normals, 3, "a normal (vn) cannot be read");
+        } else if (statement.wordIs("mtllib")) {
+            library.read(ObjMaterials.beside(name, statement.rest()));
+        } else if (statement.wordIs("usemtl")) {
+            material = materialNumbers.computeIfAbsent(statement.rest(), this::newMaterial);
+        } else if (!SILENT.contains(statement.word())) {
+            notes.add(name, Problems.quoted(statement.word()) + " is not read");
         }
     }
 
+    private int newMaterial(String material) {
+        MeshMaterial known = library.material(material);
+        if (known == null) {
+            notes.add(name, "there is no material " + Problems.quoted(material));
+            return NONE;
+        }
+        materials.add(known);
+        return materials.size() - 1;
+    }
+
     private void addVertex(ObjStatements statement) {
-        coordinates = withRoom(coordinates, coordinateCount + 3);
         for (int axis = 0; axis < 3; axis++) {
             if (!statement.nextWord()) {
                 throw statement.mistake("a vertex must have three coordinates, has " + axis);
             }
-            coordinates[coordinateCount++] = coordinate(statement);
+            coordinates.addElement(coordinate(statement));
         }
     }
 
@@ -64,33 +129,61 @@ final class MeshFaces {
         return value;
     }
 
+    /** Adds numbers that a mesh can do without: if they cannot be read, they are not a number. */
+    private void addNumbers(ObjStatements statement, ResizableDoubleArray numbers, int count, String problem) {
+        double sum = 0;
+        for (int i = 0; i < count; i++) {
+            double number = Double.NaN;
+            if (statement.nextWord() && NUMBER.matcher(statement.word()).matches()) {
+                number = coordinate(statement, Double.NaN);
+            }
+            numbers.addElement(number);
+            sum += number;
+        }
+        if (Double.isNaN(sum)) {
+            notes.add(name, problem);
+        }
+    }
+
+    private static double coordinate(ObjStatements statement, double otherwise) {
+        try {
+            return coordinate(statement);
+        } catch (ObjMistake notFinite) {
+            return otherwise;
+        }
+    }
+
     private void addFace(ObjStatements statement) {
-        int start = cornerCount;
+        int start = corners.size();
         while (statement.nextWord()) {
-            corners = withRoom(corners, cornerCount + 1);
-            corners[cornerCount++] = corner(statement);
-            if (cornerCount - 2L * (faceCount + 1) > MOST_TRIANGLES) {
+            addCorner(statement);
+            if (corners.size() - 2L * (ends.size() + 1) > MOST_TRIANGLES) {
                 throw statement.mistake("a mesh may have at most " + MOST_TRIANGLES + " triangles");
             }
         }
-        if (cornerCount - start < 3) {
-            throw statement.mistake("a face must have three or more corners, has " + (cornerCount - start));
+        if (corners.size() - start < 3) {
+            throw statement.mistake("a face must have three or more corners, has " + (corners.size() - start));
         }
-        ends = withRoom(ends, faceCount + 1);
-        lines = withRoom(lines, faceCount + 1);
-        ends[faceCount] = cornerCount;
-        lines[faceCount] = statement.firstLine();
-        faceCount++;
+        ends.add(corners.size());
+        lines.add(statement.firstLine());
+        faceMaterials.add(material);
     }
 
-    /** The vertex of a corner, counted from 0; it may still be missing. */
-    private int corner(ObjStatements statement) {
+    private void addCorner(ObjStatements statement) {
         String word = statement.word();
         if (!CORNER.matcher(word).matches()) {
             throw statement.unclear();
         }
-        int slash = word.indexOf('/');
-        String index = slash < 0 ? word : word.substring(0, slash);
+        int first = word.indexOf('/');
+        int second = first < 0 ? NONE : word.indexOf('/', first + 1);
+        corners.add(vertex(statement, first < 0 ? word : word.substring(0, first)));
+        String texture = first < 0 ? "" : word.substring(first + 1, second < 0 ? word.length() : second);
+        textureCorners.add(index(texture, textureCoordinates.getNumElements() / 2));
+        normalCorners.add(index(second < 0 ? "" : word.substring(second + 1), normals.getNumElements() / 3));
+    }
+
+    /** The vertex of a corner, counted from 0; it may still be missing. */
+    private int vertex(ObjStatements statement, String index) {
         long number = number(index);
         if (number == 0) {
             throw statement.unclear();
@@ -99,12 +192,19 @@ final class MeshFaces {
             throw statement.mistake(
                     "a face names vertex " + Problems.shortened(index) + ", and numbers end at " + Integer.MAX_VALUE);
         }
-        int vertices = coordinateCount / 3;
+        int vertices = coordinates.getNumElements() / 3;
         if (number < -vertices) {
             throw statement.mistake("a face names vertex " + Problems.shortened(index) + ", but there are only "
                     + vertices + " above it");
         }
         return (int) (number > 0 ? number - 1 : vertices + number);
+    }
+
+    /** A number counted from 1, or backwards from the last so far, as one counted from 0; -1 if there is none. */
+    private static int index(String digits, int known) {
+        long number = digits.isEmpty() ? 0 : number(digits);
+        long index = number > 0 ? number - 1 : number < 0 ? known + number : NONE;
+        return index < 0 || index > Integer.MAX_VALUE ? NONE : (int) index;
     }
 
     /** The value of digits with a sign; numbers beyond 64 bits become the nearest that fits. */
@@ -122,40 +222,116 @@ final class MeshFaces {
      * @throws ObjMistake if a face names a vertex that is missing
      */
     void requireVertices() {
-        int vertices = coordinateCount / 3;
+        int vertices = coordinates.getNumElements() / 3;
         int face = 0;
-        for (int i = 0; i < cornerCount; i++) {
-            if (i == ends[face]) {
+        for (int i = 0; i < corners.size(); i++) {
+            if (i == ends.get(face)) {
                 face++;
             }
-            if (corners[i] >= vertices) {
+            if (corners.get(i) >= vertices) {
                 throw new ObjMistake(
-                        lines[face], "a face names vertex " + (corners[i] + 1L) + ", but there are only " + vertices);
+                        lines.get(face),
+                        "a face names vertex " + (corners.get(i) + 1L) + ", but there are only " + vertices);
             }
+        }
+    }
+
+    /**
+     * Cuts the faces into triangles, whose corners run as those of their face.
+     *
+     * @throws ObjMistake if a face cannot be cut
+     */
+    void cut() {
+        int[] all = corners.toArray();
+        FaceTriangulation triangulation =
+                new FaceTriangulation(coordinates.getElements(), all.length - 2 * ends.size());
+        int start = 0;
+        for (int face = 0; face < ends.size(); face++) {
+            int size = ends.get(face) - start;
+            if (!triangulation.add(all, start, ends.get(face))) {
+                throw new ObjMistake(
+                        lines.get(face),
+                        "a face of " + size + " corners "
+                                + (size > FaceTriangulation.MOST_CORNERS
+                                        ? "has dents; such a face may have at most " + FaceTriangulation.MOST_CORNERS
+                                        : "crosses itself")
+                                + "; cut it into triangles");
+            }
+            start = ends.get(face);
+            while (triangleMaterials.size() < triangulation.count()) {
+                triangleMaterials.add(faceMaterials.get(face));
+            }
+        }
+        cut = triangulation.triangles();
+        for (int i = 0; i < cut.length; i += 3) {
+            int second = cut[i + 1];
+            cut[i + 1] = cut[i + 2];
+            cut[i + 2] = second;
         }
     }
 
     /** x, y and z of each vertex. */
     double[] vertices() {
-        return Arrays.copyOf(coordinates, coordinateCount);
+        return turnedOver(coordinates);
     }
 
-    /** Three vertices for each triangle of the faces, in the order in which the corners of its face run. */
-    int[] triangles() {
-        FaceTriangulation triangulation = new FaceTriangulation(coordinates, cornerCount - 2 * faceCount);
-        int start = 0;
-        for (int face = 0; face < faceCount; face++) {
-            triangulation.add(corners, start, ends[face]);
-            start = ends[face];
+    private static double[] turnedOver(ResizableDoubleArray vectors) {
+        double[] turned = vectors.getElements();
+        for (int z = 2; z < turned.length; z += 3) {
+            // a subtraction and not a minus sign, which would make negative zeros
+            turned[z] = 0 - turned[z];
         }
-        return triangulation.triangles();
+        return turned;
     }
 
-    private static double[] withRoom(double[] array, int length) {
-        return length <= array.length ? array : Arrays.copyOf(array, 2 * array.length);
+    /** Three vertices for each triangle. */
+    int[] corners() {
+        return Arrays.stream(cut).map(corners::get).toArray();
     }
 
-    private static int[] withRoom(int[] array, int length) {
-        return length <= array.length ? array : Arrays.copyOf(array, 2 * array.length);
+    /** What the triangles have besides their corners. */
+    MeshDetail detail() {
+        double[] textureValues = textureCoordinates.getElements();
+        double[] unitNormals = turnedOver(normals);
+        for (int i = 0; i < unitNormals.length; i += 3) {
+            double length = Math.hypot(Math.hypot(unitNormals[i], unitNormals[i + 1]), unitNormals[i + 2]);
+            for (int axis = i; axis < i + 3; axis++) {
+                unitNormals[axis] /= length;
+            }
+        }
+        return new MeshDetail(
+                textureValues,
+                usable(textureCorners, textureValues, 2, "vt"),
+                unitNormals,
+                usable(normalCorners, unitNormals, 3, "vn"),
+                List.copyOf(materials),
+                materials.isEmpty() ? new int[0] : triangleMaterials.toArray(),
+                notes.sentences());
+    }
+
+    /** The numbers at the corners of the triangles: -1 where there are none; empty if all are. */
+    private int[] usable(IntList numbers, double[] values, int count, String key) {
+        int[] usable = new int[cut.length];
+        boolean some = false;
+        for (int i = 0; i < cut.length; i++) {
+            int number = numbers.get(cut[i]);
+            int from = count * number;
+            usable[i] = NONE;
+            if (number > NONE && number < values.length / count && isFinite(values, from, count)) {
+                usable[i] = number;
+                some = true;
+            } else if (number > NONE) {
+                notes.add(name, "faces name a \"" + key + "\" that is missing or not finite");
+            }
+        }
+        return some ? usable : new int[0];
+    }
+
+    private static boolean isFinite(double[] values, int from, int count) {
+        double sum = 0;
+        for (int i = from; i < from + count; i++) {
+            sum += values[i];
+        }
+        return Double.isFinite(sum);
     }
 }

@@ -9,7 +9,27 @@ import java.io.IOException;
  */
 final class ObjStatements {
 
+    /** A statement that cannot be used. The message says why, without the place. */
+    static final class ObjMistake extends RuntimeException {
+
+        private static final long serialVersionUID = 1;
+
+        private final int line;
+
+        /** A mistake in the statement that begins in a line, counted from 1. */
+        ObjMistake(int line, String message) {
+            super(message);
+            this.line = line;
+        }
+
+        int line() {
+            return line;
+        }
+    }
+
     private static final char BYTE_ORDER_MARK = '\uFEFF';
+
+    private static final char NEXT_LINE = '\u0085';
 
     private final BufferedReader lines;
     private int linesRead;
@@ -64,9 +84,13 @@ final class ObjStatements {
         return line.substring(start, end);
     }
 
-    /** Blanks of all kinds, including those of typesetters and control characters. */
+    /** Blanks of all kinds, including those of typesetters; other control characters part no words. */
     private static boolean isBlank(char letter) {
-        return letter <= ' ' || letter >= 0x7f && (Character.isSpaceChar(letter) || Character.isISOControl(letter));
+        return letter == ' ' || letter >= '\t' && letter <= '\r' || letter >= NEXT_LINE && isFarBlank(letter);
+    }
+
+    private static boolean isFarBlank(char letter) {
+        return letter == NEXT_LINE || Character.isSpaceChar(letter);
     }
 
     /** Goes to the next word of the statement; false after the last one. */
@@ -85,6 +109,11 @@ final class ObjStatements {
     /** The word. */
     String word() {
         return text.substring(wordStart, wordEnd);
+    }
+
+    /** What follows the word, without the blanks around it. */
+    String rest() {
+        return text.substring(wordEnd).strip();
     }
 
     /** Whether the word is a given one, in small or capital letters. */

@@ -3,9 +3,10 @@ package tompkins.io;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import tompkins.property.MistakeException;
 import tompkins.property.OneLine;
 
-/** Collects the mistakes of one file. */
+/** Collects the mistakes of one file, or of options that stand for lines of it. */
 final class Problems {
 
     /** After so many mistakes the rest of the file is not looked at. */
@@ -15,10 +16,33 @@ final class Problems {
     private static final int LONGEST_PATH = 100;
 
     private final String file;
+    private final List<String> options;
     private final List<Problem> found = new ArrayList<>();
 
+    /** A mistake; line and column begin at 1, and are 0 if it concerns the whole file. */
+    private record Problem(int line, int column, String text) {}
+
+    /** The mistakes of a file. */
     Problems(String file) {
-        this.file = OneLine.of(file);
+        this.file = file;
+        options = List.of();
+    }
+
+    /** The mistakes of options by their names; each has its number, from 1, as the line of all that it holds. */
+    Problems(List<String> options) {
+        file = "";
+        this.options = options;
+    }
+
+    /**
+     * Does nothing if no mistake was noted.
+     *
+     * @throws MistakeException for all mistakes that were
+     */
+    void throwIfAny() {
+        if (!found.isEmpty()) {
+            throw exception();
+        }
     }
 
     /** Notes a mistake in a value. */
@@ -27,38 +51,37 @@ final class Problems {
     }
 
     /**
-     * Notes a mistake at a place.
+     * Notes a mistake at a place: {@code file:line:column: path: message}, or the name of an option before its path.
      *
-     * @throws SceneFileException if there are too many
+     * @param line from 1; 0 if the mistake concerns the whole file
+     * @param column in characters, from 1
+     * @param path the keys that lead to the place, such as {@code scene[2].radius}; empty for the whole scene
+     * @param message what is wrong, the value, and what is allowed
+     * @throws MistakeException if there are too many
      */
     void add(int line, int column, String path, String message) {
-        found.add(new Problem(file, line, column, OneLine.shortened(path, LONGEST_PATH), OneLine.of(message)));
+        String place = line == 0 ? file : options.isEmpty() ? file + ":" + line + ":" + column : options.get(line - 1);
+        String part = path.isEmpty() ? "" : OneLine.shortened(path, LONGEST_PATH) + ": ";
+        found.add(new Problem(line, column, place + ": " + part + message));
         if (found.size() == MOST) {
-            sort();
-            found.add(new Problem(file, line, column, "", "after " + MOST + " mistakes the rest is not looked at"));
-            throw new SceneFileException(found);
+            found.add(new Problem(
+                    Integer.MAX_VALUE, 0, place + ": after " + MOST + " mistakes the rest is not looked at"));
+            throw exception();
         }
     }
 
     /** The exception for a mistake of the whole file. */
-    SceneFileException wholeFile(String message) {
+    MistakeException wholeFile(String message) {
         add(0, 0, "", message);
-        return new SceneFileException(found);
+        return exception();
     }
 
-    /** The exception for all mistakes that were found. */
-    SceneFileException exception() {
-        sort();
-        return new SceneFileException(found);
-    }
-
-    private void sort() {
-        found.sort(Comparator.comparingInt(Problem::line).thenComparingInt(Problem::column));
-    }
-
-    /** Whether there is no mistake. */
-    boolean isEmpty() {
-        return found.isEmpty();
+    /** The exception for all mistakes that were found, in the order of the file. */
+    MistakeException exception() {
+        return new MistakeException(found.stream()
+                .sorted(Comparator.comparingInt(Problem::line).thenComparingInt(Problem::column))
+                .map(Problem::text)
+                .toList());
     }
 
     /** A text of the user, for a message: in quotes and shortened if it is long. */

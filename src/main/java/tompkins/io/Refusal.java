@@ -2,9 +2,11 @@ package tompkins.io;
 
 import java.util.List;
 import java.util.Map;
+import tompkins.io.JsonValue.JsonNumber;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.Member;
 import tompkins.property.InvalidPropertyException;
+import tompkins.property.NumberText;
 
 /** Notes what is wrong with the keys of an object, and what the constructors of descriptions refuse. */
 final class Refusal {
@@ -25,10 +27,20 @@ final class Refusal {
         String property = invalid.property();
         Member member = value instanceof JsonObject object ? object.members().get(component(invalid)) : null;
         if (member != null) {
-            problems.add(member.value(), path.isEmpty() ? property : path + "." + property, invalid.problem() + hint);
+            String problem = member.value() instanceof JsonNumber number ? problem(invalid, number) : invalid.problem();
+            problems.add(member.value(), path.isEmpty() ? property : path + "." + property, problem + hint);
         } else {
             problems.add(value, path, (value instanceof JsonObject ? invalid.getMessage() : invalid.problem()) + hint);
         }
+    }
+
+    /** The problem with a number. One that is too large to be kept is shown as it is written. */
+    private static String problem(InvalidPropertyException invalid, JsonNumber number) {
+        double size = Math.abs(Double.parseDouble(number.text()));
+        String problem = size > Integer.MAX_VALUE ? invalid.problem(number.shown()) : invalid.problem();
+        return Double.isInfinite(size) && problem.contains("finite")
+                ? problem + " (no number can be larger than " + NumberText.of(Double.MAX_VALUE) + ")"
+                : problem;
     }
 
     /** The name of the component; a property may add in brackets which part of it is wrong. */

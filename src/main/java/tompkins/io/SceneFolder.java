@@ -6,8 +6,8 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
-import tompkins.image.FileFailure;
-import tompkins.image.WholeFile;
+import tompkins.file.FileFailure;
+import tompkins.file.WholeFile;
 import tompkins.ray.FileContent;
 
 /** The files under the folder of a scene file; nothing else on the disk can be reached. Each is read once. */
@@ -28,7 +28,7 @@ final class SceneFolder {
     <T extends FileContent> T content(String name, FileContentParser<T> parser) throws IOException {
         FileContent known = read.get(name);
         if (known == null || !parser.type().isInstance(known)) {
-            known = parser.parse(bytes(name, parser.noun()), name);
+            known = parser.parse(bytes(name, parser.noun()), name, this::bytes);
             read.put(name, known);
         }
         return parser.type().cast(known);

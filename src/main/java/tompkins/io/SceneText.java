@@ -13,9 +13,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
-import tompkins.image.FileException;
-import tompkins.image.FileFailure;
+import tompkins.file.FileException;
+import tompkins.file.FileFailure;
 import tompkins.image.PhotographFile;
+import tompkins.property.MistakeException;
 
 /** Finds the text of a scene in a file: the file itself, or what a saved photograph holds. */
 final class SceneText {
@@ -36,9 +37,25 @@ final class SceneText {
     /**
      * The text.
      *
-     * @throws SceneFileException if there is none
+     * @throws MistakeException if there is none
      */
     String read() {
+        boolean isPiped = file.equals(StudioReader.PIPE);
+        if (!isPiped) {
+            requireFile();
+        }
+        try {
+            return isPiped ? piped() : PhotographFile.isPicture(file) ? fromPhotograph() : decoded(content());
+        } catch (FileException unusable) {
+            String start = file + ": ";
+            String message = unusable.getMessage();
+            throw problems.wholeFile(message.startsWith(start) ? message.substring(start.length()) : message);
+        } catch (IOException failure) {
+            throw problems.wholeFile("cannot be read: " + FileFailure.reason(failure));
+        }
+    }
+
+    private void requireFile() {
         if (Files.isDirectory(file)) {
             throw problems.wholeFile("is a folder; a scene file or a saved photograph is needed");
         }
@@ -49,31 +66,37 @@ final class SceneText {
         if (Files.exists(file) && !Files.isRegularFile(file)) {
             throw problems.wholeFile("is not a file");
         }
-        try {
-            return PhotographFile.isPicture(file) ? fromPhotograph() : decoded(content());
-        } catch (FileException unusable) {
-            String start = file + ": ";
-            String message = unusable.getMessage();
-            throw problems.wholeFile(message.startsWith(start) ? message.substring(start.length()) : message);
-        } catch (IOException failure) {
-            throw problems.wholeFile("cannot be read: " + FileFailure.reason(failure));
-        }
+    }
+
+    private String piped() throws IOException {
+        byte[] content = limited(System.in);
+        return PhotographFile.isPicture(content)
+                ? PhotographFile.readScene(content, file.toString()).orElseThrow(this::noScene)
+                : decoded(content);
     }
 
     private String fromPhotograph() throws FileException {
         Optional<String> scene = PhotographFile.readScene(file);
-        return scene.orElseThrow(() -> problems.wholeFile("the picture holds no scene; only photographs saved by"
-                + " this program do, and only until another program saves them again"));
+        return scene.orElseThrow(this::noScene);
+    }
+
+    private MistakeException noScene() {
+        return problems.wholeFile("the picture holds no scene; only photographs saved by"
+                + " this program do, and only until another program saves them again");
     }
 
     private byte[] content() throws IOException {
         try (InputStream in = Files.newInputStream(file)) {
-            byte[] content = in.readNBytes(LARGEST + 1);
-            if (content.length > LARGEST) {
-                throw problems.wholeFile("a scene file may have at most " + LARGEST + " bytes, has more");
-            }
-            return content;
+            return limited(in);
         }
+    }
+
+    private byte[] limited(InputStream in) throws IOException {
+        byte[] content = in.readNBytes(LARGEST + 1);
+        if (content.length > LARGEST) {
+            throw problems.wholeFile("a scene file may have at most " + LARGEST + " bytes, has more");
+        }
+        return content;
     }
 
     private String decoded(byte[] content) throws CharacterCodingException {

@@ -3,7 +3,10 @@ package tompkins.io;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.util.Optional;
 import java.util.Properties;
+import tompkins.camera.PanoramicCamera;
+import tompkins.image.Panorama;
 import tompkins.image.PhotographInfo;
 import tompkins.property.OneLine;
 import tompkins.studio.Studio;
@@ -29,11 +32,22 @@ public final class SelfDescription {
      */
     public static PhotographInfo of(Studio studio) {
         String title = (studio.view() == View.MEASURED ? MEASURED : "") + OneLine.of(studio.title());
-        return new PhotographInfo(title, program(), StudioWriter.writeSelfContained(studio));
+        return new PhotographInfo(title, program(), StudioWriter.writeSelfContained(studio), panorama(studio));
+    }
+
+    private static Optional<Panorama> panorama(Studio studio) {
+        return studio.camera() instanceof PanoramicCamera camera
+                ? Optional.of(new Panorama(camera.horizontalAngleDegrees(), camera.verticalAngleDegrees()))
+                : Optional.empty();
     }
 
     /** Name and version of the program. */
     public static String program() {
+        return "Tompkins " + version();
+    }
+
+    /** The version of the program, such as 1.1.0. */
+    public static String version() {
         // a resource bundle would add 60 ms to a cold start
         Properties program = new Properties();
         try (InputStream in = SelfDescription.class.getResourceAsStream(PROPERTIES)) {
@@ -41,6 +55,6 @@ public final class SelfDescription {
         } catch (IOException broken) {
             throw new UncheckedIOException(broken);
         }
-        return "Tompkins " + program.getProperty("version");
+        return program.getProperty("version");
     }
 }

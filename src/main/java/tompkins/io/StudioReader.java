@@ -2,13 +2,20 @@ package tompkins.io;
 
 import java.nio.file.Path;
 import java.util.List;
+import tompkins.io.JsonValue.JsonList;
 import tompkins.io.JsonValue.JsonNumber;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.Member;
+import tompkins.property.InvalidPropertyException;
+import tompkins.property.MistakeException;
 import tompkins.studio.Studio;
+import tompkins.studio.StudioPath;
 
 /** Reads studios from scene files and from saved photographs. */
 public final class StudioReader {
+
+    /** The name of the standard input, which may hold a scene or a PNG photograph, once. */
+    public static final Path PIPE = Path.of("-");
 
     /** The version of the format. */
     static final int VERSION = 1;
@@ -20,7 +27,7 @@ public final class StudioReader {
     /**
      * Reads a scene file, or the scene that a saved photograph holds.
      *
-     * @throws SceneFileException if the file cannot be read, or there are mistakes in it
+     * @throws MistakeException if the file cannot be read, or there are mistakes in it
      */
     public static Studio read(Path file) {
         Problems problems = new Problems(file.toString());
@@ -33,10 +40,38 @@ public final class StudioReader {
      *
      * @param name the name of the file, for messages
      * @param folder where the scene's pictures and meshes are
-     * @throws SceneFileException if there are mistakes in the text
+     * @throws MistakeException if there are mistakes in the text
      */
     public static Studio read(String text, String name, Path folder) {
         return studio(text, new Problems(name), folder);
+    }
+
+    /**
+     * What is wrong with a part of a scene that was read from a file, if it shows only when the scene is used; with the
+     * place of that part in the file.
+     *
+     * @param refused names the way to the part as its property
+     * @throws MistakeException if the file can no longer be read
+     */
+    public static MistakeException mistake(Path file, InvalidPropertyException refused) {
+        Problems problems = new Problems(file.toString());
+        if (file.equals(PIPE)) {
+            // it cannot be read again to find the place
+            return problems.wholeFile(refused.getMessage());
+        }
+        JsonValue part = JsonParsing.parse(new SceneText(file, problems).read(), problems);
+        for (Object step :
+                StudioPath.parse(refused.property()).orElse(StudioPath.ROOT).steps()) {
+            if (part instanceof JsonObject object && object.members().containsKey(step)) {
+                part = object.members().get(step).value();
+            } else if (part instanceof JsonList list
+                    && step instanceof Integer index
+                    && index < list.values().size()) {
+                part = list.values().get(index);
+            }
+        }
+        problems.add(part, refused.property(), refused.problem());
+        return problems.exception();
     }
 
     private static Studio studio(String text, Problems problems, Path folder) {
@@ -49,10 +84,8 @@ public final class StudioReader {
             throw problems.exception();
         }
         DescriptionReader reader = new DescriptionReader(problems, new SceneFolder(folder));
-        Object studio = reader.record(Studio.class, root, "", List.of(VERSION_KEY));
-        if (!problems.isEmpty()) {
-            throw problems.exception();
-        }
+        Object studio = reader.record(Studio.class, root, "", List.of(VERSION_KEY), Studio.DEFAULT);
+        problems.throwIfAny();
         return (Studio) studio;
     }
 

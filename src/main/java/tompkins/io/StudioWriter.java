@@ -13,10 +13,11 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
-import tompkins.image.FileException;
-import tompkins.image.PendingFile;
+import tompkins.file.FileException;
+import tompkins.file.PendingFile;
 import tompkins.image.PhotographInfo;
 import tompkins.ray.FileContent;
+import tompkins.ray.MeshData;
 import tompkins.studio.Studio;
 
 /** Writes studios as scene files. What {@link StudioReader} makes of them is equal to the studio, to the last bit. */
@@ -63,6 +64,18 @@ public final class StudioWriter {
         return List.copyOf(named);
     }
 
+    /** What the meshes of a studio say in their files that is not shown. */
+    public static List<String> notes(Studio studio) {
+        Set<String> notes = new LinkedHashSet<>();
+        text(studio, content -> {
+            if (content instanceof MeshData mesh) {
+                notes.addAll(mesh.detail().notes());
+            }
+            return false;
+        });
+        return List.copyOf(notes);
+    }
+
     /** How much longer a text is at most for holding a file instead of naming it: four characters for three bytes. */
     private static long lengthInside(FileContent content) {
         return 4 * ((content.length() + 2L) / 3) + LONGEST_FRAME;
@@ -88,8 +101,8 @@ public final class StudioWriter {
      * stays until then.
      *
      * @throws IOException with a message for the user, if the file cannot be written, or could not be read again: what
-     *     is too large to be held does not lie under its folder, or another file of its name does, or the text is too
-     *     long for a scene file
+     *     cannot be held does not lie under its folder, or another file of its name does, or the text is too long for a
+     *     scene file
      */
     public static void save(Studio studio, Path file) throws IOException {
         byte[] text = checkedText(studio, file);
@@ -137,7 +150,8 @@ public final class StudioWriter {
     }
 
     private static void requireIn(SceneFolder folder, FileContent content, Path file) throws IOException {
-        String problem = file + ": not saved: " + content.name() + " is too large to be held by a scene file, and ";
+        String problem = file + ": not saved: " + content.name()
+                + " cannot be held by a scene file, since it is large or has materials, and ";
         Path place = file.toAbsolutePath().getParent();
         FileContent found;
         try {

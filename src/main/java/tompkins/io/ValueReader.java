@@ -13,9 +13,12 @@ import org.joml.Vector3ic;
 import tompkins.io.JsonValue.JsonFlag;
 import tompkins.io.JsonValue.JsonList;
 import tompkins.io.JsonValue.JsonNumber;
+import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.JsonText;
+import tompkins.io.JsonValue.Member;
 import tompkins.property.NumberText;
 import tompkins.ray.Colour;
+import tompkins.studio.StudioPath;
 
 /** Makes plain values from JSON: numbers, texts, vectors, colours. A method notes a mistake and returns null. */
 final class ValueReader {
@@ -29,7 +32,8 @@ final class ValueReader {
         this.problems = problems;
     }
 
-    Double number(JsonValue value, String path) {
+    /** A number; infinite if it is too large, so that the description that gets it can say what range is allowed. */
+    Double unlimited(JsonValue value, String path) {
         if (!(value instanceof JsonNumber number)) {
             return refuse(value, path, "a number");
         }
@@ -37,21 +41,45 @@ final class ValueReader {
             return refuse(value, path, "a finite number");
         }
         double result = Double.parseDouble(number.text());
-        if (Double.isInfinite(result)) {
-            return refuse(value, path, "a number that is not larger than " + NumberText.of(Double.MAX_VALUE));
-        }
         if (result == 0 && number.text().split("[eE]")[0].matches(".*[1-9].*")) {
             return refuse(value, path, "0 or a number that is not smaller than " + NumberText.of(Double.MIN_VALUE));
         }
         return result;
     }
 
-    Integer wholeNumber(JsonValue value, String path) {
-        Long whole = longNumber(value, path);
-        if (whole != null && whole.intValue() != whole) {
-            return refuse(value, path, "a whole number from " + Integer.MIN_VALUE + " to " + Integer.MAX_VALUE);
+    /** A number that is not too large. */
+    Double number(JsonValue value, String path) {
+        Double result = unlimited(value, path);
+        return result == null ? null : limited(double.class, result, value, path);
+    }
+
+    /** A whole number; the nearest that there is if it is too large, as in {@link #unlimited}. */
+    Integer unlimitedWhole(JsonValue value, String path) {
+        Double result = value instanceof JsonNumber ? unlimited(value, path) : refuse(value, path, "a whole number");
+        if (result != null && result != Math.rint(result)) {
+            return refuse(value, path, "a whole number");
         }
-        return whole == null ? null : (Integer) whole.intValue();
+        return result == null ? null : (Integer) result.intValue();
+    }
+
+    /** A whole number that is not too large. */
+    Integer wholeNumber(JsonValue value, String path) {
+        Integer result = unlimitedWhole(value, path);
+        return result == null ? null : limited(int.class, result, value, path);
+    }
+
+    /** Passes on a result that was read from a number of some type, unless that was too large for it. */
+    <T> T limited(Class<?> type, T result, JsonValue value, String path) {
+        if (value instanceof JsonNumber number) {
+            double written = type == int.class || type == double.class ? Double.parseDouble(number.text()) : 0;
+            if (Double.isInfinite(written)) {
+                return refuse(value, path, "a number that is not larger than " + NumberText.of(Double.MAX_VALUE));
+            }
+            if (type == int.class && written != (int) written) {
+                return refuse(value, path, "a whole number from " + Integer.MIN_VALUE + " to " + Integer.MAX_VALUE);
+            }
+        }
+        return result;
     }
 
     Long longNumber(JsonValue value, String path) {
@@ -101,6 +129,22 @@ final class ValueReader {
     Vector3dc vector(JsonValue value, String path) {
         List<Double> numbers = numbers(value, path, 3, "three numbers [x, y, z]", this::number);
         return numbers == null ? null : new Vector3d(numbers.get(0), numbers.get(1), numbers.get(2));
+    }
+
+    /** A vector with other numbers for some of its components. */
+    Vector3dc changedVector(JsonObject parts, String path, Vector3dc present) {
+        List<String> axes = StudioPath.stepsFrom(present);
+        boolean clear = Refusal.noteUnknownKeys(problems, parts, path, axes);
+        Vector3d changed = new Vector3d(present);
+        for (String axis : axes) {
+            Member component = parts.members().get(axis);
+            Double number = component == null ? null : number(component.value(), path + "." + axis);
+            if (number != null) {
+                changed.setComponent(axes.indexOf(axis), number);
+            }
+            clear &= component == null || number != null;
+        }
+        return clear ? changed : null;
     }
 
     Vector3ic wholeVector(JsonValue value, String path) {

@@ -36,14 +36,28 @@ final class VelocityReader {
                 return components == null ? null : Velocity.of(components);
             }
             if (value instanceof JsonObject object) {
-                return scaled(object, path);
+                return scaled(object, path, null);
             }
             values.refuse(
                     value, path, "three numbers [x, y, z] in units of c, or an object with one of " + scaleKeys());
         } catch (InvalidPropertyException invalid) {
-            Refusal.note(problems, invalid, value, path, SpeedScale.roundingHint(numbers(value)));
+            note(invalid, value, path);
         }
         return null;
+    }
+
+    /** A velocity with another speed, another direction or both; null if a mistake was noted. */
+    Velocity changed(JsonObject parts, String path, Velocity present) {
+        try {
+            return scaled(parts, path, present);
+        } catch (InvalidPropertyException invalid) {
+            note(invalid, parts, path);
+            return null;
+        }
+    }
+
+    private void note(InvalidPropertyException invalid, JsonValue value, String path) {
+        Refusal.note(problems, invalid, value, path, SpeedScale.roundingHint(numbers(value)));
     }
 
     /** The numbers of a velocity, as they are written. */
@@ -58,7 +72,8 @@ final class VelocityReader {
         return value instanceof JsonNumber number ? Stream.of(number.text()) : Stream.empty();
     }
 
-    private Velocity scaled(JsonObject object, String path) {
+    /** A velocity of which the present one, if there is one, has what is not given. */
+    private Velocity scaled(JsonObject object, String path, Velocity present) {
         List<SpeedScale> given = Arrays.stream(SpeedScale.values())
                 .filter(scale -> object.members().containsKey(scale.key()))
                 .toList();
@@ -66,6 +81,13 @@ final class VelocityReader {
                 Arrays.stream(SpeedScale.values()).map(SpeedScale::key).toList());
         known.add(DIRECTION);
         boolean clear = Refusal.noteUnknownKeys(problems, object, path, known);
+        Vector3dc direction = present == null ? new Vector3d(0, 0, 1) : present.givenDirection();
+        if (object.members().containsKey(DIRECTION)) {
+            direction = values.vector(member(object, DIRECTION), path + "." + DIRECTION);
+        }
+        if (present != null && given.isEmpty()) {
+            return direction == null || !clear ? null : present.along(direction, SpeedScale.BETA);
+        }
         if (given.size() != 1) {
             if (clear) {
                 String what = given.isEmpty() ? "none" : given.size() + " of them";
@@ -73,11 +95,8 @@ final class VelocityReader {
             }
             return null;
         }
-        Double number = values.number(
+        Double number = values.unlimited(
                 member(object, given.get(0).key()), path + "." + given.get(0).key());
-        Vector3dc direction = object.members().containsKey(DIRECTION)
-                ? values.vector(member(object, DIRECTION), path + "." + DIRECTION)
-                : new Vector3d(0, 0, 1);
         return number == null || direction == null ? null : Velocity.of(given.get(0), number, direction);
     }
 

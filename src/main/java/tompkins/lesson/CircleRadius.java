@@ -11,10 +11,10 @@ import tompkins.property.Require;
         "The angular radius, in degrees, of the circle that fits an outline best; the outline is where the first edge is met"
                 + " on the way outwards from a point, in many directions")
 public record CircleRadius(
-        @Meaning("A point inside the outline, as a share of the picture's width from the left, 0 to 1")
+        @Meaning("A point inside the outline, as a fraction of the picture's width from the left, 0 to 1")
         double across,
 
-        @Meaning("The same point, as a share of the height from the top, 0 to 1")
+        @Meaning("The same point, as a fraction of the height from the top, 0 to 1")
         double down)
         implements Measurement {
 

@@ -7,10 +7,10 @@ import tompkins.property.Require;
 @Meaning("How far apart in the scene the rays of one pixel, from all round the rim of the lens, pass"
         + " the point in focus; 0 is sharp")
 public record LensSpread(
-        @Meaning("Where in the picture, as a share of its width from the left, 0 to 1")
+        @Meaning("Where in the picture, as a fraction of its width from the left, 0 to 1")
         double across,
 
-        @Meaning("Where, as a share of its height from the top, 0 to 1")
+        @Meaning("Where, as a fraction of its height from the top, 0 to 1")
         double down)
         implements Measurement {
 

@@ -9,7 +9,7 @@ import tompkins.property.Require;
 @Meaning("The one number of the scene that a lesson lets its readers move")
 public record LessonControl(
         @Meaning(
-                "The place of the number, as messages write it, such as `velocity.beta`, `camera.shutter.openingTime` or"
+                "The path of the number, as messages write it, such as `velocity.beta`, `camera.shutter.openingTime` or"
                         + " `scene[0].velocity.beta`")
         String number,
 
@@ -21,7 +21,8 @@ public record LessonControl(
         @Meaning("The number at the right end of the slider")
         double to,
 
-        @Meaning("The number with which everything is measured at the end")
+        @Meaning(
+                "The number with which everything is measured at the end; from the left end of the slider to the right one")
         double measuredAt) {
 
     /** The speed of the camera. */
@@ -39,6 +40,22 @@ public record LessonControl(
         if (!(from < to)) {
             throw new InvalidPropertyException("to", "above from, which is " + NumberText.of(from), to);
         }
-        Require.coordinate("measuredAt", measuredAt);
+        requireReached("measuredAt", measuredAt, from, to);
+    }
+
+    /**
+     * Checks that readers can set the slider to a value.
+     *
+     * @throws InvalidPropertyException if the value lies beyond its ends; the message names the property
+     */
+    public void requireReached(String property, double value) {
+        requireReached(property, value, from, to);
+    }
+
+    private static void requireReached(String property, double value, double from, double to) {
+        if (!(value >= from && value <= to)) {
+            String ends = "from " + NumberText.of(from) + " to " + NumberText.of(to);
+            throw new InvalidPropertyException(property, ends + ", where the slider of the lesson ends", value);
+        }
     }
 }

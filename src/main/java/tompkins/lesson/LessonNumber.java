@@ -22,7 +22,7 @@ public record LessonNumber(
 
     /** The Doppler factor straight ahead at 0.9 c. */
     public static final LessonNumber DEFAULT = new LessonNumber(
-            "Frequency ratio straight ahead", RayReading.DEFAULT, "sqrt((1 + v)/(1 - v))", 4.3589, 0.001, "");
+            "Doppler factor straight ahead", RayReading.DEFAULT, "sqrt((1 + v)/(1 - v))", 4.3589, 0.001, "");
 
     private static final int LONGEST_NAME = 45;
     private static final int LONGEST_FORMULA = 40;

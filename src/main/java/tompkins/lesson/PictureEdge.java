@@ -4,21 +4,21 @@ import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 
-/** The place of an edge on the straight line between two places of the picture. */
+/** The point of an edge on the straight line between two points of the picture. */
 @Meaning(
-        "The place just behind an edge on the straight way between two places of the picture; an edge is where another object"
+        "The point just behind an edge on the straight way between two points of the picture; an edge is where another object"
                 + " begins or the colour jumps")
 public record PictureEdge(
-        @Meaning("Where the way begins, as a share of the picture's width from the left, 0 to 1")
+        @Meaning("Where the way begins, as a fraction of the picture's width from the left, 0 to 1")
         double across,
 
-        @Meaning("Where it begins, as a share of the height from the top, 0 to 1")
+        @Meaning("Where it begins, as a fraction of the height from the top, 0 to 1")
         double down,
 
-        @Meaning("Where it ends, as a share of the width, 0 to 1")
+        @Meaning("Where it ends, as a fraction of the width, 0 to 1")
         double toAcross,
 
-        @Meaning("Where it ends, as a share of the height, 0 to 1")
+        @Meaning("Where it ends, as a fraction of the height, 0 to 1")
         double toDown,
 
         @Meaning("Which edge on the way, counted from 1") int count)
@@ -36,7 +36,7 @@ public record PictureEdge(
         Require.within("toAcross", toAcross, 0, 1);
         Require.within("toDown", toDown, 0, 1);
         if (across == toAcross && down == toDown) {
-            throw new InvalidPropertyException("toAcross", "another place than the beginning", toAcross);
+            throw new InvalidPropertyException("toAcross", "another point than the beginning", toAcross);
         }
         Require.within("count", count, 1, MOST);
     }

@@ -3,13 +3,14 @@ package tompkins.lesson;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 
-/** A place in the picture. */
-@Meaning("A place in the picture")
+/** A point of the picture. */
+@Meaning("A point of the picture")
 public record PicturePoint(
-        @Meaning("Share of the picture's width from the left, 0 to 1")
+        @Meaning("Fraction of the picture's width from the left, 0 to 1")
         double across,
 
-        @Meaning("Share of its height from the top, 0 to 1") double down)
+        @Meaning("Fraction of its height from the top, 0 to 1")
+        double down)
         implements MeasuringPoint {
 
     /** The middle of the picture. */

@@ -9,7 +9,7 @@ public record RayReading(
         @Meaning("Where in the picture") MeasuringPoint point,
 
         @Meaning(
-                "What is read: the place or the time in the scene at which the light left what is seen; the time by its own"
+                "What is read: the position or the time in the scene at which the light left what is seen; the time by its own"
                         + " clocks; the frequency seen divided by the frequency sent; or the brightness in linear light")
         RayValue value)
         implements Measurement {

@@ -2,11 +2,11 @@ package tompkins.lesson;
 
 /** What can be read from a ray and from what it meets. */
 public enum RayValue {
-    /** Place in the scene, along x, at which the light left what is seen. */
+    /** Position in the scene, along x, at which the light left what is seen. */
     X,
-    /** Place in the scene, along y. */
+    /** Position in the scene, along y. */
     Y,
-    /** Place in the scene, along z. */
+    /** Position in the scene, along z. */
     Z,
     /** Time of the scene at which the light left what is seen. */
     TIME,

@@ -9,7 +9,7 @@ import tompkins.property.Require;
 @Meaning(
         "A measurement in another picture, in which one number of the scene has another value, such as the opening time")
 public record WithNumber(
-        @Meaning("The place of the number, as in the control of a lesson")
+        @Meaning("The path of the number, as in the control of a lesson")
         String number,
 
         @Meaning("The number in that picture") double value,

@@ -69,7 +69,7 @@ final class BlackBodyColours {
 
     /**
      * The colour in the camera frame of light that a moving lamp has sent to a surface. The surface's bands have their
-     * edges in its own frame, so they are shifted once; the black body is shifted on the whole way.
+     * edges in its rest frame, so they are shifted once; the black body is shifted on the whole way.
      *
      * @param light the colour, as if lamp and surface had one frame
      * @param temperatureFactor frequency in the camera frame divided by that in the frame of the lamp

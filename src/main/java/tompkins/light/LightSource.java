@@ -14,6 +14,11 @@ public sealed interface LightSource permits AmbientLight, PointLight, MovingLigh
     /** The same source in a coordinate system whose origin lies at {@code origin} of this one. */
     LightSource seenFrom(Vector3dc origin);
 
+    /** When it shines, by its own time. */
+    default Flash flash() {
+        return AlwaysOn.DEFAULT;
+    }
+
     /** The place from which the light comes, or null if it has none. */
     default Vector3dc position() {
         return null;

@@ -26,7 +26,9 @@ public record PointLight(
         Colour highlightColour,
 
         @Meaning("How small the highlights are: the power of the cosine")
-        double highlightExponent)
+        double highlightExponent,
+
+        @Meaning("When the light shines") Flash flash)
         implements LightSource {
 
     /** A white light behind, above and to the right of the camera. */
@@ -38,10 +40,16 @@ public record PointLight(
 
     /** Checks all values. */
     public PointLight {
-        position = Require.place("position", position, FARTHEST);
+        position = Require.position("position", position, FARTHEST);
         Colour.required("colour", colour);
         Colour.required("highlightColour", highlightColour);
         Require.notNegative("highlightExponent", highlightExponent);
+        Require.present("flash", flash);
+    }
+
+    /** A light that shines all the time. */
+    public PointLight(Vector3dc position, Colour colour, Colour highlightColour, double highlightExponent) {
+        this(position, colour, highlightColour, highlightExponent, AlwaysOn.DEFAULT);
     }
 
     @Override
@@ -55,8 +63,8 @@ public record PointLight(
         double lz = sight.z;
         double lightAlongNormal = lx * hit.normalX + ly * hit.normalY + lz * hit.normalZ;
         boolean behind = lightAlongNormal * hit.cosine(ray) > 0;
-        double distance = Math.sqrt(lx * lx + ly * ly + lz * lz);
-        if (behind || distance == 0 || !sum.isClear()) {
+        double distance = sight.length;
+        if (behind || distance == 0 || !flash.isLit(sight.emission) || !sum.isClear()) {
             return;
         }
         double dull = Math.abs(lightAlongNormal) / distance;
@@ -80,6 +88,6 @@ public record PointLight(
 
     @Override
     public LightSource seenFrom(Vector3dc origin) {
-        return new PointLight(position.sub(origin, new Vector3d()), colour, highlightColour, highlightExponent);
+        return new PointLight(position.sub(origin, new Vector3d()), colour, highlightColour, highlightExponent, flash);
     }
 }

@@ -92,8 +92,8 @@ public record Conic(Vector2dc focus, Vector2dc towardsVertex, double eccentricit
         return new Vector2d(towardsVertex).mul(-distance).add(focus);
     }
 
-    /** The place seen from the focus in a direction, in radians from that of the nearest vertex. */
-    public Vector2d place(double azimuth) {
+    /** The point seen from the focus in a direction, in radians from that of the nearest vertex. */
+    public Vector2d point(double azimuth) {
         double distance = semiLatusRectum / (1 + eccentricity * Math.cos(azimuth));
         double along = distance * Math.cos(azimuth);
         double across = distance * Math.sin(azimuth);
@@ -107,9 +107,9 @@ public record Conic(Vector2dc focus, Vector2dc towardsVertex, double eccentricit
         return eccentricity > 1 ? Math.acos(-1 / eccentricity) : Math.PI;
     }
 
-    /** Whether a place is nearer to the branch around the focus than to the other branch of a hyperbola. */
-    boolean isOnThisSide(Vector2dc place) {
-        return eccentricity <= 1 || place.sub(centre(), new Vector2d()).dot(towardsVertex) <= 0;
+    /** Whether a point is nearer to the branch around the focus than to the other branch of a hyperbola. */
+    boolean isOnThisSide(Vector2dc point) {
+        return eccentricity <= 1 || point.sub(centre(), new Vector2d()).dot(towardsVertex) <= 0;
     }
 
     /** The same conic in a plane that is measured in smaller units, from another origin. */

@@ -64,7 +64,9 @@ public record ConicFit(Conic conic, double residual, List<Neighbours> neighbours
         return beyond < 0 ? Kind.ELLIPSE : Kind.HYPERBOLA;
     }
 
-    /** By how much a number of the conic is uncertain, since the places of the points are; NaN if that is not known. */
+    /**
+     * By how much a number of the conic is uncertain, since the positions of the points are; NaN if that is not known.
+     */
     public double uncertainty(ToDoubleFunction<Conic> number) {
         return uncertainty((one, other) -> number.applyAsDouble(one) - number.applyAsDouble(other));
     }

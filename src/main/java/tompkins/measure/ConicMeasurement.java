@@ -5,8 +5,12 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.camera.Camera;
+import tompkins.math.Vectors;
 
-/** Measures the conic through some places of a picture, such as the hyperbola on which a straight rod is seen. */
+/** Measures the conic through some points of a picture, such as the hyperbola on which a straight rod is seen. */
 final class ConicMeasurement {
 
     private static final String DISTANCE_ONE = "at distance 1";
@@ -16,7 +20,7 @@ final class ConicMeasurement {
 
     private final Projection projection;
     private final PicturePlane plane;
-    private final List<Quantity> quantities = new ArrayList<>();
+    private final List<Fact> facts = new ArrayList<>();
 
     ConicMeasurement(Projection projection) {
         this.projection = projection;
@@ -24,58 +28,63 @@ final class ConicMeasurement {
     }
 
     /**
-     * Fits a conic to places, in pixels.
+     * Fits a conic to points of the picture, in pixels.
      *
-     * @param placeUncertainty by how much a place is uncertain, in pixels
+     * @param uncertainty by how much each of them is uncertain, in pixels
      * @throws ArithmeticException if they do not tell a conic
      */
-    Measured measure(List<Vector2dc> places, double placeUncertainty) {
-        List<Vector2d> points = places.stream().map(this::inPlane).toList();
-        double pixel = places.stream().mapToDouble(this::pixel).max().orElseThrow();
-        ConicFit fit = ConicFit.of(points, placeUncertainty * pixel);
+    Measured measure(List<Vector2dc> pixels, double uncertainty) {
+        List<Vector2d> points = pixels.stream().map(this::inPlane).toList();
+        double pixel = pixels.stream().mapToDouble(this::pixelSize).max().orElseThrow();
+        ConicFit fit = ConicFit.of(points, uncertainty * pixel);
         ConicFit.Kind kind = fit.kind();
-        add(fit, "eccentricity", "", Conic::eccentricity);
-        add(fit, "semiLatusRectum", DISTANCE_ONE, Conic::semiLatusRectum);
-        if (kind != ConicFit.Kind.PARABOLA) {
-            add(fit, "semiMajorAxis", DISTANCE_ONE, Conic::semiMajorAxis);
-            add(fit, "semiMinorAxis", DISTANCE_ONE, Conic::semiMinorAxis);
+        facts.add(new Fact.Word("shape", "shape", kind.toString()));
+        add(fit, "eccentricity", "eccentricity", "", Conic::eccentricity);
+        boolean hasAxes = kind != ConicFit.Kind.PARABOLA;
+        add(fit, "semiLatusRectum", hasAxes ? "" : "semi-latus rectum", DISTANCE_ONE, Conic::semiLatusRectum);
+        if (hasAxes) {
+            add(fit, "semiMajorAxis", "semi-axis a", DISTANCE_ONE, Conic::semiMajorAxis);
+            add(fit, "semiMinorAxis", "semi-axis b", DISTANCE_ONE, Conic::semiMinorAxis);
         }
         if (kind == ConicFit.Kind.HYPERBOLA) {
-            add(fit, "asymptoteSlope", "", Conic::asymptoteSlope);
+            add(fit, "asymptoteSlope", "slope of the asymptotes", "", Conic::asymptoteSlope);
         }
-        quantities.add(new Quantity(
-                "axisAngle", "degrees", axisAngle(fit.conic().towardsVertex()), Math.toDegrees(fit.axisUncertainty())));
+        facts.add(new Quantity(
+                "axisAngle",
+                "axis turned by",
+                "degrees",
+                axisAngle(fit.conic().towardsVertex()),
+                Math.toDegrees(fit.axisUncertainty())));
         Vector2dc centre = kind == ConicFit.Kind.PARABOLA
                 ? null
-                : projection.place(plane.direction(fit.conic().centre()));
+                : projection.position(plane.direction(fit.conic().centre()));
         if (centre != null) {
-            quantities.add(Quantity.exact("centrePixelX", "pixels", centre.x() - 0.5));
-            quantities.add(Quantity.exact("centrePixelY", "pixels", centre.y() - 0.5));
+            Measurements.addPixel(facts, "centre", "centre", centre);
         }
-        quantities.add(Quantity.exact("residualInPixels", "pixels", fit.residual() / pixel));
-        return new Measured(MeasureKind.CONIC, kind, quantities, null, lines(fit.conic(), points));
+        facts.add(new Quantity("residualInPixels", "rms deviation", "pixels", fit.residual() / pixel, uncertainty));
+        return new Measured(facts, null, lines(fit.conic(), points));
     }
 
-    private Vector2d inPlane(Vector2dc place) {
-        Vector2d point = plane.place(projection.direction(place.x(), place.y()));
+    private Vector2d inPlane(Vector2dc pixel) {
+        Vector2d point = plane.point(projection.direction(pixel.x(), pixel.y()));
         if (point == null) {
             throw new ArithmeticException("the points of a conic must lie less than 90 degrees from the middle");
         }
         return point;
     }
 
-    /** The size of a pixel at a place, on the plane at distance 1: the larger of both ways. */
-    private double pixel(Vector2dc place) {
-        Vector2d here = inPlane(place);
+    /** The size of a pixel, on the plane at distance 1: the larger of both ways. */
+    private double pixelSize(Vector2dc pixel) {
+        Vector2d here = inPlane(pixel);
         double across =
-                inPlane(new Vector2d(place).add(place.x() > 1 ? -1 : 1, 0)).distance(here);
+                inPlane(new Vector2d(pixel).add(pixel.x() > 1 ? -1 : 1, 0)).distance(here);
         double down =
-                inPlane(new Vector2d(place).add(0, place.y() > 1 ? -1 : 1)).distance(here);
+                inPlane(new Vector2d(pixel).add(0, pixel.y() > 1 ? -1 : 1)).distance(here);
         return Math.max(across, down);
     }
 
-    private void add(ConicFit fit, String key, String unit, ToDoubleFunction<Conic> number) {
-        quantities.add(new Quantity(key, unit, number.applyAsDouble(fit.conic()), fit.uncertainty(number)));
+    private void add(ConicFit fit, String key, String name, String unit, ToDoubleFunction<Conic> number) {
+        facts.add(new Quantity(key, name, unit, number.applyAsDouble(fit.conic()), fit.uncertainty(number)));
     }
 
     /** The angle of an axis to the rows, counterclockwise, above -90 to 90 degrees. */
@@ -100,8 +109,31 @@ final class ConicMeasurement {
 
     private List<List<Vector2dc>> lines(Conic conic, double from, double to) {
         return CurveTracer.lines(projection, from, to, azimuth -> {
-            Vector2d place = conic.place(azimuth);
-            return place.isFinite() ? projection.place(plane.direction(place)) : null;
+            Vector2d point = conic.point(azimuth);
+            return point.isFinite() ? projection.position(plane.direction(point)) : null;
         });
+    }
+
+    /**
+     * The plane across the view direction at the distance 1 from the lens, on which a lens draws its picture: what lies
+     * there at (x, y) is seen in the direction ahead + x right + y up.
+     */
+    private record PicturePlane(Vector3dc right, Vector3dc up, Vector3dc ahead) {
+
+        static PicturePlane of(Camera camera) {
+            return new PicturePlane(
+                    camera.rightDirection(), camera.upDirection(), Vectors.unit(camera.viewDirection()));
+        }
+
+        /** The point of a direction; null if it does not lie ahead. */
+        Vector2d point(Vector3dc direction) {
+            double depth = direction.dot(ahead);
+            return depth > 0 ? new Vector2d(direction.dot(right), direction.dot(up)).div(depth) : null;
+        }
+
+        /** The unit direction of a point. */
+        Vector3d direction(Vector2dc point) {
+            return new Vector3d(ahead).fma(point.x(), right).fma(point.y(), up).normalize();
+        }
     }
 }

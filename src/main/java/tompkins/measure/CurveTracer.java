@@ -7,8 +7,8 @@ import org.joml.Vector2d;
 import org.joml.Vector2dc;
 
 /**
- * Draws a curve of places as lines from point to point, which stay within a fifth of a pixel of the curve in the
- * picture. A line ends where there is no place, and at the edge where a panorama begins again.
+ * Draws a curve of points as lines from point to point, which stay within a fifth of a pixel of the curve in the
+ * picture. A line ends where there is no point, and at the edge where a panorama begins again.
  */
 final class CurveTracer {
 
@@ -26,17 +26,17 @@ final class CurveTracer {
         this.curve = curve;
     }
 
-    /** The lines of a curve between two numbers; the curve gives null where there is no place. */
+    /** The lines of a curve between two numbers; the curve gives null where there is no point. */
     static List<List<Vector2dc>> lines(Projection projection, double from, double to, DoubleFunction<Vector2dc> curve) {
         CurveTracer tracer = new CurveTracer(projection, curve);
         double before = from;
-        Vector2dc placeBefore = curve.apply(from);
+        Vector2dc pointBefore = curve.apply(from);
         for (int i = 1; i <= FIRST_PARTS; i++) {
             double next = from + i * (to - from) / FIRST_PARTS;
-            Vector2dc place = curve.apply(next);
-            tracer.add(before, placeBefore, next, place, 0);
+            Vector2dc point = curve.apply(next);
+            tracer.add(before, pointBefore, next, point, 0);
             before = next;
-            placeBefore = place;
+            pointBefore = point;
         }
         tracer.end();
         return tracer.lines;
@@ -76,7 +76,7 @@ final class CurveTracer {
         return off < FLAT && way.length() <= length + FLAT && (length < 40 || off < FLAT / 4);
     }
 
-    /** Whether three places lie on one side beyond the picture, by at least its size. */
+    /** Whether three points lie on one side beyond the picture, by at least its size. */
     private boolean isBeside(Vector2dc first, Vector2dc between, Vector2dc last) {
         if (first == null || between == null || last == null) {
             return false;

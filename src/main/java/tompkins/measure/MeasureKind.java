@@ -2,17 +2,17 @@ package tompkins.measure;
 
 import java.util.Locale;
 
-/** What can be measured between places of a picture. */
+/** What can be measured between points of a picture. */
 public enum MeasureKind {
-    /** Angles, lengths, times and the interval between two places. */
+    /** Angles, lengths, times and the interval between two points. */
     BETWEEN(2, 2),
-    /** What the line between two places shows. */
+    /** What the line between two points shows. */
     PROFILE(2, 2),
-    /** The circle of directions through three places or more. */
+    /** The circle of directions through three points or more. */
     CIRCLE(3, Integer.MAX_VALUE),
-    /** The ellipse, parabola or hyperbola through five places or more. */
+    /** The ellipse, parabola or hyperbola through five points or more. */
     CONIC(ConicFit.FEWEST, Integer.MAX_VALUE),
-    /** How straight two places or more lie. */
+    /** How straight two points or more lie. */
     LINE(2, Integer.MAX_VALUE);
 
     private final int fewest;
@@ -23,12 +23,12 @@ public enum MeasureKind {
         this.most = most;
     }
 
-    /** The fewest places that it needs. */
+    /** The fewest points that it needs. */
     public int fewest() {
         return fewest;
     }
 
-    /** The most places that it takes. */
+    /** The most points that it takes. */
     public int most() {
         return most;
     }

@@ -3,6 +3,10 @@ package tompkins.measure;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
+import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3dc;
 import tompkins.spacetime.Event;
@@ -16,226 +20,215 @@ public final class Measurements {
     private static final String LENGTH = "scene units";
     private static final String INTERVAL = "scene units squared";
 
-    /** How exactly a place is known, in pixels. */
+    /** How exactly a point is known, in pixels. */
     private static final double HALF = 0.5;
 
     private final RenderPlan plan;
     private final Projection projection;
+    private final List<Fact> facts = new ArrayList<>();
 
-    /** Measures in a picture. */
-    public Measurements(RenderPlan plan) {
+    private Measurements(RenderPlan plan) {
         this.plan = plan;
         projection = Projection.of(plan.studio());
     }
 
     /**
-     * Measures between places of the picture.
+     * Measures between points of the picture.
      *
-     * @param places in pixels, as many as the kind needs
-     * @param count number of places of a profile, 2 to {@link Profile#MOST}
+     * @param points in pixels, as many as the kind needs
+     * @param count number of points of a profile, 2 to {@link Profile#MOST}
      * @param goesOn asked now and then while it takes long
      * @return what was measured, or null if it was not to go on
-     * @throws ArithmeticException if the places do not tell what is asked
+     * @throws ArithmeticException if the points do not tell what is asked
      */
-    public Measured measure(MeasureKind kind, List<Vector2dc> places, int count, BooleanSupplier goesOn) {
-        Vector2dc first = places.get(0);
-        Vector2dc second = places.get(1);
+    public static Measured measure(
+            RenderPlan plan, MeasureKind kind, List<Vector2dc> points, int count, BooleanSupplier goesOn) {
+        Measurements all = new Measurements(plan);
         return switch (kind) {
-            case CIRCLE ->
-                new Measured(
-                        kind,
-                        circle(places),
-                        null,
-                        lines(CircleFit.of(directions(places)).circle()));
-            case CONIC -> new ConicMeasurement(projection).measure(places, HALF);
-            case LINE -> {
-                Vector3dc normal = LineFit.of(directions(places)).normal();
-                yield new Measured(kind, line(places), null, lines(LookCone.across(normal)));
-            }
-            case BETWEEN ->
-                new Measured(
-                        kind,
-                        between(at(first.x(), first.y()), at(second.x(), second.y())),
-                        null,
-                        List.of(List.of(first, second)));
-            case PROFILE -> {
-                Profile profile = Profile.between(plan, first.x(), first.y(), second.x(), second.y(), count, goesOn);
-                yield profile == null
-                        ? null
-                        : new Measured(kind, edge(profile), profile, List.of(List.of(first, second)));
-            }
+            case BETWEEN -> all.between(points);
+            case PROFILE -> all.profile(Profile.between(plan, points.get(0), points.get(1), count, goesOn), points);
+            case CIRCLE -> all.circle(points);
+            case CONIC -> new ConicMeasurement(all.projection).measure(points, HALF);
+            case LINE -> all.line(points);
         };
     }
 
-    private List<List<Vector2dc>> lines(LookCone circle) {
-        return CurveTracer.lines(projection, 0, 2 * Math.PI, azimuth -> projection.place(circle.direction(azimuth)));
-    }
-
-    /** Where the brightness of a profile has its largest step; nothing if there is none. */
-    private static List<Quantity> edge(Profile profile) {
-        double[] edge = profile.edge(Measurements::brightness);
-        if (edge == null) {
-            return List.of();
+    /** Where the brightness of a profile has its largest step; nothing if there is no edge. */
+    private Measured profile(Profile profile, List<Vector2dc> points) {
+        if (profile == null) {
+            return null;
         }
-        Sighting first = profile.places().get(0);
-        Sighting last = profile.places().get(profile.places().size() - 1);
-        double spacing = Math.hypot(last.x() - first.x(), last.y() - first.y())
-                / (profile.places().size() - 1);
-        return List.of(
-                new Quantity("edgePixelX", "pixels", edge[0] - HALF, HALF * spacing),
-                new Quantity("edgePixelY", "pixels", edge[1] - HALF, HALF * spacing));
-    }
-
-    private static double brightness(Sighting sighting) {
-        return sighting.life() == null
-                ? 0
-                : (sighting.life().colour().red()
-                                + sighting.life().colour().green()
-                                + sighting.life().colour().blue())
-                        / 3;
-    }
-
-    /** What a place shows. */
-    public Sighting at(double x, double y) {
-        return Sighting.of(plan, x, y);
+        new Edges(plan).largestStep(profile).ifPresent(point -> addPixel(facts, "edge", "edge", point));
+        return new Measured(facts, profile, List.of(points));
     }
 
     /**
-     * Angles, lengths and times between two sightings: from events of emission, in the scene frame, in the camera frame
+     * Angles, lengths and times between two points: from events of emission, in the scene frame, in the camera frame
      * and in the frame of the object, if that is one; without hits the angles alone. The interval is the same in all
      * frames of relativity: that both agree is a check.
      */
-    public List<Quantity> between(Sighting first, Sighting second) {
+    private Measured between(List<Vector2dc> points) {
+        Sighting first = at(points.get(0));
+        Sighting second = at(points.get(1));
         Separation both = new Separation(first, second);
-        List<Quantity> results = new ArrayList<>();
-        double pixel = HALF * Math.hypot(pixelAngle(first), pixelAngle(second));
-        double scenePixel = HALF
-                * Math.hypot(pixelAngle(first) * first.dopplerFactor(), pixelAngle(second) * second.dopplerFactor());
-        results.add(angle("cameraAngle", both.cameraAngle(), pixel));
+        double firstPixel = pixelAngle(points.get(0));
+        double secondPixel = pixelAngle(points.get(1));
+        addAngle("cameraAngle", "angle (camera)", both.cameraAngle(), HALF * Math.hypot(firstPixel, secondPixel));
         if (!Double.isNaN(both.sceneAngle())) {
-            results.add(angle("sceneAngle", both.sceneAngle(), scenePixel));
+            double pixel =
+                    Math.hypot(firstPixel * first.sceneDopplerFactor(), secondPixel * second.sceneDopplerFactor());
+            addAngle("sceneAngle", "angle (scene)", both.sceneAngle(), HALF * pixel);
         }
         if (both.hasHits()) {
-            addDifference(results, "scene", both.inScene(), miss(first, Frames.SCENE), miss(second, Frames.SCENE));
-            addDifference(results, "camera", both.inCamera(), miss(first, Frames.CAMERA), miss(second, Frames.CAMERA));
+            Changes changes = new Changes(
+                    both,
+                    beside(first).map(other -> new Separation(other, second)).toList(),
+                    beside(second).map(other -> new Separation(first, other)).toList());
+            addDifference(changes, "scene", Separation::inScene);
+            addDifference(changes, "camera", Separation::inCamera);
             if (both.inObject() != null) {
-                addDifference(results, "object", both.inObject(), miss(first, Frames.OWN), miss(second, Frames.OWN));
+                addDifference(changes, "object", Separation::inObject);
             }
-            results.add(Quantity.exact("sceneInterval", INTERVAL, Separation.interval(both.inScene())));
-            results.add(Quantity.exact("cameraInterval", INTERVAL, Separation.interval(both.inCamera())));
+            addInterval(changes, "scene", Separation::inScene);
+            addInterval(changes, "camera", Separation::inCamera);
         }
-        return results;
+        return new Measured(facts, null, List.of(points));
     }
 
-    private static void addDifference(
-            List<Quantity> results, String frame, Event difference, double firstMiss, double secondMiss) {
-        results.add(new Quantity(
-                frame + "Distance", LENGTH, Separation.length(difference), Math.hypot(firstMiss, secondMiss)));
-        results.add(Quantity.exact(frame + "Time", LENGTH, Separation.time(difference)));
+    private void addDifference(Changes changes, String frame, Function<Separation, Event> difference) {
+        facts.add(changes.quantity(
+                frame + "Distance",
+                "distance (" + frame + ")",
+                LENGTH,
+                one -> difference.apply(one).position().length()));
+        facts.add(changes.quantity(
+                frame + "Time",
+                "dt (" + frame + ")",
+                LENGTH,
+                one -> difference.apply(one).time()));
     }
 
-    /** The frames in which events are told. */
-    private enum Frames {
-        SCENE,
-        CAMERA,
-        OWN;
-
-        Event event(Sighting sighting) {
-            return switch (this) {
-                case SCENE -> sighting.inScene();
-                case CAMERA -> sighting.inCamera();
-                case OWN -> sighting.hit().rest().event();
-            };
-        }
-    }
-
-    /** How far the place of a hit moves with half a pixel; NaN at an edge, beyond which another object is seen. */
-    private double miss(Sighting sighting, Frames frame) {
-        Event here = frame.event(sighting);
-        double most = 0;
-        for (double[] step : new double[][] {{HALF, 0}, {-HALF, 0}, {0, HALF}, {0, -HALF}}) {
-            Sighting beside = at(sighting.x() + step[0], sighting.y() + step[1]);
-            if (!beside.sharesFrame(sighting)
-                    || beside.hit().object() != sighting.hit().object()) {
-                return Double.NaN;
-            }
-            most = Math.max(most, Separation.length(frame.event(beside).minus(here)));
-        }
-        return most;
+    private void addInterval(Changes changes, String frame, Function<Separation, Event> difference) {
+        facts.add(changes.quantity(
+                frame + "Interval",
+                "dr^2 - dt^2 (" + frame + ")",
+                INTERVAL,
+                one -> Separation.interval(difference.apply(one))));
     }
 
     /**
-     * The circle through some places, as the outline of a sphere: its middle, its half-angle, and by how much the
-     * places miss it.
+     * What lies between two points, and how half a pixel changes it.
      *
-     * @throws ArithmeticException if the places do not tell a circle
+     * @param both what lies between them
+     * @param first what lies between half a pixel beside the first and the second; empty if that is not known
+     * @param second the same at the second point
      */
-    public List<Quantity> circle(List<Vector2dc> places) {
-        CircleFit fit = CircleFit.of(directions(places));
-        List<Quantity> results = new ArrayList<>();
-        double pixel = pixelAngle(places) * HALF / Math.sqrt(places.size());
-        results.add(angle("halfAngle", fit.circle().halfAngle(), pixel));
-        results.add(new Quantity("residual", FINE_ANGLE, fit.residual() * Angles.ARC_MINUTES, Double.NaN));
-        addDirection(results, "middle", fit.circle().axis());
-        Vector2dc middle = projection.place(fit.circle().axis());
+    private record Changes(Separation both, List<Separation> first, List<Separation> second) {
+
+        Quantity quantity(String key, String name, String unit, ToDoubleFunction<Separation> number) {
+            return new Quantity(
+                    key, name, unit, number.applyAsDouble(both), Math.hypot(most(first, number), most(second, number)));
+        }
+
+        private double most(List<Separation> others, ToDoubleFunction<Separation> number) {
+            return others.stream()
+                    .mapToDouble(other -> Math.abs(number.applyAsDouble(other) - number.applyAsDouble(both)))
+                    .max()
+                    .orElse(Double.NaN);
+        }
+    }
+
+    /** What is half a pixel beside a point, to all sides; nothing at an edge, beyond which another object is seen. */
+    private Stream<Sighting> beside(Sighting sighting) {
+        List<Sighting> beside = Stream.of(
+                        new Vector2d(HALF, 0), new Vector2d(-HALF, 0), new Vector2d(0, HALF), new Vector2d(0, -HALF))
+                .map(step -> at(step.add(sighting.x(), sighting.y())))
+                .toList();
+        return beside.stream()
+                        .allMatch(other -> other.sharesFrame(sighting)
+                                && other.hit().object() == sighting.hit().object())
+                ? beside.stream()
+                : Stream.empty();
+    }
+
+    private Sighting at(Vector2dc point) {
+        return Sighting.of(plan, point.x(), point.y());
+    }
+
+    /** The circle through some points, as the outline of a sphere, and by how much the points miss it. */
+    private Measured circle(List<Vector2dc> points) {
+        CircleFit fit = CircleFit.of(directions(points));
+        Vector3dc axis = fit.circle().axis();
+        double pixel = HALF * pixelAngle(points);
+        double known = pixel / Math.sqrt(points.size());
+        addAngle("halfAngle", "half-angle", fit.circle().halfAngle(), known);
+        addFineAngle("residual", "rms deviation", fit.residual(), pixel);
+        addDirection("middle", "direction of the centre", axis);
+        Vector2dc middle = projection.position(axis);
         if (middle != null) {
-            results.add(Quantity.exact("middlePixelX", "pixels", middle.x() - HALF));
-            results.add(Quantity.exact("middlePixelY", "pixels", middle.y() - HALF));
+            addPixel(facts, "middle", "centre", middle);
         }
         if (!plan.isAtRest()) {
-            Vector3dc ahead = plan.studio().velocity().direction();
-            results.add(
-                    angle("middleAngleToVelocity", Angles.between(fit.circle().axis(), ahead), pixel));
+            double toMotion = Angles.between(axis, plan.studio().velocity().direction());
+            addAngle("middleAngleToVelocity", "centre, angle to motion", toMotion, known);
         }
-        return results;
+        return new Measured(facts, null, lines(fit.circle()));
     }
 
     /**
-     * The straight line through some places: by how much they miss the great circle that a lens shows as a straight
+     * The straight line through some points: by how much they miss the great circle that a lens shows as a straight
      * line, and how long it is.
-     *
-     * @throws ArithmeticException if the places do not tell a line
      */
-    public List<Quantity> line(List<Vector2dc> places) {
-        List<? extends Vector3dc> directions = directions(places);
+    private Measured line(List<Vector2dc> points) {
+        List<Vector3dc> directions = directions(points);
         LineFit fit = LineFit.of(directions);
-        double pixel = pixelAngle(places);
-        List<Quantity> results = new ArrayList<>();
-        results.add(new Quantity(
-                "residual", FINE_ANGLE, fit.residual() * Angles.ARC_MINUTES, HALF * pixel * Angles.ARC_MINUTES));
-        results.add(new Quantity(
-                "largestMiss", FINE_ANGLE, fit.worst() * Angles.ARC_MINUTES, HALF * pixel * Angles.ARC_MINUTES));
-        results.add(Quantity.exact("residualInPixels", "pixels", fit.residual() / pixel));
+        double pixel = pixelAngle(points);
+        addFineAngle("residual", "rms deviation", fit.residual(), HALF * pixel);
+        addFineAngle("largestMiss", "largest deviation", fit.worst(), HALF * pixel);
+        facts.add(new Quantity("residualInPixels", "rms deviation", "pixels", fit.residual() / pixel, HALF));
         double length = Angles.between(directions.get(0), directions.get(directions.size() - 1));
-        results.add(angle("length", length, HALF * Math.sqrt(2) * pixel));
-        addDirection(results, "normal", fit.normal());
-        return results;
+        addAngle("length", "length", length, HALF * Math.sqrt(2) * pixel);
+        addDirection("normal", "normal of the plane", fit.normal());
+        return new Measured(facts, null, lines(LookCone.across(fit.normal())));
     }
 
-    private List<? extends Vector3dc> directions(List<Vector2dc> places) {
-        return places.stream()
-                .map(place -> projection.direction(place.x(), place.y()))
+    private List<List<Vector2dc>> lines(LookCone circle) {
+        return CurveTracer.lines(projection, 0, 2 * Math.PI, azimuth -> projection.position(circle.direction(azimuth)));
+    }
+
+    private List<Vector3dc> directions(List<Vector2dc> points) {
+        return points.stream()
+                .map(point -> projection.direction(point.x(), point.y()))
                 .toList();
     }
 
-    private double pixelAngle(Sighting sighting) {
-        return projection.pixelAngle(sighting.x(), sighting.y());
+    private double pixelAngle(Vector2dc point) {
+        return projection.pixelAngle(point.x(), point.y());
     }
 
-    private double pixelAngle(List<Vector2dc> places) {
-        return places.stream()
-                .mapToDouble(place -> projection.pixelAngle(place.x(), place.y()))
-                .max()
-                .orElse(Double.NaN);
+    private double pixelAngle(List<Vector2dc> points) {
+        return points.stream().mapToDouble(this::pixelAngle).max().orElse(Double.NaN);
     }
 
-    private static Quantity angle(String key, double radians, double uncertainty) {
-        return new Quantity(key, ANGLE, Math.toDegrees(radians), Math.toDegrees(uncertainty));
+    private void addAngle(String key, String name, double radians, double uncertainty) {
+        facts.add(new Quantity(key, name, ANGLE, Math.toDegrees(radians), Math.toDegrees(uncertainty)));
     }
 
-    private static void addDirection(List<Quantity> results, String name, Vector3dc direction) {
-        results.add(Quantity.exact(name + "X", "", direction.x()));
-        results.add(Quantity.exact(name + "Y", "", direction.y()));
-        results.add(Quantity.exact(name + "Z", "", direction.z()));
+    private void addFineAngle(String key, String name, double radians, double uncertainty) {
+        facts.add(new Quantity(key, name, FINE_ANGLE, radians * Angles.ARC_MINUTES, uncertainty * Angles.ARC_MINUTES));
+    }
+
+    private void addDirection(String key, String name, Vector3dc direction) {
+        facts.add(Quantity.exact(key + "X", "", "", direction.x()));
+        facts.add(Quantity.exact(key + "Y", "", "", direction.y()));
+        facts.add(Quantity.exact(key + "Z", "", "", direction.z()));
+        facts.add(new Fact.Vector("", name, direction));
+    }
+
+    /** Column and row of a point, which is given in pixels from the corner. */
+    static void addPixel(List<Fact> facts, String key, String name, Vector2dc point) {
+        facts.add(Quantity.exact(key + "PixelX", "", "pixels", point.x() - HALF));
+        facts.add(Quantity.exact(key + "PixelY", "", "pixels", point.y() - HALF));
+        facts.add(new Fact.Vector("", name + " (column, row)", List.of(point.x() - HALF, point.y() - HALF)));
     }
 }

@@ -9,8 +9,8 @@ import tompkins.trace.Frame;
  *
  * @param kind what it is
  * @param lines each from point to point
- * @param dots places that are marked by a dot
- * @param rings places that are marked by a ring
+ * @param dots points that are marked by a dot
+ * @param rings points that are marked by a ring
  * @param labels what is written, and where
  */
 public record OverlayDrawing(
@@ -21,11 +21,11 @@ public record OverlayDrawing(
         List<Label> labels) {
 
     /**
-     * What is written at a place.
+     * What is written at a position.
      *
      * @param text a name, a Doppler factor, or an angle in degrees
      * @param frame the frame in which the angle is measured; null if it is not an angle
-     * @param place where
+     * @param position where
      */
-    public record Label(String text, Frame frame, Vector2dc place) {}
+    public record Label(String text, Frame frame, Vector2dc position) {}
 }

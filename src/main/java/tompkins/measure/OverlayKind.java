@@ -6,7 +6,7 @@ public enum OverlayKind {
     OUTLINES,
     /** The axes of rods and the edges of flat pieces: straight in space, hyperbolas in the picture. */
     LINES,
-    /** The same, and the outlines, as a camera at rest sees them from the same place at the same time. */
+    /** The same, and the outlines, as a camera at rest sees them from the same position at the same time. */
     AT_REST,
     /** The same, where they are by the clocks of the camera: contracted, whatever is seen. */
     MEASURED,
@@ -18,7 +18,7 @@ public enum OverlayKind {
     CAMERA_GRID,
     /** What is across the motion in the scene frame, and in the camera frame. */
     HORIZON,
-    /** Circles of equal Doppler factor. */
+    /** Doppler factors: circles for what is at rest in the scene, numbers for what moves. */
     DOPPLER,
     /** The names of objects. */
     LABELS

@@ -1,10 +1,14 @@
 package tompkins.measure;
 
 import java.util.ArrayList;
+import java.util.DoubleSummaryStatistics;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.DoubleFunction;
 import java.util.function.Function;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
@@ -14,7 +18,6 @@ import tompkins.ray.Ray;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.IdentityTransformation;
-import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
@@ -33,6 +36,9 @@ public final class Overlays {
     private static final int CIRCLES = 8;
 
     private static final double MERIDIAN = 15;
+
+    /** The angles of so many columns and rows say which circles are in the picture. */
+    private static final int PLACES = 9;
 
     private static final double[] DOPPLER_FACTORS = {0.1, 0.2, 0.5, 0.8, 1, 1.25, 2, 5, 10};
 
@@ -64,11 +70,11 @@ public final class Overlays {
             case LINES -> addLines(drawing, this::frame);
             case AT_REST -> addGhost(drawing, motion -> SeenFrame.atRest(studio, motion));
             case MEASURED -> addGhost(drawing, motion -> new SeenFrame(studio, motion, View.MEASURED));
-            case PLACES -> shapes.objects().forEach(thing -> addPlaces(drawing, thing));
+            case PLACES -> shapes.objects().forEach(thing -> addPositions(drawing, thing));
             case SCENE_GRID -> addGrid(drawing, Frame.SCENE);
             case CAMERA_GRID -> addGrid(drawing, Frame.CAMERA);
             case HORIZON -> addHorizon(drawing);
-            case DOPPLER -> addDopplerCircles(drawing);
+            case DOPPLER -> addDopplerFactors(drawing);
             case LABELS -> shapes.objects().forEach(thing -> addName(drawing, thing));
         }
         return drawing;
@@ -94,29 +100,28 @@ public final class Overlays {
     }
 
     private void addOutline(OverlayDrawing drawing, SceneShapes.Ball ball, SeenFrame frame) {
-        drawing.lines()
-                .addAll(CurveTracer.lines(
-                        projection,
-                        0,
-                        2 * Math.PI,
-                        azimuth -> projection.place(event -> {
-                            LookCone outline =
-                                    LookCone.outline(frame.fromCamera(event).position(), ball.centre(), ball.radius());
-                            return outline == null ? null : frame.look(outline.direction(azimuth));
-                        })));
+        addCurve(
+                drawing,
+                0,
+                2 * Math.PI,
+                azimuth -> projection.position(event -> {
+                    LookCone outline =
+                            LookCone.outline(frame.fromCamera(event).position(), ball.centre(), ball.radius());
+                    return outline == null ? null : frame.look(outline.direction(azimuth));
+                }));
     }
 
     private void addLine(OverlayDrawing drawing, SceneShapes.Line line, SeenFrame frame) {
-        drawing.lines()
-                .addAll(CurveTracer.lines(
-                        projection,
-                        0,
-                        1,
-                        share -> projection.place(frame, line.start().lerp(line.end(), share, new Vector3d()))));
+        addCurve(
+                drawing, 0, 1, part -> projection.position(frame, line.start().lerp(line.end(), part, new Vector3d())));
+    }
+
+    private void addCurve(OverlayDrawing drawing, double from, double to, DoubleFunction<Vector2dc> curve) {
+        drawing.lines().addAll(CurveTracer.lines(projection, from, to, curve));
     }
 
     private Vector2dc seen(SceneShapes.Thing thing) {
-        return isAround(thing) ? null : inPicture(projection.place(frame(thing.motion()), thing.middle()));
+        return isAround(thing) ? null : inPicture(projection.position(frame(thing.motion()), thing.middle()));
     }
 
     /** Whether the lens is in the box around an object, for instance in a sky. */
@@ -125,22 +130,22 @@ public final class Overlays {
         return thing.bounds().distance(lens.position()) == 0;
     }
 
-    private Vector2dc inPicture(Vector2dc place) {
-        return place != null
-                        && place.x() >= 0
-                        && place.y() >= 0
-                        && place.x() <= projection.width()
-                        && place.y() <= projection.height()
-                ? place
+    private Vector2dc inPicture(Vector2dc position) {
+        return position != null
+                        && position.x() >= 0
+                        && position.y() >= 0
+                        && position.x() <= projection.width()
+                        && position.y() <= projection.height()
+                ? position
                 : null;
     }
 
-    private void addPlaces(OverlayDrawing drawing, SceneShapes.Thing thing) {
+    private void addPositions(OverlayDrawing drawing, SceneShapes.Thing thing) {
         if (isAround(thing)) {
             return;
         }
-        Vector2dc seen = projection.place(frame(thing.motion()), thing.middle());
-        Vector2dc now = projection.place(new SeenFrame(studio, thing.motion(), View.MEASURED), thing.middle());
+        Vector2dc seen = projection.position(frame(thing.motion()), thing.middle());
+        Vector2dc now = projection.position(new SeenFrame(studio, thing.motion(), View.MEASURED), thing.middle());
         if (inPicture(seen) != null) {
             drawing.dots().add(seen);
         }
@@ -153,9 +158,9 @@ public final class Overlays {
     }
 
     private void addName(OverlayDrawing drawing, SceneShapes.Thing thing) {
-        Vector2dc place = seen(thing);
-        if (place != null) {
-            drawing.labels().add(new OverlayDrawing.Label(thing.name(), null, place));
+        Vector2dc position = seen(thing);
+        if (position != null) {
+            drawing.labels().add(new OverlayDrawing.Label(thing.name(), null, position));
         }
     }
 
@@ -163,9 +168,11 @@ public final class Overlays {
         return studio.velocity().direction();
     }
 
-    /** The place at which a direction of a frame is seen, which is far away. */
-    private Vector2dc place(Frame frame, Vector3dc direction) {
-        return frame == Frame.CAMERA ? projection.place(direction) : projection.place(event -> scene.look(direction));
+    /** The position at which a direction of a frame is seen, which is far away. */
+    private Vector2dc position(Frame frame, Vector3dc direction) {
+        return frame == Frame.CAMERA
+                ? projection.position(direction)
+                : projection.position(event -> scene.look(direction));
     }
 
     private void addCircle(OverlayDrawing drawing, Frame frame, double degrees) {
@@ -176,7 +183,7 @@ public final class Overlays {
 
     private void addCircle(OverlayDrawing drawing, Frame frame, LookCone circle, String text, Frame ofText) {
         List<List<Vector2dc>> lines =
-                CurveTracer.lines(projection, 0, 2 * Math.PI, azimuth -> place(frame, circle.direction(azimuth)));
+                CurveTracer.lines(projection, 0, 2 * Math.PI, azimuth -> position(frame, circle.direction(azimuth)));
         drawing.lines().addAll(lines);
         Vector2dc label = nearestToMiddle(lines);
         if (label != null) {
@@ -188,15 +195,19 @@ public final class Overlays {
         Vector2d middle = new Vector2d(projection.width() / 2.0, projection.height() / 2.0);
         return lines.stream()
                 .flatMap(List::stream)
-                .filter(place -> inPicture(place) != null)
+                .filter(position -> inPicture(position) != null)
                 .min((first, second) -> Double.compare(first.distance(middle), second.distance(middle)))
                 .orElse(null);
     }
 
     private void addGrid(OverlayDrawing drawing, Frame frame) {
-        double step = step(frame);
-        double[] range = range(frame);
-        for (double number = Math.max(1, Math.floor(range[0] / step)); number * step < range[1] + step; number++) {
+        DoubleSummaryStatistics angles = angles(frame);
+        double step = DoubleStream.of(STEPS)
+                .filter(each -> (angles.getMax() - angles.getMin()) / each <= CIRCLES)
+                .findFirst()
+                .orElse(STEPS[STEPS.length - 1]);
+        double first = Math.max(1, Math.floor(angles.getMin() / step));
+        for (double number = first; number * step < angles.getMax() + step; number++) {
             // as many digits as the step has
             double degrees = NumberText.rounded(number * step, 6);
             if (degrees < 180) {
@@ -205,56 +216,56 @@ public final class Overlays {
         }
         for (double turn = 0; turn < 360; turn += MERIDIAN) {
             double azimuth = Math.toRadians(turn);
-            Vector3d across = LookCone.across(ahead()).direction(azimuth);
-            drawing.lines()
-                    .addAll(CurveTracer.lines(
-                            projection,
-                            POLE,
-                            Math.PI - POLE,
-                            angle -> place(
-                                    frame,
-                                    new Vector3d(ahead()).mul(Math.cos(angle)).fma(Math.sin(angle), across))));
+            addCurve(
+                    drawing,
+                    POLE,
+                    Math.PI - POLE,
+                    angle -> position(frame, LookCone.around(ahead(), angle).direction(azimuth)));
         }
     }
 
-    /** The step of a grid at which a few circles are in the picture. */
-    private double step(Frame frame) {
-        double[] range = range(frame);
-        for (double step : STEPS) {
-            if ((range[1] - range[0]) / step <= CIRCLES) {
-                return step;
-            }
-        }
-        return STEPS[STEPS.length - 1];
+    /** The angles to the motion at a few positions of the picture, in degrees. */
+    private DoubleSummaryStatistics angles(Frame frame) {
+        return IntStream.range(0, PLACES * PLACES)
+                .mapToDouble(i -> angle(
+                        frame,
+                        projection.direction(
+                                (double) projection.width() * (i % PLACES) / (PLACES - 1),
+                                (double) projection.height() * (i / PLACES) / (PLACES - 1))))
+                .filter(Double::isFinite)
+                .summaryStatistics();
     }
 
-    /** The least and the largest angle to the motion at a few places of the picture, in degrees. */
-    private double[] range(Frame frame) {
-        double least = 180;
-        double largest = 0;
-        SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
-        int parts = 8;
-        for (int i = 0; i <= parts * parts + 2 * parts; i++) {
-            double x = (double) projection.width() * (i % (parts + 1)) / parts;
-            double y = (double) projection.height() * (i / (parts + 1)) / parts;
-            Vector3dc seen = projection.direction(x, y);
-            Ray ray = Ray.from(0, 0, 0, seen.x(), seen.y(), seen.z(), 0);
-            Ray followed = frame == Frame.CAMERA ? ray : sceneFromCamera.transform(ray);
-            double degrees =
-                    Math.toDegrees(Angles.between(new Vector3d(followed.dx, followed.dy, followed.dz), ahead()));
-            if (!Double.isNaN(degrees)) {
-                least = Math.min(least, degrees);
-                largest = Math.max(largest, degrees);
-            }
-        }
-        return new double[] {least, largest};
+    private double angle(Frame frame, Vector3dc seen) {
+        Ray ray = Ray.from(0, 0, 0, seen.x(), seen.y(), seen.z(), 0);
+        Ray followed = frame == Frame.CAMERA ? ray : studio.sceneFromCamera().transform(ray);
+        return Math.toDegrees(Angles.between(new Vector3d(followed.dx, followed.dy, followed.dz), ahead()));
     }
 
-    /** Where the frequency for the camera is that of the scene, times a number: cos a' = (1 - 1/(gamma D))/beta. */
-    private void addDopplerCircles(OverlayDrawing drawing) {
-        if (studio.sceneFromCamera() instanceof IdentityTransformation || studio.view() == View.MEASURED) {
+    /** The circles hold for what is at rest in the scene; everything else has its own Doppler factor. */
+    private void addDopplerFactors(OverlayDrawing drawing) {
+        if (studio.view() == View.MEASURED) {
             return;
         }
+        if (!(studio.sceneFromCamera() instanceof IdentityTransformation)) {
+            addDopplerCircles(drawing);
+        }
+        for (SceneShapes.Thing thing : shapes.objects()) {
+            Vector2dc position = thing.motion() == null ? null : seen(thing);
+            if (position != null) {
+                double factor = frame(thing.motion()).dopplerFactor(projection.direction(position.x(), position.y()));
+                drawing.labels()
+                        .add(new OverlayDrawing.Label(dopplerFactor(NumberText.rounded(factor, 3)), null, position));
+            }
+        }
+    }
+
+    private static String dopplerFactor(double factor) {
+        return "D = " + NumberText.of(factor);
+    }
+
+    /** Where the Doppler factor is a given number: cos a' = (1 - 1/(gamma D))/beta. */
+    private void addDopplerCircles(OverlayDrawing drawing) {
         double speed = studio.velocity().speed();
         // in a Galilean world no clock runs slow
         double gamma = studio.transformation() == TransformationLaw.LORENTZ
@@ -267,7 +278,7 @@ public final class Overlays {
                         drawing,
                         Frame.CAMERA,
                         LookCone.around(ahead(), Math.acos(cosine)),
-                        "D = " + NumberText.of(factor),
+                        dopplerFactor(factor),
                         null);
             }
         }

@@ -3,63 +3,47 @@ package tompkins.measure;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
-import java.util.function.ToDoubleFunction;
+import org.joml.Vector2d;
+import org.joml.Vector2dc;
 import tompkins.trace.RenderPlan;
 
 /**
- * What a picture shows along a straight line in it: places at equal distances, both ends among them.
+ * What a picture shows along a straight line in it: points at equal distances, both ends among them.
  *
- * @param places what they show, from the first end to the second
+ * @param points what they show, from the first end to the second
  */
-public record Profile(List<Sighting> places) {
+public record Profile(List<Sighting> points) {
 
-    /** The most places of a profile. */
+    /** The most points of a profile. */
     public static final int MOST = 10_000;
 
     /** Checks nothing; keeps a copy. */
     public Profile {
-        places = List.copyOf(places);
+        points = List.copyOf(points);
     }
 
-    /** As many places as a line between two others has pixels. */
-    public static int count(double x1, double y1, double x2, double y2) {
-        return (int) Math.max(2, Math.min(MOST, Math.round(Math.max(Math.abs(x2 - x1), Math.abs(y2 - y1))) + 1));
+    /** As many points as a line between two others has pixels. */
+    public static int count(Vector2dc first, Vector2dc last) {
+        Vector2d way = last.sub(first, new Vector2d()).absolute();
+        return (int) Math.max(2, Math.min(MOST, Math.round(Math.max(way.x, way.y)) + 1));
     }
 
     /**
      * Follows the rays of a line.
      *
-     * @param count number of places, 2 to {@link #MOST}
-     * @param goesOn asked before each place
+     * @param count number of points, 2 to {@link #MOST}
+     * @param goesOn asked before each point
      * @return the profile, or null if it was not to go on
      */
-    public static Profile between(
-            RenderPlan plan, double x1, double y1, double x2, double y2, int count, BooleanSupplier goesOn) {
-        List<Sighting> places = new ArrayList<>();
+    public static Profile between(RenderPlan plan, Vector2dc first, Vector2dc last, int count, BooleanSupplier goesOn) {
+        List<Sighting> points = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             if (!goesOn.getAsBoolean()) {
                 return null;
             }
-            double part = i / (count - 1.0);
-            places.add(Sighting.of(plan, x1 + part * (x2 - x1), y1 + part * (y2 - y1)));
+            Vector2d point = first.lerp(last, i / (count - 1.0), new Vector2d());
+            points.add(Sighting.of(plan, point.x, point.y));
         }
-        return new Profile(places);
-    }
-
-    /** Numbers of all places. */
-    public double[] values(ToDoubleFunction<Sighting> number) {
-        return places.stream().mapToDouble(number).toArray();
-    }
-
-    /** The place in pixels, x and y, of an edge in some numbers; null if there is none. */
-    public double[] edge(ToDoubleFunction<Sighting> number) {
-        double place = EdgeFinder.edge(values(number));
-        if (Double.isNaN(place)) {
-            return null;
-        }
-        Sighting first = places.get(0);
-        Sighting last = places.get(places.size() - 1);
-        double part = place / (places.size() - 1);
-        return new double[] {first.x() + part * (last.x() - first.x()), first.y() + part * (last.y() - first.y())};
+        return new Profile(points);
     }
 }

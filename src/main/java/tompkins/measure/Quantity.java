@@ -2,38 +2,48 @@ package tompkins.measure;
 
 import java.math.BigDecimal;
 import java.math.RoundingMode;
-import java.util.Locale;
 import tompkins.property.NumberText;
 
 /**
- * A measured number.
+ * A number that is told.
  *
- * @param key what it is, in one word with inner capitals
+ * @param key what it is, in one word with inner capitals or in words with underscores; empty if it is told to people
+ *     alone
+ * @param name what people call it; empty if it is told to programs alone
  * @param unit its unit; empty if it has none
  * @param value the number; NaN if there is none
  * @param uncertainty by how much half a pixel in the picture changes it; NaN if that is not known or means nothing
  */
-public record Quantity(String key, String unit, double value, double uncertainty) {
+public record Quantity(String key, String name, String unit, double value, double uncertainty) implements Fact {
+
+    private static final int MOST_DECIMALS = 9;
 
     /** A number without an uncertainty. */
-    public static Quantity exact(String key, String unit, double value) {
-        return new Quantity(key, unit, value, Double.NaN);
+    public static Quantity exact(String key, String name, String unit, double value) {
+        return new Quantity(key, name, unit, value, Double.NaN);
     }
 
-    /**
-     * The number rounded to the second digit of its uncertainty; to the given digits if the uncertainty is not known or
-     * 0.
-     */
-    public double rounded(int digits) {
-        if (!Double.isFinite(value) || !Double.isFinite(uncertainty) || uncertainty == 0) {
-            return NumberText.rounded(value, digits);
-        }
-        int places = 1 - (int) Math.floor(Math.log10(uncertainty));
-        return new BigDecimal(value).setScale(places, RoundingMode.HALF_EVEN).doubleValue() + 0.0;
+    /** Whether it is known how uncertain the number is, and that is not exact. */
+    public boolean isUncertain() {
+        return Double.isFinite(uncertainty) && uncertainty > 0;
     }
 
-    /** Its key in words. */
-    public String words() {
-        return key.replaceAll("([A-Z])", " $1").toLowerCase(Locale.ROOT);
+    /** The number as text, to the second digit of its uncertainty, or with the given digits if that is not known. */
+    public String text(int digits) {
+        return isUncertain() ? decimals(value) : NumberText.of(NumberText.rounded(value, digits));
+    }
+
+    /** The first two digits of its uncertainty. */
+    public String uncertaintyText() {
+        return decimals(uncertainty);
+    }
+
+    /** A number to the second digit of the uncertainty; zeros at the end are digits that are known. */
+    private String decimals(double number) {
+        int decimals = 1 - (int) Math.floor(Math.log10(uncertainty));
+        BigDecimal rounded = new BigDecimal(number).setScale(decimals, RoundingMode.HALF_EVEN);
+        return decimals > 0 && decimals <= MOST_DECIMALS
+                ? rounded.toPlainString()
+                : NumberText.of(rounded.doubleValue() + 0.0);
     }
 }

@@ -3,113 +3,108 @@ package tompkins.measure;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.Function;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
 import org.joml.Vector3dc;
+import tompkins.ray.Colour;
 import tompkins.spacetime.Event;
+import tompkins.studio.Studio;
+import tompkins.trace.RayLife;
 
-/** What a table of rays says about each ray: a row is a sighting, and a column a number or a name. */
+/** What a table of rays tells of each ray: what it ends at, not what it met before. */
 public final class RayTable {
 
     private static final String LENGTH = "scene units";
     private static final String ANGLE = "degrees";
 
-    /**
-     * A column.
-     *
-     * @param name words with underscores between them
-     * @param unit unit of its numbers; empty if they have none
-     * @param value a number, a text, or null where the ray has no such thing
-     */
-    public record Column(String name, String unit, Function<Sighting, Object> value) {
+    /** What people are told, and what they call it. */
+    private static final Map<String, String> NAMES = Map.of(
+            "pixel_x", "column",
+            "pixel_y", "row",
+            "object", "object",
+            "doppler_factor", "Doppler factor",
+            "hit_scene_time", "time (scene)",
+            "red", "red",
+            "green", "green",
+            "blue", "blue");
 
-        /** The name, with the unit in brackets. */
-        public String heading() {
-            return unit.isEmpty() ? name : name + " [" + unit + "]";
-        }
-    }
-
-    /** All columns, in their order. */
-    public static final List<Column> COLUMNS = columns();
+    private final List<Fact> row = new ArrayList<>();
 
     private RayTable() {}
 
-    /** The column of a name, which is one of them. */
-    public static Column column(String name) {
-        return COLUMNS.stream()
-                .filter(column -> column.name().equals(name))
+    /** A row without values, whose keys and units are the headings of the table. */
+    public static List<Fact> headings() {
+        return row(new Sighting(Studio.DEFAULT, Double.NaN, Double.NaN, null));
+    }
+
+    /** The row of a sighting; without values where there are none. */
+    public static List<Fact> row(Sighting sighting) {
+        RayTable table = new RayTable();
+        table.add(sighting);
+        return table.row;
+    }
+
+    /** The number of a sighting in the column of a key; NaN if it has none. */
+    public static double number(Sighting sighting, String key) {
+        return row(sighting).stream()
+                .filter(fact -> fact.key().equals(key))
+                .mapToDouble(fact -> ((Quantity) fact).value())
                 .findFirst()
                 .orElseThrow();
     }
 
-    private static List<Column> columns() {
-        List<Column> columns = new ArrayList<>();
-        columns.add(new Column("pixel_x", "pixels", sighting -> sighting.x() - 0.5));
-        columns.add(new Column("pixel_y", "pixels", sighting -> sighting.y() - 0.5));
-        addVector(columns, "camera_direction", "", Sighting::cameraDirection);
-        columns.add(new Column("camera_angle_to_velocity", ANGLE, sighting -> Math.toDegrees(sighting.cameraAngle())));
-        columns.add(new Column(
-                "lens_time",
-                LENGTH,
-                ofRay(sighting -> sighting.life().cameraStart().time())));
-        addEvent(columns, "scene_start", ofRay(sighting -> sighting.life().sceneStart()));
-        addVector(columns, "scene_direction", "", Sighting::sceneDirection);
-        columns.add(new Column("scene_angle_to_velocity", ANGLE, sighting -> Math.toDegrees(sighting.sceneAngle())));
-        columns.add(new Column("doppler_factor", "", Sighting::dopplerFactor));
-        columns.add(new Column(
-                "object", "", ofHit(sighting -> sighting.hit().object().description())));
-        columns.add(new Column(
-                "object_frame",
-                "",
-                ofHit(sighting -> sighting.hit().frame().name().toLowerCase(Locale.ROOT))));
-        addEvent(columns, "hit_scene", Sighting::inScene);
-        addEvent(columns, "hit_camera", Sighting::inCamera);
-        addEvent(columns, "hit_own", ofHit(sighting -> sighting.hit().rest().event()));
-        addVector(columns, "normal", "", ofHit(sighting -> sighting.hit().rest().normal()));
-        columns.add(new Column(
-                "surface_u", "", ofHit(sighting -> sighting.hit().rest().u())));
-        columns.add(new Column(
-                "surface_v", "", ofHit(sighting -> sighting.hit().rest().v())));
-        columns.add(new Column(
-                "proper_time", LENGTH, ofHit(sighting -> sighting.hit().rest().clockReading())));
-        columns.add(
-                new Column("distance", LENGTH, ofHit(sighting -> sighting.hit().distance())));
-        columns.add(new Column("camera_distance", LENGTH, Sighting::cameraDistance));
-        columns.add(
-                new Column("red", "", ofRay(sighting -> sighting.life().colour().red())));
-        columns.add(new Column(
-                "green", "", ofRay(sighting -> sighting.life().colour().green())));
-        columns.add(new Column(
-                "blue", "", ofRay(sighting -> sighting.life().colour().blue())));
-        return List.copyOf(columns);
+    private void add(Sighting sighting) {
+        RayLife life = sighting.life();
+        RayLife.Encounter hit = sighting.hit();
+        RayLife.Rest rest = hit == null ? null : hit.rest();
+        Colour colour = life == null ? null : life.colour();
+        add("pixel_x", "pixels", sighting.x() - 0.5);
+        add("pixel_y", "pixels", sighting.y() - 0.5);
+        addVector("camera_direction", "", sighting.cameraDirection());
+        add("camera_angle_to_velocity", ANGLE, Math.toDegrees(sighting.cameraAngle()));
+        add("lens_time", LENGTH, life, ray -> ray.cameraStart().time());
+        addEvent("scene_start", life == null ? null : life.sceneStart());
+        addVector("scene_direction", "", sighting.sceneDirection());
+        add("scene_angle_to_velocity", ANGLE, Math.toDegrees(sighting.sceneAngle()));
+        add("doppler_factor", "", sighting.dopplerFactor());
+        add("object", hit == null ? null : hit.object().description());
+        add("object_frame", hit == null ? null : hit.frame().name().toLowerCase(Locale.ROOT));
+        addEvent("hit_scene", sighting.inScene());
+        addEvent("hit_camera", sighting.inCamera());
+        addEvent("hit_own", rest == null ? null : rest.event());
+        addVector("normal", "", rest == null ? null : rest.normal());
+        add("surface_u", "", rest, RayLife.Rest::u);
+        add("surface_v", "", rest, RayLife.Rest::v);
+        add("proper_time", LENGTH, rest, seen -> seen.event().time());
+        add("distance", LENGTH, hit, RayLife.Encounter::distance);
+        add("camera_distance", LENGTH, sighting.cameraDistance());
+        add("red", "", colour, Colour::red);
+        add("green", "", colour, Colour::green);
+        add("blue", "", colour, Colour::blue);
+        add("clock_reading", LENGTH, rest, RayLife.Rest::clockReading);
     }
 
-    private static <T> Function<Sighting, T> ofRay(Function<Sighting, T> value) {
-        return sighting -> sighting.life() == null ? null : value.apply(sighting);
+    private void add(String key, String text) {
+        row.add(new Fact.Word(key, NAMES.getOrDefault(key, ""), text));
     }
 
-    private static <T> Function<Sighting, T> ofHit(Function<Sighting, T> value) {
-        return sighting -> sighting.hit() == null ? null : value.apply(sighting);
+    private void add(String key, String unit, double value) {
+        row.add(Quantity.exact(key, NAMES.getOrDefault(key, ""), unit, value));
     }
 
-    private static <T> Function<Sighting, Object> part(Function<Sighting, T> whole, Function<T, Object> part) {
-        return sighting -> {
-            T value = whole.apply(sighting);
-            return value == null ? null : part.apply(value);
-        };
+    /** A number of something that may be missing. */
+    private <T> void add(String key, String unit, T whole, ToDoubleFunction<T> number) {
+        add(key, unit, whole == null ? Double.NaN : number.applyAsDouble(whole));
     }
 
-    private static void addVector(
-            List<Column> columns, String name, String unit, Function<Sighting, ? extends Vector3dc> vector) {
-        columns.add(new Column(name + "_x", unit, part(vector, Vector3dc::x)));
-        columns.add(new Column(name + "_y", unit, part(vector, Vector3dc::y)));
-        columns.add(new Column(name + "_z", unit, part(vector, Vector3dc::z)));
+    private void addVector(String key, String unit, Vector3dc vector) {
+        add(key + "_x", unit, vector, Vector3dc::x);
+        add(key + "_y", unit, vector, Vector3dc::y);
+        add(key + "_z", unit, vector, Vector3dc::z);
     }
 
-    private static void addEvent(List<Column> columns, String name, Function<Sighting, Event> event) {
-        addVector(columns, name, LENGTH, sighting -> {
-            Event value = event.apply(sighting);
-            return value == null ? null : value.position();
-        });
-        columns.add(new Column(name + "_time", LENGTH, part(event, Event::time)));
+    private void addEvent(String key, Event event) {
+        addVector(key, LENGTH, event == null ? null : event.position());
+        add(key + "_time", LENGTH, event, Event::time);
     }
 }

@@ -16,15 +16,12 @@ import tompkins.primitive.Primitive;
 import tompkins.primitive.SpherePrimitive;
 import tompkins.sceneobject.TriangleMesh;
 import tompkins.spacetime.FrameMotion;
-import tompkins.surface.GalileoWindow;
-import tompkins.surface.LorentzWindow;
-import tompkins.surface.Mirror;
-import tompkins.surface.Refractive;
 import tompkins.surface.Surface;
 import tompkins.world.InertialFrame;
 
 /**
- * The shapes of a scene for which overlays are drawn: its first spheres, lines and objects.
+ * The shapes of a scene for which overlays are drawn: its first spheres, lines and objects. What turns is an object
+ * alone, with the box of all that it comes by.
  *
  * @param spheres spheres
  * @param lines axes of rods, and edges of boxes and of flat pieces; not those of meshes
@@ -101,9 +98,11 @@ public record SceneShapes(
                     .toList();
             complete &= first.size() == all.size();
             for (Primitive primitive : first) {
-                turnsRays |= primitive.surface().parts().anyMatch(Collector::turns);
-                add(frame.motion(), origin, primitive);
-                Bounds bounds = primitive.bounds();
+                turnsRays |= primitive.surface().parts().anyMatch(Surface::turnsRays);
+                if (primitive.restFrame().rotation() == null) {
+                    add(frame.motion(), origin, primitive);
+                }
+                Bounds bounds = primitive.allBounds();
                 if (bounds != null && bounds.centre().isFinite()) {
                     addBounds(frame.motion(), primitive.object(), bounds.moved(origin), places);
                 }
@@ -157,13 +156,6 @@ public record SceneShapes(
             boolean room = shapes.size() < most;
             complete &= room;
             return room;
-        }
-
-        private static boolean turns(Surface surface) {
-            return surface instanceof Mirror
-                    || surface instanceof Refractive
-                    || surface instanceof LorentzWindow
-                    || surface instanceof GalileoWindow;
         }
 
         SceneShapes shapes() {

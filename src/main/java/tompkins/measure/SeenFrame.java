@@ -1,16 +1,15 @@
 package tompkins.measure;
 
-import java.util.ArrayList;
-import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
 import tompkins.ray.Ray;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
-import tompkins.spacetime.IdentityTransformation;
-import tompkins.spacetime.SpaceTimeTransformation;
+import tompkins.spacetime.FrameRoute;
+import tompkins.spacetime.FrameTree;
 import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
 
@@ -23,17 +22,14 @@ import tompkins.studio.View;
  */
 public final class SeenFrame {
 
-    private static final Event REST = new Event(0, 0, 0, 1);
-
-    private final SpaceTimeTransformation sceneFromCamera;
-
-    /** What the motion of the camera does to what it sees. */
-    private final SpaceTimeTransformation cameraFromScene;
-
     private final TransformationLaw law;
     private final View view;
-    private final List<FrameMotion> outerFirst = new ArrayList<>();
-    private final List<SpaceTimeTransformation> outwards = new ArrayList<>();
+
+    /** The way from the camera frame to this one. */
+    private final FrameRoute inwards;
+
+    /** The way to the frame of the camera that sees. */
+    private final FrameRoute outwards;
 
     /** The frame of a motion, in the view of the studio; null means the scene frame. */
     public SeenFrame(Studio studio, FrameMotion motion) {
@@ -42,18 +38,16 @@ public final class SeenFrame {
 
     /** The frame of a motion, or the scene frame if that is null, in a view. */
     public SeenFrame(Studio studio, FrameMotion motion, View view) {
-        this(studio, motion, view, studio.sceneFromCamera().inverse());
+        this(studio, motion, view, studio.velocity());
     }
 
-    private SeenFrame(Studio studio, FrameMotion motion, View view, SpaceTimeTransformation cameraFromScene) {
+    private SeenFrame(Studio studio, FrameMotion motion, View view, Velocity observer) {
         this.view = view;
-        this.cameraFromScene = cameraFromScene;
         law = studio.transformation();
-        sceneFromCamera = studio.sceneFromCamera();
-        for (FrameMotion each = motion; each != null; each = each.outer()) {
-            outerFirst.add(0, each);
-            outwards.add(law.sceneFromCamera(each.velocity()));
-        }
+        FrameTree camera = FrameTree.described(law, studio.velocity());
+        inwards = camera.route(camera.camera(), motion);
+        FrameTree seeing = FrameTree.described(law, observer);
+        outwards = seeing.route(motion, seeing.camera());
     }
 
     /**
@@ -61,28 +55,17 @@ public final class SeenFrame {
      * same event and with the same axes.
      */
     static SeenFrame atRest(Studio studio, FrameMotion motion) {
-        return new SeenFrame(studio, motion, studio.view(), new IdentityTransformation());
+        return new SeenFrame(studio, motion, studio.view(), Velocity.REST);
     }
 
     /** An event of the camera frame, in this frame. */
     public Event fromCamera(Event event) {
-        Event inside = sceneFromCamera.transform(event);
-        int depth = outerFirst.size();
-        for (int i = 0; i < depth; i++) {
-            inside = outwards.get(depth - 1 - i)
-                    .inverse()
-                    .transform(inside.minus(outerFirst.get(i).start()));
-        }
-        return inside;
+        return inwards.transform(event);
     }
 
     /** A difference of two events of this frame, in the camera frame. */
     public Event differenceInCamera(Event difference) {
-        Event outside = difference;
-        for (SpaceTimeTransformation change : outwards) {
-            outside = change.transform(outside);
-        }
-        return cameraFromScene.transform(outside);
+        return outwards.difference(difference);
     }
 
     /**
@@ -100,25 +83,26 @@ public final class SeenFrame {
         return law == TransformationLaw.GALILEAN ? withLightOfTheCamera(unit) : relativistic(unit);
     }
 
+    /** The Doppler factor of what rests in this frame, seen along a unit direction of the camera frame. */
+    double dopplerFactor(Vector3dc look) {
+        return 1 / inwards.transform(Ray.from(0, 0, 0, look.x(), look.y(), look.z(), 0), Ray.blank()).frequency;
+    }
+
     private Vector3d relativistic(Vector3dc unit) {
-        Ray ray = Ray.from(0, 0, 0, unit.x(), unit.y(), unit.z(), 0);
-        for (SpaceTimeTransformation change : outwards) {
-            ray = change.transform(ray);
-        }
-        Ray seen = cameraFromScene.transform(ray);
+        Ray seen = outwards.transform(Ray.from(0, 0, 0, unit.x(), unit.y(), unit.z(), 0), Ray.blank());
         return new Vector3d(seen.dx, seen.dy, seen.dz);
     }
 
     private Vector3d measured(Vector3dc unit) {
         Event along = differenceInCamera(new Event(unit.x(), unit.y(), unit.z(), 0));
-        Event later = differenceInCamera(REST);
+        Event later = outwards.worldLine();
         return Vectors.unit(later.position().mul(-along.time() / later.time()).add(along.position()));
     }
 
     private Vector3d withLightOfTheCamera(Vector3dc unit) {
         Vector3d along =
                 differenceInCamera(new Event(unit.x(), unit.y(), unit.z(), 0)).position();
-        Vector3d earlier = differenceInCamera(REST).position().negate();
+        Vector3d earlier = outwards.worldLine().position().negate();
         if (earlier.lengthSquared() >= 1) {
             return null;
         }

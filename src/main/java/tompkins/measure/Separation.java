@@ -40,20 +40,8 @@ public record Separation(Sighting first, Sighting second) {
                 : null;
     }
 
-    /** The length of a difference of events; NaN without one. */
-    public static double length(Event difference) {
-        return difference == null ? Double.NaN : difference.position().length();
-    }
-
-    /** The time of a difference of events; NaN without one. */
-    public static double time(Event difference) {
-        return difference == null ? Double.NaN : difference.time();
-    }
-
-    /** |dP|² - dt² of a difference of events, the same in all frames of relativity; NaN without one. */
+    /** |dr|² - dt² of a difference of events, the same in all frames of relativity. */
     public static double interval(Event difference) {
-        return difference == null
-                ? Double.NaN
-                : difference.position().lengthSquared() - difference.time() * difference.time();
+        return difference.position().lengthSquared() - difference.time() * difference.time();
     }
 }

@@ -1,32 +1,50 @@
 package tompkins.measure;
 
+import java.util.Locale;
+import org.joml.Vector2dc;
 import org.joml.Vector3dc;
+import tompkins.property.InvalidPropertyException;
+import tompkins.ray.Colour;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.IdentityTransformation;
 import tompkins.studio.Studio;
-import tompkins.trace.Frame;
 import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
 
 /**
- * What a place of a picture shows: its traced ray through the centre of the lens, in the middle of the exposure, and
+ * What a point of a picture shows: its traced ray through the centre of the lens, in the middle of the exposure, and
  * what that meets last.
  *
  * @param studio the studio of the picture
- * @param x place in pixels; the centre of pixel (i, j) is (i + 1/2, j + 1/2)
- * @param y place in pixels
+ * @param x position in pixels; the centre of pixel (i, j) is (i + 1/2, j + 1/2)
+ * @param y position in pixels
  * @param life the life of the ray; null if it never crosses the shutter
  */
 public record Sighting(Studio studio, double x, double y, RayLife life) {
 
-    /** Follows the ray of a place. */
+    /** Follows the ray of a point. */
     public static Sighting of(RenderPlan plan, double x, double y) {
         return new Sighting(plan.studio(), x, y, RayLife.of(plan, x, y, 0, 0));
     }
 
-    /** Follows the ray of the centre of a pixel. */
-    public static Sighting ofPixel(RenderPlan plan, int column, int row) {
-        return of(plan, column + 0.5, row + 0.5);
+    /**
+     * Follows the ray of a point through the centre of the lens.
+     *
+     * @throws InvalidPropertyException if it never crosses the shutter
+     */
+    static Sighting required(RenderPlan plan, Vector2dc point) {
+        return required(plan, point, 0, 0);
+    }
+
+    /** As above, through a point on the lens in units of its radius. */
+    static Sighting required(RenderPlan plan, Vector2dc point, double lensX, double lensY) {
+        RayLife life = RayLife.of(plan, point.x(), point.y(), lensX, lensY);
+        if (life == null) {
+            String here = String.format(
+                    Locale.ROOT, "across %.4g, down %.4g", point.x() / plan.width(), point.y() / plan.height());
+            throw new InvalidPropertyException("point", "where a ray crosses the shutter", here);
+        }
+        return new Sighting(plan.studio(), point.x(), point.y(), life);
     }
 
     /** The unit direction in the camera frame; null without a ray. */
@@ -72,9 +90,27 @@ public record Sighting(Studio studio, double x, double y, RayLife life) {
         return Angles.between(sceneDirection(), ahead());
     }
 
-    /** The frequency that the camera sees, divided by that in the scene frame; NaN without a ray. */
+    /**
+     * The frequency that the camera sees, divided by that in the rest frame of what is seen: of the object, or of the
+     * scene for the background; NaN without light.
+     */
     public double dopplerFactor() {
-        return life == null ? Double.NaN : life.frequencyRatio();
+        return life == null ? Double.NaN : life.dopplerFactor();
+    }
+
+    /** The frequency that the camera sees, divided by that in the scene frame; NaN without a ray. */
+    public double sceneDopplerFactor() {
+        return life == null ? Double.NaN : life.sceneDopplerFactor();
+    }
+
+    /** The light that is seen, before exposure; none without a ray. */
+    public Colour colour() {
+        return life == null ? Colour.BLACK : life.colour();
+    }
+
+    /** Its luminance; 1 is white. */
+    public double brightness() {
+        return Colour.luminance(colour().red(), colour().green(), colour().blue());
     }
 
     /** Whether two sightings end on objects that rest in one frame. */
@@ -85,11 +121,6 @@ public record Sighting(Studio studio, double x, double y, RayLife life) {
                 && (hit().rest().motion() == null
                         ? other.hit().rest().motion() == null
                         : hit().rest().motion().equals(other.hit().rest().motion()));
-    }
-
-    /** Whether what is seen moves with the camera. */
-    public boolean isBeforeLens() {
-        return hit() != null && hit().frame() == Frame.CAMERA;
     }
 
     private Vector3dc ahead() {

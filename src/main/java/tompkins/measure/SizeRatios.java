@@ -1,6 +1,5 @@
 package tompkins.measure;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -8,7 +7,7 @@ import java.util.Set;
 /** How many times as large something is in one picture as in another. */
 public final class SizeRatios {
 
-    /** What is a size, whose ratio means something; places, times and misses are none. */
+    /** What is a size, whose ratio means something; positions, times and deviations are none. */
     private static final Set<String> SIZES = Set.of(
             "cameraAngle",
             "sceneAngle",
@@ -25,17 +24,14 @@ public final class SizeRatios {
 
     /** The ratios of the sizes that were measured in both pictures, under the keys of these. */
     public static List<Quantity> of(Measured measured, Measured other) {
-        List<Quantity> ratios = new ArrayList<>();
-        for (Quantity size : measured.quantities()) {
-            if (SIZES.contains(size.key())) {
-                same(size, other).map(there -> ratio(size, there)).ifPresent(ratios::add);
-            }
-        }
-        return ratios;
+        return measured.quantities()
+                .filter(size -> SIZES.contains(size.key()))
+                .flatMap(size -> same(size, other).map(there -> ratio(size, there)).stream())
+                .toList();
     }
 
     private static Optional<Quantity> same(Quantity size, Measured other) {
-        return other.quantities().stream()
+        return other.quantities()
                 .filter(there -> there.key().equals(size.key()) && there.value() != 0)
                 .findFirst();
     }
@@ -43,6 +39,6 @@ public final class SizeRatios {
     private static Quantity ratio(Quantity here, Quantity there) {
         double ratio = here.value() / there.value();
         double uncertainty = Math.hypot(here.uncertainty(), ratio * there.uncertainty()) / Math.abs(there.value());
-        return new Quantity(here.key(), "", ratio, uncertainty);
+        return new Quantity(here.key(), here.name(), "", ratio, uncertainty);
     }
 }

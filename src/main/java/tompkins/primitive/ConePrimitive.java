@@ -1,5 +1,6 @@
 package tompkins.primitive;
 
+import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
@@ -138,11 +139,31 @@ public final class ConePrimitive extends Primitive {
     }
 
     @Override
+    public List<Face> faces(Vector3dc from) {
+        return List.of(new RoundFace(0, tip.sub(from, new Vector3d()), axis, 0, slope, height));
+    }
+
+    @Override
+    public boolean isRoundAbout(Vector3dc from, Vector3dc turningAxis) {
+        return Rotation.isOnAxis(tip, from, turningAxis) && Rotation.isAlong(axis, turningAxis);
+    }
+
+    @Override
+    double reachFrom(Vector3dc from, Vector3dc turningAxis) {
+        Vector3d right = Vectors.firstAxis(axis);
+        Vector3d up = axis.cross(right, new Vector3d()).mul(baseRadius);
+        Vector3d base = new Vector3d(tip).fma(height, axis).sub(from);
+        return Math.max(
+                Rotation.reachOfPoints(List.of(tip), from, turningAxis),
+                Rotation.reachOfEllipse(base, right.mul(baseRadius), up, turningAxis));
+    }
+
+    @Override
     public double minimumAlong(double nx, double ny, double nz) {
         double top = nx * tip.x + ny * tip.y + nz * tip.z;
         double rise = nx * axis.x + ny * axis.y + nz * axis.z;
-        double across = nx * nx + ny * ny + nz * nz - rise * rise;
-        return Math.min(top, top + rise * height - baseRadius * Math.sqrt(Math.max(0, across)));
+        double across = lengthOfCross(nx, ny, nz, axis.x, axis.y, axis.z);
+        return Math.min(top, top + rise * height - baseRadius * across);
     }
 
     @Override

@@ -1,5 +1,6 @@
 package tompkins.primitive;
 
+import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Precise;
@@ -83,6 +84,11 @@ public final class CylinderPrimitive extends Primitive {
         return new Vector3d(startX + axisX, startY + axisY, startZ + axisZ);
     }
 
+    /** The radius, after the placement. */
+    public double radius() {
+        return radius;
+    }
+
     @Override
     public double distance(Ray ray, double limit) {
         double wx = ray.x - startX;
@@ -112,7 +118,7 @@ public final class CylinderPrimitive extends Primitive {
      * products.
      */
     @Override
-    public boolean missMargins(RayPacket rays, RayStarts starts, double[] margins) {
+    public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
         double farthest = starts.farthest() + Math.abs(startX) + Math.abs(startY) + Math.abs(startZ);
         if (!hasSquare(radius) || !hasSquare(length) || !hasSquare(farthest)) {
             return false;
@@ -136,26 +142,26 @@ public final class CylinderPrimitive extends Primitive {
             double crossZ = wx * axisY - wy * axisX;
             for (int i = 0; i < count; i++) {
                 double offset = crossX * dx[i] + crossY * dy[i] + crossZ * dz[i];
-                margins[i] = most - offset * offset;
+                overlaps[i] = most - offset * offset;
             }
             for (int i = 0; i < count; i++) {
                 double along = axisX * dx[i] + axisY * dy[i] + axisZ * dz[i];
-                margins[i] -= reach * along * along;
+                overlaps[i] -= reach * along * along;
             }
             return true;
         }
         for (int i = 0; i < count; i++) {
-            margins[i] = dx[i] * ((y[i] - startY) * axisZ - (z[i] - startZ) * axisY);
+            overlaps[i] = dx[i] * ((y[i] - startY) * axisZ - (z[i] - startZ) * axisY);
         }
         for (int i = 0; i < count; i++) {
-            margins[i] += dy[i] * ((z[i] - startZ) * axisX - (x[i] - startX) * axisZ);
+            overlaps[i] += dy[i] * ((z[i] - startZ) * axisX - (x[i] - startX) * axisZ);
         }
         for (int i = 0; i < count; i++) {
-            margins[i] += dz[i] * ((x[i] - startX) * axisY - (y[i] - startY) * axisX);
+            overlaps[i] += dz[i] * ((x[i] - startX) * axisY - (y[i] - startY) * axisX);
         }
         for (int i = 0; i < count; i++) {
             double along = axisX * dx[i] + axisY * dy[i] + axisZ * dz[i];
-            margins[i] = most - reach * along * along - margins[i] * margins[i];
+            overlaps[i] = most - reach * along * along - overlaps[i] * overlaps[i];
         }
         return true;
     }
@@ -178,8 +184,7 @@ public final class CylinderPrimitive extends Primitive {
         double sideZ = Precise.differenceOfProducts(axisX, wy, axisY, wx);
         double middle = -(sideX * crossX + sideY * crossY + sideZ * crossZ) / squaredCross;
         if (ray.boundary == this && ray.part == MANTLE) {
-            double other = within(2 * middle, alongStart, slope);
-            return other < NO_HIT ? other : nearestCap(ray, wx, wy, wz, alongStart, slope);
+            return nearer(within(2 * middle, alongStart, slope), ray, wx, wy, wz, alongStart, slope);
         }
         double reach = radius * Math.sqrt(squaredCross);
         // rounding may put a grazing ray beyond the reach
@@ -195,6 +200,11 @@ public final class CylinderPrimitive extends Primitive {
                 : Math.min(
                         within(Math.max(inner, outer), alongStart, slope),
                         nearestCap(ray, wx, wy, wz, alongStart, slope));
+    }
+
+    /** A distance at which the mantle is met, or else a cap. */
+    private double nearer(double mantle, Ray ray, double wx, double wy, double wz, double alongStart, double slope) {
+        return mantle < NO_HIT ? mantle : nearestCap(ray, wx, wy, wz, alongStart, slope);
     }
 
     private double nearestCap(Ray ray, double wx, double wy, double wz, double alongStart, double slope) {
@@ -234,22 +244,26 @@ public final class CylinderPrimitive extends Primitive {
         double wz = ray.z - startZ;
         double alongStart = alongAxis(wx, wy, wz);
         double slope = alongAxis(ray.dx, ray.dy, ray.dz);
-        if (caps && cap(ray, START_CAP, wx, wy, wz, -alongStart / slope) == distance) {
-            return capHit(ray, distance, START_CAP, memory);
+        int part = caps ? part(ray, distance, wx, wy, wz, alongStart, slope) : MANTLE;
+        return hitOn(part, ray, distance, memory);
+    }
+
+    @Override
+    Hit hitOn(int part, Ray ray, double distance, Hit memory) {
+        if (part != MANTLE) {
+            return capHit(ray, distance, part, memory);
         }
-        if (caps && cap(ray, END_CAP, wx, wy, wz, (squaredLength - alongStart) / slope) == distance) {
-            return capHit(ray, distance, END_CAP, memory);
-        }
+        double wx = ray.x - startX;
+        double wy = ray.y - startY;
+        double wz = ray.z - startZ;
+        double alongStart = alongAxis(wx, wy, wz);
+        double slope = alongAxis(ray.dx, ray.dy, ray.dz);
         double along = (alongStart + distance * slope) / squaredLength;
         Vector3d normal = new Vector3d(
                 wx + distance * ray.dx - along * axisX,
                 wy + distance * ray.dy - along * axisY,
                 wz + distance * ray.dz - along * axisZ);
-        if (hasSquare(normal.length())) {
-            normal.normalize();
-        } else {
-            normal.set(unitOrFacing(ray, normal.x, normal.y, normal.z));
-        }
+        makeUnit(normal, ray);
         return memory.set(
                 ray,
                 distance,
@@ -262,6 +276,24 @@ public final class CylinderPrimitive extends Primitive {
                 this,
                 MANTLE,
                 round == null ? null : round.at(normal, radius, along, length));
+    }
+
+    private static void makeUnit(Vector3d normal, Ray ray) {
+        double square = normal.lengthSquared();
+        if (isSquare(square)) {
+            normal.mul(1 / Math.sqrt(square));
+        } else {
+            normal.set(unitOrFacing(ray, normal.x, normal.y, normal.z));
+        }
+    }
+
+    /** The part that is hit at a distance. */
+    private int part(Ray ray, double distance, double wx, double wy, double wz, double alongStart, double slope) {
+        if (cap(ray, START_CAP, wx, wy, wz, -alongStart / slope) == distance) {
+            return START_CAP;
+        }
+        boolean atEnd = cap(ray, END_CAP, wx, wy, wz, (squaredLength - alongStart) / slope) == distance;
+        return atEnd ? END_CAP : MANTLE;
     }
 
     private Hit capHit(Ray ray, double distance, int part, Hit memory) {
@@ -277,11 +309,39 @@ public final class CylinderPrimitive extends Primitive {
     }
 
     @Override
+    public List<Face> faces(Vector3dc from) {
+        Vector3d along = Vectors.unit(new Vector3d(axisX, axisY, axisZ));
+        Vector3d start = start().sub(from);
+        Face mantle = new RoundFace(MANTLE, start, along, radius, 0, length);
+        return caps
+                ? List.of(
+                        mantle,
+                        FlatFace.disc(START_CAP, start, along, radius),
+                        FlatFace.disc(END_CAP, end().sub(from), along, radius))
+                : List.of(mantle);
+    }
+
+    @Override
+    public boolean isRoundAbout(Vector3dc from, Vector3dc axis) {
+        return Rotation.isOnAxis(start(), from, axis) && Rotation.isAlong(new Vector3d(axisX, axisY, axisZ), axis);
+    }
+
+    @Override
+    double reachFrom(Vector3dc from, Vector3dc axis) {
+        Vector3d along = Vectors.unit(new Vector3d(axisX, axisY, axisZ));
+        Vector3d right = Vectors.firstAxis(along);
+        Vector3d up = along.cross(right, new Vector3d()).mul(radius);
+        right.mul(radius);
+        return Math.max(
+                Rotation.reachOfEllipse(start().sub(from), right, up, axis),
+                Rotation.reachOfEllipse(end().sub(from), right, up, axis));
+    }
+
+    @Override
     public double minimumAlong(double nx, double ny, double nz) {
         double start = nx * startX + ny * startY + nz * startZ;
         double rise = nx * axisX + ny * axisY + nz * axisZ;
-        double across = nx * nx + ny * ny + nz * nz - rise * rise / squaredLength;
-        return Math.min(start, start + rise) - radius * Math.sqrt(Math.max(0, across));
+        return Math.min(start, start + rise) - radius * lengthOfCross(nx, ny, nz, axisX, axisY, axisZ) / length;
     }
 
     @Override

@@ -13,7 +13,7 @@ import tompkins.surface.Surface;
 /**
  * A piece of a plane with coordinates (u, v): {@code x = corner + u U + v V}. u and v decide what belongs to the piece.
  */
-public final class FlatPrimitive extends Primitive {
+public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
 
     /** Which part of the plane belongs to the piece. */
     public enum Outline {
@@ -22,22 +22,28 @@ public final class FlatPrimitive extends Primitive {
         /** The half of the parallelogram at the corner. */
         TRIANGLE,
         /** The ellipse that touches the sides of the parallelogram in their middles. */
-        ELLIPSE
+        ELLIPSE;
+
+        /** Whether the point with these coordinates belongs to the piece. */
+        boolean holds(double u, double v) {
+            return switch (this) {
+                case PARALLELOGRAM -> u >= 0 && u <= 1 && v >= 0 && v <= 1;
+                case TRIANGLE -> noneIsNegative(u, v, 1 - (u + v));
+                case ELLIPSE -> (u - 0.5) * (u - 0.5) + (v - 0.5) * (v - 0.5) <= 0.25;
+            };
+        }
     }
 
     private final Outline outline;
+
+    // what every ray asks for comes first, so that it lies together in memory
     private final double cornerX;
     private final double cornerY;
     private final double cornerZ;
     private final double normalX;
     private final double normalY;
     private final double normalZ;
-    private final double spanUX;
-    private final double spanUY;
-    private final double spanUZ;
-    private final double spanVX;
-    private final double spanVY;
-    private final double spanVZ;
+
     // gradients of u and v
     private final double uX;
     private final double uY;
@@ -45,6 +51,13 @@ public final class FlatPrimitive extends Primitive {
     private final double vX;
     private final double vY;
     private final double vZ;
+
+    private final double spanUX;
+    private final double spanUY;
+    private final double spanUZ;
+    private final double spanVX;
+    private final double spanVY;
+    private final double spanVZ;
 
     /** The piece of the plane at {@code corner} that the vectors U and V span; its front is the side of U x V. */
     public FlatPrimitive(
@@ -106,15 +119,7 @@ public final class FlatPrimitive extends Primitive {
         double offsetZ = distance * ray.dz - toZ;
         double u = uX * offsetX + uY * offsetY + uZ * offsetZ;
         double v = vX * offsetX + vY * offsetY + vZ * offsetZ;
-        return holds(u, v) ? distance : NO_HIT;
-    }
-
-    private boolean holds(double u, double v) {
-        return switch (outline) {
-            case PARALLELOGRAM -> u >= 0 && u <= 1 && v >= 0 && v <= 1;
-            case TRIANGLE -> noneIsNegative(u, v, 1 - (u + v));
-            case ELLIPSE -> (u - 0.5) * (u - 0.5) + (v - 0.5) * (v - 0.5) <= 0.25;
-        };
+        return outline.holds(u, v) ? distance : NO_HIT;
     }
 
     /**
@@ -131,17 +136,17 @@ public final class FlatPrimitive extends Primitive {
 
     /** By the smallest ball around the middle of the parallelogram. */
     @Override
-    public boolean missMargins(RayPacket rays, RayStarts starts, double[] margins) {
+    public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
         double plus = squared(spanUX + spanVX, spanUY + spanVY, spanUZ + spanVZ);
         double minus = squared(spanUX - spanVX, spanUY - spanVY, spanUZ - spanVZ);
-        return ballMissMargins(
+        return ballOverlaps(
                 cornerX + 0.5 * (spanUX + spanVX),
                 cornerY + 0.5 * (spanUY + spanVY),
                 cornerZ + 0.5 * (spanUZ + spanVZ),
                 0.5 * Math.sqrt(Math.max(plus, minus)),
                 rays,
                 starts,
-                margins);
+                overlaps);
     }
 
     private static double squared(double x, double y, double z) {
@@ -150,22 +155,60 @@ public final class FlatPrimitive extends Primitive {
 
     @Override
     public Hit hit(Ray ray, double distance, Hit memory) {
-        SurfaceCoordinates coordinates = null;
-        if (surface().usesCoordinates()) {
-            double offsetX = ray.x - cornerX + distance * ray.dx;
-            double offsetY = ray.y - cornerY + distance * ray.dy;
-            double offsetZ = ray.z - cornerZ + distance * ray.dz;
-            coordinates = new SurfaceCoordinates(
-                    uX * offsetX + uY * offsetY + uZ * offsetZ,
-                    vX * offsetX + vY * offsetY + vZ * offsetZ,
-                    uX,
-                    uY,
-                    uZ,
-                    vX,
-                    vY,
-                    vZ);
-        }
+        SurfaceCoordinates coordinates = surface().usesCoordinates() ? coordinates(ray, distance) : null;
         return memory.set(ray, distance, normalX, normalY, normalZ, this, 0, coordinates);
+    }
+
+    /** The coordinates (u, v) at a distance along a ray. */
+    final SurfaceCoordinates coordinates(Ray ray, double distance) {
+        double offsetX = ray.x - cornerX + distance * ray.dx;
+        double offsetY = ray.y - cornerY + distance * ray.dy;
+        double offsetZ = ray.z - cornerZ + distance * ray.dz;
+        return new SurfaceCoordinates(
+                uX * offsetX + uY * offsetY + uZ * offsetZ,
+                vX * offsetX + vY * offsetY + vZ * offsetZ,
+                uX,
+                uY,
+                uZ,
+                vX,
+                vY,
+                vZ);
+    }
+
+    @Override
+    public List<Face> faces(Vector3dc centre) {
+        Vector3d corner = new Vector3d(cornerX, cornerY, cornerZ).sub(centre);
+        return List.of(new FlatFace(
+                0, outline, corner, new Vector3d(spanUX, spanUY, spanUZ), new Vector3d(spanVX, spanVY, spanVZ)));
+    }
+
+    private Vector3d middle() {
+        return new Vector3d(
+                cornerX + 0.5 * (spanUX + spanVX),
+                cornerY + 0.5 * (spanUY + spanVY),
+                cornerZ + 0.5 * (spanUZ + spanVZ));
+    }
+
+    @Override
+    public boolean isRoundAbout(Vector3dc centre, Vector3dc axis) {
+        double lengths = squared(spanUX, spanUY, spanUZ) / squared(spanVX, spanVY, spanVZ) - 1;
+        double cosine = spanUX * spanVX + spanUY * spanVY + spanUZ * spanVZ;
+        return outline == Outline.ELLIPSE
+                && Math.abs(lengths) < SLACK
+                && Math.abs(cosine) < SLACK * squared(spanUX, spanUY, spanUZ)
+                && Rotation.isOnAxis(middle(), centre, axis)
+                && Rotation.isAlong(new Vector3d(normalX, normalY, normalZ), axis);
+    }
+
+    @Override
+    double reachFrom(Vector3dc centre, Vector3dc axis) {
+        return outline == Outline.ELLIPSE
+                ? Rotation.reachOfEllipse(
+                        middle().sub(centre),
+                        new Vector3d(spanUX, spanUY, spanUZ).mul(0.5),
+                        new Vector3d(spanVX, spanVY, spanVZ).mul(0.5),
+                        axis)
+                : Rotation.reachOfPoints(corners(), centre, axis);
     }
 
     /** Its corners, around the piece; none of an ellipse. */

@@ -64,16 +64,16 @@ public final class PlanePrimitive extends Primitive {
 
     /** By the same signs as {@link #distance}. */
     @Override
-    public boolean missMargins(RayPacket rays, RayStarts starts, double[] margins) {
+    public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
         if (!hasSquare(starts.farthest() + Math.abs(pointX) + Math.abs(pointY) + Math.abs(pointZ))) {
             return false;
         }
         int count = rays.count();
         for (int i = 0; i < count; i++) {
-            margins[i] = slope(rays.dx[i], rays.dy[i], rays.dz[i]);
+            overlaps[i] = slope(rays.dx[i], rays.dy[i], rays.dz[i]);
         }
         for (int i = 0; i < count; i++) {
-            margins[i] *= heightBelow(rays.x[i], rays.y[i], rays.z[i]);
+            overlaps[i] *= heightBelow(rays.x[i], rays.y[i], rays.z[i]);
         }
         return true;
     }

@@ -1,6 +1,8 @@
 package tompkins.primitive;
 
+import java.util.List;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import tompkins.math.Vectors;
 import tompkins.ray.Boundary;
 import tompkins.ray.Hit;
@@ -18,13 +20,13 @@ public abstract class Primitive implements Boundary, Cloneable {
     /** No line meets a primitive more often than this, even with rounding at its edges. */
     public static final int MOST_MEETINGS = 8;
 
-    /** Widening of squared sizes in margins. */
+    /** Widening of squared sizes in overlaps. */
     static final double WIDER = 1.001;
 
     /** The size of every margin is below this. */
-    public static final double LARGEST_MARGIN = 1e250;
+    public static final double LARGEST_OVERLAP = 1e250;
 
-    /** More than rounding leaves of a length in margins, relative to the coordinates. */
+    /** More than rounding leaves of a length in overlaps, relative to the coordinates. */
     static final double ROUNDING = 1e-6;
 
     /** How far rounding may move a point, relative to the largest coordinate. */
@@ -34,7 +36,10 @@ public abstract class Primitive implements Boundary, Cloneable {
     private final Surface surface;
     private final Shadow shadow;
     private int order;
-    private double slack;
+
+    /** A float, because each byte counts where there are a million primitives. */
+    private float slack;
+
     private RestFrame restFrame = RestFrame.OUTERMOST;
 
     /** A primitive of an object as a scene file describes it. */
@@ -51,30 +56,30 @@ public abstract class Primitive implements Boundary, Cloneable {
     public abstract double distance(Ray ray, double limit);
 
     /**
-     * Rules out many rays at once: those with a margin below 0 surely miss this primitive, even allowing for rounding.
-     * The others may hit or miss. It saves most calls of {@link #distance}. The default uses a ball around the
-     * primitive; shapes may use something narrower.
+     * Rules out many rays at once: those with an overlap below 0 surely miss this primitive, even allowing for
+     * rounding. The others may hit or miss. It saves most calls of {@link #distance}. The default uses a ball around
+     * the primitive; shapes may use something narrower.
      *
      * @param starts where the rays of the packet start
-     * @param margins receives a number for each ray of the packet, smaller than {@link #LARGEST_MARGIN}
-     * @return false if this primitive has no such margins; nothing is written then
+     * @param overlaps receives a number for each ray of the packet, smaller than {@link #LARGEST_OVERLAP}
+     * @return false if this primitive has no such overlaps; nothing is written then
      */
-    public boolean missMargins(RayPacket rays, RayStarts starts, double[] margins) {
+    public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
         Bounds bounds = bounds();
         if (bounds == null) {
             return false;
         }
         Vector3d centre = bounds.centre();
-        return ballMissMargins(centre.x, centre.y, centre.z, bounds.halfDiagonal(), rays, starts, margins);
+        return ballOverlaps(centre.x, centre.y, centre.z, bounds.halfDiagonal(), rays, starts, overlaps);
     }
 
     /**
-     * The margins of a ball, by the distance of its centre from the line. From a single start it is a circular cone,
+     * The overlaps of a ball, by the distance of its centre from the line. From a single start it is a circular cone,
      * which takes a third of the time. Short loops, because the compiler makes no instructions for several rays at once
      * from a long one.
      */
-    static boolean ballMissMargins(
-            double x, double y, double z, double radius, RayPacket rays, RayStarts starts, double[] margins) {
+    static boolean ballOverlaps(
+            double x, double y, double z, double radius, RayPacket rays, RayStarts starts, double[] overlaps) {
         double farthest = starts.farthest() + Math.abs(x) + Math.abs(y) + Math.abs(z);
         if (!hasSquare(radius) || !hasSquare(farthest)) {
             return false;
@@ -92,18 +97,18 @@ public abstract class Primitive implements Boundary, Cloneable {
             double constant = most - (fx * fx + fy * fy + fz * fz);
             for (int i = 0; i < count; i++) {
                 double along = fx * rays.dx[i] + fy * rays.dy[i] + fz * rays.dz[i];
-                margins[i] = constant + along * along;
+                overlaps[i] = constant + along * along;
             }
             return true;
         }
         for (int i = 0; i < count; i++) {
-            margins[i] = (x - startX[i]) * rays.dx[i] + (y - startY[i]) * rays.dy[i] + (z - startZ[i]) * rays.dz[i];
+            overlaps[i] = (x - startX[i]) * rays.dx[i] + (y - startY[i]) * rays.dy[i] + (z - startZ[i]) * rays.dz[i];
         }
         for (int i = 0; i < count; i++) {
             double fx = x - startX[i];
             double fy = y - startY[i];
             double fz = z - startZ[i];
-            margins[i] = most + margins[i] * margins[i] - (fx * fx + fy * fy + fz * fz);
+            overlaps[i] = most + overlaps[i] * overlaps[i] - (fx * fx + fy * fy + fz * fz);
         }
         return true;
     }
@@ -130,9 +135,22 @@ public abstract class Primitive implements Boundary, Cloneable {
                 : Vectors.unit(new Vector3d(x, y, z));
     }
 
+    /** The length of n x a. Where n is nearly along a, the root of a difference of squares would lose it. */
+    static double lengthOfCross(double nx, double ny, double nz, double ax, double ay, double az) {
+        double x = ny * az - nz * ay;
+        double y = nz * ax - nx * az;
+        double z = nx * ay - ny * ax;
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+
     /** Whether products of squares of a size are neither 0 nor infinite. */
     static boolean hasSquare(double size) {
         return size > 1e-60 && size < 1e60;
+    }
+
+    /** As {@link #hasSquare}, of the square of a size, which spares its root. */
+    static boolean isSquare(double square) {
+        return square > 1e-120 && square < 1e120;
     }
 
     /**
@@ -189,8 +207,32 @@ public abstract class Primitive implements Boundary, Cloneable {
         return behind < NO_HIT ? -1 / behind : Double.NaN;
     }
 
+    /**
+     * Its faces, by their functions of place relative to a centre.
+     *
+     * @throws IllegalStateException if it has none because it is endless
+     */
+    public List<Face> faces(Vector3dc centre) {
+        throw new IllegalStateException("endless: " + description());
+    }
+
+    /** Whether it stays the same when it is turned about an axis, a unit vector through a centre. */
+    public boolean isRoundAbout(Vector3dc centre, Vector3dc axis) {
+        return false;
+    }
+
+    /** The largest distance of one of its points from such an axis. */
+    double reachFrom(Vector3dc centre, Vector3dc axis) {
+        throw new IllegalStateException("endless: " + description());
+    }
+
+    /** The hit on a part at a distance, even where another part is as near. */
+    Hit hitOn(int part, Ray ray, double distance, Hit memory) {
+        return hit(ray, distance, memory);
+    }
+
     /** Whether this primitive throws a shadow on the start of a ray, from a distance of at most {@code limit}. */
-    public final boolean shadows(Ray ray, double limit) {
+    public boolean shadows(Ray ray, double limit) {
         if (shadow == Shadow.NEVER) {
             return false;
         }
@@ -202,7 +244,7 @@ public abstract class Primitive implements Boundary, Cloneable {
         double left = limit;
         for (int meeting = 0; meeting < MOST_MEETINGS && distance < NO_HIT; meeting++) {
             Hit hit = hit(rest, distance);
-            if (surface.throwsShadowAt(hit)) {
+            if (surface.throwsShadowAt(rest, hit)) {
                 return true;
             }
             left -= distance;
@@ -244,12 +286,22 @@ public abstract class Primitive implements Boundary, Cloneable {
     public final void setOrder(int order) {
         this.order = order;
         Bounds bounds = bounds();
-        slack = bounds == null ? 0 : SLACK * bounds.farthest();
+        slack = bounds == null ? 0 : Math.nextUp((float) (SLACK * bounds.farthest()));
     }
 
     @Override
-    public final double clockOffset() {
-        return restFrame.clockOffset() - restFrame.zero().time();
+    public final double clockReading(Hit hit) {
+        return hit.runs
+                ? restFrame.clockOffset()
+                        + restFrame.rotation().ownTime(hit.time, hit.velocityX, hit.velocityY, hit.velocityZ)
+                : hit.time + (restFrame.clockOffset() - restFrame.zero().time());
+    }
+
+    /** A box that holds the primitive at all times; null if none does. */
+    public final Bounds allBounds() {
+        return restFrame.rotation() == null
+                ? bounds()
+                : restFrame.rotation().swept(List.of(this)).bounds();
     }
 
     /** The frame in which the object rests. */

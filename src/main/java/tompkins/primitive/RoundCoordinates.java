@@ -6,9 +6,9 @@ import tompkins.math.Vectors;
 import tompkins.ray.SurfaceCoordinates;
 
 /**
- * Coordinates on the mantle of an object around an axis. With the axis upwards and seen from outside, u runs once
- * around, from left to right, and v upwards; u is 1/2 on the side of {@link Vectors#middleAround}, and follows the
- * object when it is placed.
+ * Coordinates on a sphere or on the mantle of an object around an axis. With the axis upwards and seen from outside, u
+ * runs once around, from left to right, and v upwards; u is 1/2 on the side of {@link Vectors#middleAround}, and
+ * follows the object when it is placed.
  *
  * @param axis unit vector, upwards
  * @param middle unit vector to the side where u is 1/2
@@ -37,5 +37,38 @@ record RoundCoordinates(Vector3dc axis, Vector3dc middle, Vector3dc right) {
         Vector3d alongU = outwards.cross(axis, new Vector3d()).div(2 * Math.PI * radius);
         Vector3d alongV = axis.div(length, new Vector3d());
         return new SurfaceCoordinates(u, v, alongU.x, alongU.y, alongU.z, alongV.x, alongV.y, alongV.z);
+    }
+
+    /**
+     * The coordinates of a point of a sphere: v from the lowest point (0) to the highest (1), even in angles.
+     *
+     * @param normal unit vector from the centre to the point
+     * @param radius radius of the sphere
+     */
+    SurfaceCoordinates onSphere(Vector3dc normal, double radius) {
+        double toRight = normal.dot(right);
+        double toMiddle = normal.dot(middle);
+        double height = normal.dot(axis);
+        double level = Math.hypot(toRight, toMiddle);
+        double u = Math.atan2(toRight, toMiddle) / (2 * Math.PI) + 0.5;
+        double v = Math.atan2(height, level) / Math.PI + 0.5;
+        double perTurn = 1 / (2 * Math.PI * radius * Math.max(level, 1e-12));
+        double perHalfTurn = 1 / (Math.PI * radius);
+        Vector3d alongU = level == 0
+                ? new Vector3d(right)
+                : new Vector3d(right).mul(toMiddle / level).sub(new Vector3d(middle).mul(toRight / level));
+        // at a pole all directions are level: the limit from in front is used
+        Vector3d alongV = level == 0
+                ? new Vector3d(middle).mul(-height)
+                : new Vector3d(axis).sub(new Vector3d(normal).mul(height)).div(level);
+        return new SurfaceCoordinates(
+                u,
+                v,
+                alongU.x * perTurn,
+                alongU.y * perTurn,
+                alongU.z * perTurn,
+                alongV.x * perHalfTurn,
+                alongV.y * perHalfTurn,
+                alongV.z * perHalfTurn);
     }
 }

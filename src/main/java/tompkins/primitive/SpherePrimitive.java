@@ -1,5 +1,6 @@
 package tompkins.primitive;
 
+import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Hit;
@@ -41,23 +42,37 @@ public final class SpherePrimitive extends Primitive {
         return radius;
     }
 
+    @Override
+    public double distance(Ray ray, double limit) {
+        return distance(x - ray.x, y - ray.y, z - ray.z, ray.dx, ray.dy, ray.dz, radius, ray.boundary == this, limit);
+    }
+
     /**
      * By the distance of the centre from the line, which does not cancel for far or huge spheres, where the
      * discriminant {@code b^2 - c} of the quadratic equation loses all digits. A ray that starts on the sphere meets it
      * again only at the other end of its chord.
+     *
+     * @param fx x coordinate of the centre, seen from the start of the ray; fy and fz are the others
+     * @param dx x component of the unit direction of the ray; dy and dz are the others
+     * @param again whether the ray starts on the sphere
      */
-    @Override
-    public double distance(Ray ray, double limit) {
-        double fx = x - ray.x;
-        double fy = y - ray.y;
-        double fz = z - ray.z;
-        double along = fx * ray.dx + fy * ray.dy + fz * ray.dz;
-        if (ray.boundary == this) {
+    static double distance(
+            double fx,
+            double fy,
+            double fz,
+            double dx,
+            double dy,
+            double dz,
+            double radius,
+            boolean again,
+            double limit) {
+        double along = fx * dx + fy * dy + fz * dz;
+        if (again) {
             return nearest(2 * along, 0, limit);
         }
-        double lx = fx - along * ray.dx;
-        double ly = fy - along * ray.dy;
-        double lz = fz - along * ray.dz;
+        double lx = fx - along * dx;
+        double ly = fy - along * dy;
+        double lz = fz - along * dz;
         double offset = Math.sqrt(lx * lx + ly * ly + lz * lz);
         if (offset > radius) {
             return NO_HIT;
@@ -77,8 +92,8 @@ public final class SpherePrimitive extends Primitive {
     }
 
     @Override
-    public boolean missMargins(RayPacket rays, RayStarts starts, double[] margins) {
-        return ballMissMargins(x, y, z, radius, rays, starts, margins);
+    public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
+        return ballOverlaps(x, y, z, radius, rays, starts, overlaps);
     }
 
     @Override
@@ -97,40 +112,24 @@ public final class SpherePrimitive extends Primitive {
             ny = normal.y;
             nz = normal.z;
         }
-        SurfaceCoordinates coordinates = round == null ? null : coordinates(new Vector3d(nx, ny, nz));
+        SurfaceCoordinates coordinates = round == null ? null : round.onSphere(new Vector3d(nx, ny, nz), radius);
         return memory.set(
                 ray, distance, x + radius * nx, y + radius * ny, z + radius * nz, nx, ny, nz, this, 0, coordinates);
     }
 
-    private SurfaceCoordinates coordinates(Vector3dc normal) {
-        double toRight = normal.dot(round.right());
-        double toMiddle = normal.dot(round.middle());
-        double height = normal.dot(round.axis());
-        double level = Math.hypot(toRight, toMiddle);
-        double u = Math.atan2(toRight, toMiddle) / (2 * Math.PI) + 0.5;
-        double v = Math.atan2(height, level) / Math.PI + 0.5;
-        double perTurn = 1 / (2 * Math.PI * radius * Math.max(level, 1e-12));
-        double perHalfTurn = 1 / (Math.PI * radius);
-        Vector3d alongU = level == 0
-                ? new Vector3d(round.right())
-                : new Vector3d(round.right())
-                        .mul(toMiddle / level)
-                        .sub(new Vector3d(round.middle()).mul(toRight / level));
-        // at a pole all directions are level: the limit from in front is used
-        Vector3d alongV = level == 0
-                ? new Vector3d(round.middle()).mul(-height)
-                : new Vector3d(round.axis())
-                        .sub(new Vector3d(normal).mul(height))
-                        .div(level);
-        return new SurfaceCoordinates(
-                u,
-                v,
-                alongU.x * perTurn,
-                alongU.y * perTurn,
-                alongU.z * perTurn,
-                alongV.x * perHalfTurn,
-                alongV.y * perHalfTurn,
-                alongV.z * perHalfTurn);
+    @Override
+    public List<Face> faces(Vector3dc from) {
+        return List.of(new RoundFace(0, centre().sub(from), new Vector3d(), radius, 0, 0));
+    }
+
+    @Override
+    public boolean isRoundAbout(Vector3dc from, Vector3dc axis) {
+        return Rotation.isOnAxis(centre(), from, axis);
+    }
+
+    @Override
+    double reachFrom(Vector3dc from, Vector3dc axis) {
+        return Rotation.acrossAxis(centre().sub(from), axis).length() + radius;
     }
 
     @Override

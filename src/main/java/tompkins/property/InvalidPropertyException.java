@@ -7,6 +7,7 @@ public final class InvalidPropertyException extends IllegalArgumentException {
 
     private final String property;
     private final String problem;
+    private final String allowed;
     private final boolean byItself;
 
     /**
@@ -25,6 +26,7 @@ public final class InvalidPropertyException extends IllegalArgumentException {
         super(property + " " + problem(allowed, value));
         this.property = property;
         problem = problem(allowed, value);
+        this.allowed = value instanceof Number ? allowed : null;
         this.byItself = byItself;
     }
 
@@ -33,6 +35,7 @@ public final class InvalidPropertyException extends IllegalArgumentException {
         super(whole + ": " + part.getMessage(), part);
         property = whole;
         problem = part.getMessage();
+        allowed = null;
         byItself = part.byItself;
     }
 
@@ -53,5 +56,10 @@ public final class InvalidPropertyException extends IllegalArgumentException {
     /** The message without the name: what is allowed, and the value. */
     public String problem() {
         return problem;
+    }
+
+    /** As {@link #problem()}; if the value is a number, it is shown as somebody wrote it. */
+    public String problem(String written) {
+        return allowed == null ? problem : problem(allowed, written);
     }
 }

@@ -8,11 +8,13 @@ import java.util.regex.Pattern;
  */
 public final class OneLine {
 
-    private static final Pattern CONTROLS = Pattern.compile("[\\p{Cc}\\u2028\\u2029]+");
+    /** Control characters, ends of lines, and what changes the direction in which other letters are written. */
+    private static final Pattern CONTROLS =
+            Pattern.compile("[\\p{Cc}\\u2028\\u2029\\u061c\\u200e\\u200f\\u202a-\\u202e\\u2066-\\u2069]+");
 
     private OneLine() {}
 
-    /** The text with a space for each run of control characters and ends of lines. */
+    /** The text with a space for each run of such characters. */
     public static String of(String text) {
         return CONTROLS.matcher(text).replaceAll(" ");
     }

@@ -68,6 +68,17 @@ public final class Require {
                 value);
     }
 
+    /** A number whose size, without its sign, lies from {@code minimum} to {@code maximum}, both included. */
+    public static double sizeWithin(String property, double value, double minimum, double maximum) {
+        double size = Math.abs(value);
+        String positive = NumberText.of(minimum) + " to " + NumberText.of(maximum);
+        return check(
+                size >= minimum && size <= maximum,
+                property,
+                "from " + positive + ", or from " + NumberText.of(-maximum) + " to " + NumberText.of(-minimum),
+                value);
+    }
+
     /** A whole number from {@code minimum} to {@code maximum}, both included. */
     public static int within(String property, long value, int minimum, int maximum) {
         if (value < minimum || value > maximum) {
@@ -100,12 +111,12 @@ public final class Require {
     }
 
     /** A place of three such numbers; returns a copy that nobody else can change. */
-    public static Vector3dc place(String property, Vector3dc value) {
-        return place(property, value, LARGEST_COORDINATE);
+    public static Vector3dc position(String property, Vector3dc value) {
+        return position(property, value, LARGEST_COORDINATE);
     }
 
     /** A place of three numbers of at most a size; returns a copy that nobody else can change. */
-    public static Vector3dc place(String property, Vector3dc value, double largest) {
+    public static Vector3dc position(String property, Vector3dc value, double largest) {
         Vector3dc copy = finite(property, value);
         if (largestComponent(copy) > largest) {
             throw wrong(

@@ -6,6 +6,6 @@ package tompkins.ray;
  */
 public interface Boundary {
 
-    /** What the clock of the object shows at time 0 of its frame. */
-    double clockOffset();
+    /** What a clock of the object shows at a hit on it. */
+    double clockReading(Hit hit);
 }

@@ -30,6 +30,22 @@ public final class Hit {
     /** Which part of the boundary: objects number their mantles, caps and faces. */
     public int part;
 
+    /** The number of the frame in which this is given, as in {@link Ray#frame}. */
+    public int frame;
+
+    /**
+     * The same event in the frame in which the ray began, where the speed of what was hit causes less rounding; null
+     * unless several frames are searched.
+     */
+    public Hit event;
+
+    /** Whether the point that is hit runs in this frame, on an object that turns; its velocity means nothing else. */
+    public boolean runs;
+
+    public double velocityX;
+    public double velocityY;
+    public double velocityZ;
+
     /** Coordinates on the surface, or null where the surface does not ask for them. */
     public SurfaceCoordinates coordinates;
 
@@ -82,12 +98,14 @@ public final class Hit {
             Boundary newBoundary,
             int newPart,
             SurfaceCoordinates newCoordinates) {
+        frame = ray.frame;
         x = newX;
         y = newY;
         z = newZ;
         normalX = newNormalX;
         normalY = newNormalY;
         normalZ = newNormalZ;
+        runs = false;
         distance = newDistance;
         time = ray.timeAt(newDistance);
         boundary = newBoundary;
@@ -96,21 +114,56 @@ public final class Hit {
         return this;
     }
 
+    /** Gives the place other coordinates on the surface. */
+    public void locate(SurfaceCoordinates newCoordinates) {
+        coordinates = newCoordinates;
+    }
+
+    /** Gives the boundary another unit normal, with which light is worked out. */
+    public void shade(double newNormalX, double newNormalY, double newNormalZ) {
+        normalX = newNormalX;
+        normalY = newNormalY;
+        normalZ = newNormalZ;
+    }
+
     /**
      * What a clock shows that rests with the object at the hit: the object's proper time plus the offset of its clock.
      */
     public double clockReading() {
-        return boundary == null ? time : time + boundary.clockOffset();
+        return boundary == null ? time : boundary.clockReading(this);
     }
 
     /** Makes this a place and a time that belong to no object, to ask what light gets there. */
-    public void setPlace(double newX, double newY, double newZ, double newTime) {
+    public void setPlace(int newFrame, double newX, double newY, double newZ, double newTime) {
+        frame = newFrame;
         x = newX;
         y = newY;
         z = newZ;
         time = newTime;
         boundary = null;
         part = 0;
+        runs = false;
+    }
+
+    /** Says with which velocity the point that is hit runs. */
+    public void run(double newVelocityX, double newVelocityY, double newVelocityZ) {
+        runs = true;
+        velocityX = newVelocityX;
+        velocityY = newVelocityY;
+        velocityZ = newVelocityZ;
+    }
+
+    /** Gives the hit the distance that it has in another frame in which the place and the time stay the same. */
+    public void stretch(double factor) {
+        distance *= factor;
+    }
+
+    /** Memory for the event of this hit in the frame in which the ray began. */
+    public Hit eventMemory() {
+        if (event == null) {
+            event = new Hit();
+        }
+        return event;
     }
 
     /** Cosine between the ray and the outward normal: negative where the ray comes from outside. */

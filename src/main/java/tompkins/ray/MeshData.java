@@ -18,6 +18,7 @@ public final class MeshData implements FileContent {
     private final String name;
     private final double[] coordinates;
     private final int[] corners;
+    private final MeshDetail detail;
     private final byte[] file;
 
     /**
@@ -31,6 +32,15 @@ public final class MeshData implements FileContent {
      *     there
      */
     public MeshData(String name, double[] coordinates, int[] corners, byte[] file) {
+        this(name, coordinates, corners, MeshDetail.NONE, file);
+    }
+
+    /**
+     * As above, with what the triangles have besides their corners.
+     *
+     * @param detail numbers for as many triangles, or for none
+     */
+    public MeshData(String name, double[] coordinates, int[] corners, MeshDetail detail, byte[] file) {
         if (coordinates.length % 3 != 0 || corners.length % 3 != 0) {
             throw new IllegalArgumentException(name + ": " + coordinates.length + " coordinates and " + corners.length
                     + " corners do not come in threes");
@@ -43,6 +53,7 @@ public final class MeshData implements FileContent {
         this.name = name;
         this.coordinates = coordinates;
         this.corners = corners;
+        this.detail = detail;
         this.file = file;
     }
 
@@ -59,6 +70,11 @@ public final class MeshData implements FileContent {
     @Override
     public int length() {
         return file.length;
+    }
+
+    /** What the triangles have besides their corners. */
+    public MeshDetail detail() {
+        return detail;
     }
 
     /** Number of triangles. */
@@ -91,7 +107,8 @@ public final class MeshData implements FileContent {
         return other instanceof MeshData mesh
                 && name.equals(mesh.name)
                 && Arrays.equals(corners, mesh.corners)
-                && Arrays.equals(coordinates, mesh.coordinates);
+                && Arrays.equals(coordinates, mesh.coordinates)
+                && detail.equals(mesh.detail);
     }
 
     @Override

@@ -19,6 +19,10 @@ public final class PixelPicture implements FileContent {
     private final int height;
     private final float[] rgba;
     private final byte[] file;
+    private final boolean opaque;
+
+    /** Made when it is needed first. */
+    private volatile MipMap scales;
 
     /**
      * A picture of {@code width} by {@code height} pixels.
@@ -38,6 +42,16 @@ public final class PixelPicture implements FileContent {
         this.height = height;
         this.rgba = rgba;
         this.file = file;
+        this.opaque = isOpaque(rgba);
+    }
+
+    private static boolean isOpaque(float[] rgba) {
+        for (int opacity = 3; opacity < rgba.length; opacity += 4) {
+            if (rgba[opacity] < 1) {
+                return false;
+            }
+        }
+        return true;
     }
 
     @Override
@@ -69,6 +83,48 @@ public final class PixelPicture implements FileContent {
     public Colour colour(double u, double v) {
         int index = index(u, v);
         return new Colour(rgba[index], rgba[index + 1], rgba[index + 2]);
+    }
+
+    /** Whether it is opaque everywhere. */
+    public boolean isOpaque() {
+        return opaque;
+    }
+
+    /** The same picture, with its colours and its opacity multiplied. */
+    public PixelPicture tinted(Colour colour, double opacity) {
+        if (colour.equals(Colour.WHITE) && opacity == 1) {
+            return this;
+        }
+        float[] tinted = rgba.clone();
+        double[] factors = {colour.red(), colour.green(), colour.blue(), opacity};
+        for (int i = 0; i < tinted.length; i++) {
+            tinted[i] *= (float) factors[i % factors.length];
+        }
+        return new PixelPicture(name, width, height, tinted, file);
+    }
+
+    /** The pixel that holds (u, v). */
+    public Texel pixel(double u, double v) {
+        double opacity = rgba[index(u, v) + 3];
+        return new Texel(opacity == 1 ? colour(u, v) : colour(u, v).times(opacity), opacity);
+    }
+
+    /**
+     * The mean over a spot, interpolated between the pixels.
+     *
+     * @param halfU half the extent of the spot along u
+     * @param halfV half the extent along v
+     * @param isRound whether the right edge of the picture is followed by its left one, as around an axis
+     */
+    public Texel mean(double u, double v, double halfU, double halfV, boolean isRound) {
+        MipMap known = scales;
+        if (known == null) {
+            synchronized (file) {
+                known = scales == null ? new MipMap(width, height, rgba) : scales;
+                scales = known;
+            }
+        }
+        return known.mean(u, v, halfU, halfV, isRound);
     }
 
     /**

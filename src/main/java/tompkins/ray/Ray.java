@@ -14,6 +14,9 @@ public final class Ray {
      */
     public static final double FAINTEST = 1.0 / 1024;
 
+    /** The number of the frame in which the ray is given: 0 unless several frames are searched. */
+    public int frame;
+
     /** Where the ray starts. */
     public double x;
 
@@ -39,7 +42,7 @@ public final class Ray {
      * Length in this frame of the direction that had length 1 when the ray left the camera: a distance divided by it is
      * the same number in all frames. For light in vacuum, under the Lorentz transformation, it is the frequency.
      */
-    public double stretch;
+    public double directionLength;
 
     /**
      * Whether this is not light but a line of events at one time of the camera, with which things are measured instead
@@ -47,14 +50,23 @@ public final class Ray {
      */
     public boolean measures;
 
-    /** Diameter, at the start, of the bundle of light that the ray stands for. */
+    /** Diameter, at the start, of the bundle of light that the ray stands for; negative beyond a focus of it. */
     public double width;
 
-    /** Growth of that diameter per unit length: the opening angle of the bundle. */
+    /** Growth of that diameter per unit length: the opening angle of the bundle; below 0 it runs to a focus. */
     public double spread;
 
     /** The largest share of the sample's light that the ray can still bring, 1 at the camera. */
     public double throughput;
+
+    /**
+     * What becomes of the light of this ray where it has gone on from other hits, if light is shifted where it leaves a
+     * hit; else white.
+     */
+    public Colour weight = Colour.WHITE;
+
+    /** The medium in which the ray is, where its rest frame matters because something moves through it; else null. */
+    public Medium medium;
 
     /** What the ray starts on, or null; the starting point itself does not count as a hit. */
     public Boundary boundary;
@@ -84,7 +96,7 @@ public final class Ray {
         ray.time = time;
         ray.slowness = 1;
         ray.frequency = 1;
-        ray.stretch = 1;
+        ray.directionLength = 1;
         ray.throughput = 1;
         return ray;
     }
@@ -121,7 +133,7 @@ public final class Ray {
         time = newTime;
         slowness = newSlowness;
         frequency *= frequencyFactor;
-        stretch *= lengthFactor;
+        directionLength *= lengthFactor;
         spread /= lengthFactor;
         boundary = null;
         part = 0;
@@ -161,11 +173,54 @@ public final class Ray {
         ray.dy = newDy;
         ray.dz = newDz;
         ray.slowness = newSlowness;
-        ray.width = widthAt(hit.distance);
+        ray.width += ray.spread * hit.distance;
         ray.spread /= angleFactor;
         ray.throughput *= share;
         ray.depth++;
         return ray;
+    }
+
+    /** Notes what becomes of the light of this ray, which has just begun. */
+    public Ray weighted(Colour newWeight) {
+        weight = newWeight;
+        return this;
+    }
+
+    /** Opens the bundle of this ray, which has just begun, by an angle; below 0 it runs to a focus. */
+    public Ray opened(double angle) {
+        spread += angle;
+        return this;
+    }
+
+    /** Lets this be in a medium, or in none that matters. */
+    public Ray in(Medium newMedium) {
+        medium = newMedium;
+        return this;
+    }
+
+    /** Sets what a change of frame does not know of light in a medium: its slowness, and its frequency. */
+    public Ray asWave(double newSlowness, double newFrequency) {
+        slowness = newSlowness;
+        frequency = newFrequency;
+        return this;
+    }
+
+    /** Makes the direction, of which only the unit vector is kept, longer by a factor. */
+    public Ray stretched(double factor) {
+        directionLength *= factor;
+        return this;
+    }
+
+    /** Says in which frame this is given. */
+    public Ray inFrame(int number) {
+        frame = number;
+        return this;
+    }
+
+    /** Leaves this ray, which has just begun, a share of its light. */
+    public Ray dim(double share) {
+        throughput *= share;
+        return this;
     }
 
     /** The same ray with a share of its light. */
@@ -184,6 +239,7 @@ public final class Ray {
         if (other == this) {
             return this;
         }
+        frame = other.frame;
         x = other.x;
         y = other.y;
         z = other.z;
@@ -193,11 +249,13 @@ public final class Ray {
         time = other.time;
         slowness = other.slowness;
         frequency = other.frequency;
-        stretch = other.stretch;
+        directionLength = other.directionLength;
         measures = other.measures;
         width = other.width;
         spread = other.spread;
         throughput = other.throughput;
+        weight = other.weight;
+        medium = other.medium;
         boundary = other.boundary;
         part = other.part;
         depth = other.depth;
@@ -227,11 +285,12 @@ public final class Ray {
         dz = toZ;
         slowness = newSlowness;
         frequency = 1;
-        stretch = 1;
+        directionLength = 1;
         measures = false;
         width = 0;
         spread = 0;
         throughput = 1;
+        medium = null;
         depth = 0;
         return this;
     }
@@ -245,7 +304,7 @@ public final class Ray {
         dz = toZ;
         slowness = 1;
         frequency = 1;
-        stretch = 1;
+        directionLength = 1;
         return this;
     }
 
@@ -261,7 +320,7 @@ public final class Ray {
 
     /** Diameter of the bundle at a distance from the start. */
     public double widthAt(double distance) {
-        return width + spread * distance;
+        return Math.abs(width + spread * distance);
     }
 
     /** Lets this start at a place and a time that belong to no object. */
@@ -270,6 +329,7 @@ public final class Ray {
     }
 
     private void startOn(Hit hit) {
+        frame = hit.frame;
         x = hit.x;
         y = hit.y;
         z = hit.z;

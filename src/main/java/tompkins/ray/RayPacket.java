@@ -40,7 +40,7 @@ public final class RayPacket {
     public final double[] frequency;
 
     /** Lengths of the directions that had length 1 when the rays left the camera. */
-    public final double[] stretch;
+    public final double[] directionLength;
 
     /** The arrays that a camera sets; the rest is the same for all its rays. */
     private final double[][] setByCamera;
@@ -52,6 +52,11 @@ public final class RayPacket {
     private final int[] depth;
     private final int[] samples;
     private int count;
+    private int frame;
+
+    /** The medium of each ray; null if none is in a medium that matters. */
+    private Medium[] media;
+
     private boolean measures;
 
     /** A packet without rays, with room for {@code most}. */
@@ -65,14 +70,26 @@ public final class RayPacket {
         time = new double[most];
         slowness = new double[most];
         frequency = new double[most];
-        stretch = new double[most];
+        directionLength = new double[most];
         width = new double[most];
         throughput = new double[most];
         depth = new int[most];
         spread = new double[most];
         samples = new int[most];
         setByCamera = new double[][] {x, y, z, dx, dy, dz, time, spread};
-        numbers = new double[][] {x, y, z, dx, dy, dz, time, spread, slowness, frequency, stretch, width, throughput};
+        numbers = new double[][] {
+            x, y, z, dx, dy, dz, time, spread, slowness, frequency, directionLength, width, throughput
+        };
+    }
+
+    /** The number of the frame in which the rays are given, as in {@link Ray#frame}. */
+    public int frame() {
+        return frame;
+    }
+
+    /** Says in which frame the rays are given. */
+    public void inFrame(int number) {
+        frame = number;
     }
 
     /** Number of rays. */
@@ -85,11 +102,13 @@ public final class RayPacket {
      */
     public void begin(int newCount) {
         count = newCount;
+        frame = 0;
+        media = null;
         measures = false;
         for (int i = 0; i < count; i++) {
             slowness[i] = 1;
             frequency[i] = 1;
-            stretch[i] = 1;
+            directionLength[i] = 1;
             width[i] = 0;
             throughput[i] = 1;
             depth[i] = 0;
@@ -102,6 +121,24 @@ public final class RayPacket {
         Arrays.fill(slowness, 0, count, mediumSlowness);
     }
 
+    /** Lets all rays be in a medium, or in none that matters. */
+    public void in(Medium medium) {
+        media = medium == null ? null : new Medium[x.length];
+        if (medium != null) {
+            Arrays.fill(media, medium);
+        }
+    }
+
+    /** Whether all rays are in one medium that matters, or none is. */
+    public boolean isInOneMedium() {
+        return media == null || Arrays.stream(media, 0, count).allMatch(medium -> medium == media[0]);
+    }
+
+    /** The medium of the ray at a place, as {@link Ray#medium}. */
+    public Medium medium(int place) {
+        return media == null ? null : media[place];
+    }
+
     /** Makes all rays, which have just left the camera, lines of events at one time of the camera. */
     public void measure() {
         startIn(0);
@@ -111,6 +148,8 @@ public final class RayPacket {
     /** Makes this hold the same rays as another packet. */
     public void set(RayPacket other) {
         count = other.count;
+        frame = other.frame;
+        media = other.media == null ? null : other.media.clone();
         measures = other.measures;
         for (int i = 0; i < numbers.length; i++) {
             System.arraycopy(other.numbers[i], 0, numbers[i], 0, count);
@@ -132,6 +171,19 @@ public final class RayPacket {
     public void narrow(double factor) {
         for (int i = 0; i < count; i++) {
             spread[i] *= factor;
+        }
+    }
+
+    /** Moves the starts of all rays in space and time. */
+    public void shift(double byX, double byY, double byZ, double byTime) {
+        if (byX == 0 && byY == 0 && byZ == 0 && byTime == 0) {
+            return;
+        }
+        for (int i = 0; i < count; i++) {
+            x[i] += byX;
+            y[i] += byY;
+            z[i] += byZ;
+            time[i] += byTime;
         }
     }
 
@@ -170,11 +222,18 @@ public final class RayPacket {
         time[place] = ray.time;
         slowness[place] = ray.slowness;
         frequency[place] = ray.frequency;
-        stretch[place] = ray.stretch;
+        directionLength[place] = ray.directionLength;
         width[place] = ray.width;
         throughput[place] = ray.throughput;
         depth[place] = ray.depth;
         spread[place] = ray.spread;
+        if (media != null || ray.medium != null) {
+            if (media == null) {
+                // the other rays are in none
+                media = new Medium[x.length];
+            }
+            media[place] = ray.medium;
+        }
     }
 
     /** One of the rays. */
@@ -184,6 +243,7 @@ public final class RayPacket {
 
     /** One of the rays, in memory that is used again. */
     public Ray copy(int place, Ray memory) {
+        memory.frame = frame;
         memory.x = x[place];
         memory.y = y[place];
         memory.z = z[place];
@@ -193,11 +253,12 @@ public final class RayPacket {
         memory.time = time[place];
         memory.slowness = slowness[place];
         memory.frequency = frequency[place];
-        memory.stretch = stretch[place];
+        memory.directionLength = directionLength[place];
         memory.measures = measures;
         memory.width = width[place];
         memory.spread = spread[place];
         memory.throughput = throughput[place];
+        memory.medium = media == null ? null : media[place];
         memory.boundary = null;
         memory.part = 0;
         memory.depth = depth[place];

@@ -1,5 +1,7 @@
 package tompkins.ray;
 
+import org.joml.Vector3dc;
+
 /**
  * Coordinates (u, v) of a point on a surface, with their gradients in space: moving by a vector d on the surface
  * changes u by {@code gradientU . d}. Each object says what its u and v are; those of infinite planes are lengths,
@@ -9,6 +11,11 @@ package tompkins.ray;
  * @param v second coordinate
  */
 public record SurfaceCoordinates(double u, double v, double uX, double uY, double uZ, double vX, double vY, double vZ) {
+
+    /** The same coordinates where their gradients are other ones. */
+    public SurfaceCoordinates withGradients(Vector3dc alongU, Vector3dc alongV) {
+        return new SurfaceCoordinates(u, v, alongU.x(), alongU.y(), alongU.z(), alongV.x(), alongV.y(), alongV.z());
+    }
 
     /** Half the change of u over the spot that the ray lights on the surface (a box of the spot's size). */
     public double spreadU(Ray ray, Hit hit) {

@@ -12,8 +12,8 @@ import java.util.function.BooleanSupplier;
  * Takes samples where they are needed. It begins with the centre of each pixel, and then takes {@link #FIRST_SAMPLES}
  * of every 17th, to find what no centre meets. If the centres say nothing about the error, it begins with that many
  * everywhere. Then, round by round, it doubles the samples of those pixels where one more sample lowers the error of
- * the picture most. The choice depends on the picture alone, so that the result does not depend on the number of
- * threads.
+ * the picture most. Once all that was seen is good enough, it goes on where the samples may have missed light. The
+ * choice depends on the picture alone, so that the result does not depend on the number of threads.
  */
 final class AdaptiveSchedule implements Schedule {
 
@@ -44,6 +44,7 @@ final class AdaptiveSchedule implements Schedule {
     private final double targetError;
     private final TimeBudget time;
     private boolean hasLooked;
+    private boolean expectsUnseen;
     private double work;
     private volatile double expectedWork;
     private final AtomicInteger passesBegun = new AtomicInteger();
@@ -62,6 +63,7 @@ final class AdaptiveSchedule implements Schedule {
         this.targetError = targetError;
         this.time = time;
         hasLooked = severalFirst;
+        expectsUnseen = targetError == 0;
         // a single sample as wide as its pixel would blur what it does not resolve, and the pixel would pass for
         // settled
         waiting.addAll(Pass.of(severalFirst ? FIRST_SAMPLES : 1, FIRST_SAMPLES, coarseFirst));
@@ -104,6 +106,18 @@ final class AdaptiveSchedule implements Schedule {
 
     private void plan(Film film, BooleanSupplier stopped) {
         PixelVariance roughness = new PixelVariance(film, stopped);
+        // only at the end: by then lines and edges have been followed, and what still stands alone does
+        expectsUnseen |= roughness.rootMeanSquare() <= targetError;
+        if (expectsUnseen) {
+            Specks specks = new Specks(film, roughness, stopped);
+            BitSet untested = specks.untested();
+            if (!untested.isEmpty()) {
+                untested.stream().forEach(film::restart);
+                waiting.add(Pass.refining(0, FIRST_SAMPLES, untested, film.sampledPixels()));
+                return;
+            }
+            roughness.expect(specks);
+        }
         if (roughness.rootMeanSquare() <= targetError) {
             return;
         }

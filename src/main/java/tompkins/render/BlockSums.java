@@ -16,6 +16,7 @@ final class BlockSums implements SampleSink {
     private final Film film;
     private final BooleanSupplier stopped;
     private final double[] sums = new double[3 * RayPacket.MOST];
+    private final double[] squares = new double[RayPacket.MOST];
     private final int[] counts = new int[RayPacket.MOST];
     private Pass pass;
     private int left;
@@ -58,6 +59,7 @@ final class BlockSums implements SampleSink {
         sums[3 * place] += colour.red();
         sums[3 * place + 1] += colour.green();
         sums[3 * place + 2] += colour.blue();
+        squares[place] += Film.squared(colour.red(), colour.green(), colour.blue());
         counts[place]++;
     }
 
@@ -75,10 +77,12 @@ final class BlockSums implements SampleSink {
                         sums[3 * place],
                         sums[3 * place + 1],
                         sums[3 * place + 2],
+                        squares[place],
                         counts[place]);
             }
         }
         Arrays.fill(sums, 0);
+        Arrays.fill(squares, 0);
         Arrays.fill(counts, 0);
     }
 }

@@ -3,6 +3,7 @@ package tompkins.render;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import tompkins.property.NumberText;
 import tompkins.ray.RayPacket;
 import tompkins.trace.RenderPlan;
 
@@ -64,6 +65,11 @@ public record CostForecast(double samplesPerPixel, double seconds) {
         }
         double perPixel = quality instanceof Quality.Samples fixed ? fixed.samples() : costs.samplesPerPixel();
         return Optional.of(new CostForecast(perPixel, costs.seconds(perPixel * pixels)));
+    }
+
+    /** The time in words, to two digits. */
+    public String duration() {
+        return "about " + NumberText.plain(seconds, 2) + " s";
     }
 
     /** Takes some blocks, and says how many. */

@@ -1,6 +1,7 @@
 package tompkins.render;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import tompkins.image.LinearImage;
 
 /**
@@ -12,6 +13,9 @@ final class Film {
     /** Marks a pixel whose only sample is replaced by the next one. */
     private static final int REPLACED = -1;
 
+    /** Sums in single precision cannot tell a smaller variance from none, as a share of the square of the mean. */
+    private static final double ROUNDING = 1e-6;
+
     private final int width;
     private final int height;
     private final double exposure;
@@ -21,26 +25,30 @@ final class Film {
     /** The sums at the time when a pixel had half of its samples: the greatest power of two below their number. */
     private final float[] halfSums;
 
+    /** The sums of the squares of all three channels of the samples. */
+    private final float[] squares;
+
     /**
      * A film.
      *
      * @param exposure factor of all light in its pictures and variances
-     * @param comparesHalves whether it can estimate the variance of pixels with several samples, which takes more
+     * @param comparesSamples whether it can estimate the variance of pixels with several samples, which takes more
      *     memory
      */
-    Film(int width, int height, double exposure, boolean comparesHalves) {
+    Film(int width, int height, double exposure, boolean comparesSamples) {
         this.width = width;
         this.height = height;
         this.exposure = exposure;
         sums = new float[Math.multiplyExact(3, width * height)];
         samples = new int[width * height];
-        halfSums = comparesHalves ? new float[sums.length] : null;
+        halfSums = comparesSamples ? new float[sums.length] : null;
+        squares = comparesSamples ? new float[samples.length] : null;
     }
 
     /** The memory that a film takes. */
-    static int bytesPerPixel(boolean comparesHalves) {
+    static int bytesPerPixel(boolean comparesSamples) {
         int sums = 3 * Float.BYTES;
-        return Integer.BYTES + (comparesHalves ? 2 * sums : sums);
+        return Integer.BYTES + sums + (comparesSamples ? sums + Float.BYTES : 0);
     }
 
     int width() {
@@ -49,6 +57,10 @@ final class Film {
 
     int height() {
         return height;
+    }
+
+    int pixels() {
+        return samples.length;
     }
 
     /** The number of a pixel: row by row, from 0. */
@@ -64,12 +76,24 @@ final class Film {
         return Integer.bitCount(samples) == 1;
     }
 
-    /** Adds the sum of one or more samples of a pixel. They do not go beyond a {@link #isNewHalf new half}. */
+    /** Adds a sample of a pixel, or several that are equal, by the sum of their light. */
     void add(int pixel, double red, double green, double blue, int added) {
+        add(pixel, red, green, blue, squared(red, green, blue) / added, added);
+    }
+
+    /**
+     * Adds the sum of one or more samples of a pixel. They do not go beyond a {@link #isNewHalf new half}.
+     *
+     * @param squared the sum of their squares, as of {@link #squared}
+     */
+    void add(int pixel, double red, double green, double blue, double squared, int added) {
         int count = samples[pixel];
         if (count == REPLACED) {
             Arrays.fill(sums, 3 * pixel, 3 * pixel + 3, 0);
             samples[pixel] = 0;
+            if (squares != null) {
+                squares[pixel] = 0;
+            }
         } else if (halfSums != null && isNewHalf(count)) {
             System.arraycopy(sums, 3 * pixel, halfSums, 3 * pixel, 3);
         }
@@ -77,10 +101,18 @@ final class Film {
         sums[3 * pixel + 1] = (float) (sums[3 * pixel + 1] + green);
         sums[3 * pixel + 2] = (float) (sums[3 * pixel + 2] + blue);
         samples[pixel] += added;
+        if (squares != null) {
+            squares[pixel] = (float) Math.min(Float.MAX_VALUE, squares[pixel] + squared);
+        }
     }
 
-    /** Whether {@link #halvesVariance} can be asked. */
-    boolean comparesHalves() {
+    /** The sum of the squares of the channels of a sample. */
+    static double squared(double red, double green, double blue) {
+        return red * red + green * green + blue * blue;
+    }
+
+    /** Whether {@link #halvesVariance} and {@link #sampleVariance} can be asked. */
+    boolean comparesSamples() {
         return halfSums != null;
     }
 
@@ -129,19 +161,31 @@ final class Film {
         return exposure * exposure * sum / 3 * first * (count - first) / ((double) count * count);
     }
 
+    /** The variance of single samples of a pixel that has two or more, averaged over the channels. */
+    double sampleVariance(int pixel) {
+        int count = samples[pixel];
+        double ofMean = squared(sums[3 * pixel], sums[3 * pixel + 1], sums[3 * pixel + 2]) / count;
+        double variance = squares[pixel] - (1 + ROUNDING) * ofMean;
+        return exposure * exposure * Math.max(0, variance) / (3 * (count - 1));
+    }
+
     /**
      * The mean of the samples of each pixel. Between coarse pixels it is interpolated, which costs little and takes a
      * third of the error away (see the charts of previews in docs/speed-and-accuracy.md).
      */
     LinearImage image() {
         float[] rgb = new float[sums.length];
+        IntStream.range(0, height).parallel().forEach(row -> {
+            for (int pixel = pixel(0, row); pixel < pixel(0, row + 1); pixel++) {
+                if (samples[pixel] != 0) {
+                    put(pixel, rgb);
+                }
+            }
+        });
         int stride = completeStride();
-        if (stride > 1 && stride < Tile.SIZE) {
-            interpolate(stride, rgb);
-        }
-        for (int pixel = 0; pixel < samples.length; pixel++) {
-            if (samples[pixel] != 0) {
-                put(pixel, rgb, 3 * pixel);
+        if (stride < Tile.SIZE) {
+            for (int step = stride / 2; step > 0; step /= 2) {
+                interpolate(step, rgb);
             }
         }
         return new LinearImage(width, height, rgb);
@@ -167,46 +211,66 @@ final class Film {
         return true;
     }
 
-    private void interpolate(int stride, float[] rgb) {
-        float[] upper = coarseRow(0, stride);
-        for (int top = 0; top < height; top += stride) {
-            float[] lower = top + stride < height ? coarseRow(top + stride, stride) : upper;
-            for (int row = top; row < Math.min(height, top + stride); row++) {
-                float down = (float) (row - top) / stride;
-                int start = 3 * row * width;
-                for (int i = 0; i < upper.length; i++) {
-                    rgb[start + i] = upper[i] + down * (lower[i] - upper[i]);
-                }
+    /** Gives pixels without samples the mean of those beside or above and below them, at some distance. */
+    private void interpolate(int step, float[] rgb) {
+        IntStream.rangeClosed(0, (height - 1) / (2 * step)).parallel().forEach(pair -> {
+            int row = 2 * step * pair;
+            for (int column = step; column < width; column += 2 * step) {
+                int left = pixel(column - step, row);
+                setMean(pixel(column, row), left, column + step < width ? left + 2 * step : left, rgb);
             }
-            upper = lower;
-        }
+        });
+        IntStream.range(0, (height - 1 + step) / (2 * step)).parallel().forEach(pair -> {
+            int row = 2 * step * pair + step;
+            for (int column = 0; column < width; column += step) {
+                int above = pixel(column, row - step);
+                setMean(pixel(column, row), above, row + step < height ? above + 2 * step * width : above, rgb);
+            }
+        });
     }
 
-    /** One row, interpolated between its coarse pixels. */
-    private float[] coarseRow(int row, int stride) {
-        float[] light = new float[3 * width];
-        for (int column = 0; column < width; column += stride) {
-            put(pixel(column, row), light, 3 * column);
-        }
-        for (int column = 0; column < width; column++) {
-            int left = column - column % stride;
-            int right = left + stride < width ? left + stride : left;
-            float across = (float) (column - left) / stride;
+    private void setMean(int pixel, int first, int second, float[] rgb) {
+        if (samples[pixel] == 0) {
             for (int channel = 0; channel < 3; channel++) {
-                float first = light[3 * left + channel];
-                light[3 * column + channel] = first + across * (light[3 * right + channel] - first);
+                rgb[3 * pixel + channel] = (rgb[3 * first + channel] + rgb[3 * second + channel]) / 2;
             }
         }
-        return light;
     }
 
-    private void put(int pixel, float[] light, int place) {
+    /**
+     * The largest difference between four pixels in one channel, from 0 to {@code steps}: that of the square roots of
+     * their light, which is about what is seen. 0 if one of them has no samples.
+     */
+    int contrast(int first, int second, int third, int fourth, int steps) {
+        if (samples[first] == 0 || samples[second] == 0 || samples[third] == 0 || samples[fourth] == 0) {
+            return 0;
+        }
+        double largest = 0;
+        for (int channel = 0; channel < 3; channel++) {
+            float a = sums[3 * first + channel];
+            float b = sums[3 * second + channel];
+            float c = sums[3 * third + channel];
+            float d = sums[3 * fourth + channel];
+            float most = Math.max(Math.max(a, b), Math.max(c, d));
+            float least = Math.min(Math.min(a, b), Math.min(c, d));
+            if (most > least) {
+                largest = Math.max(largest, root(most) - root(least));
+            }
+        }
+        return (int) (steps * largest);
+    }
+
+    private double root(float light) {
+        return Math.sqrt(Math.min(1, Math.max(0, exposure * light)));
+    }
+
+    private void put(int pixel, float[] rgb) {
         int count = samples(pixel);
         // most pictures of a window have one sample, which needs no division
         double scale = count == 1 ? exposure : exposure / count;
-        for (int channel = 0; channel < 3; channel++) {
+        for (int channel = 3 * pixel; channel < 3 * pixel + 3; channel++) {
             // light is finite, but exposure may lift it above what a picture can hold
-            light[place + channel] = (float) Math.min(Float.MAX_VALUE, sums[3 * pixel + channel] * scale);
+            rgb[channel] = (float) Math.min(Float.MAX_VALUE, sums[channel] * scale);
         }
     }
 }

@@ -10,8 +10,18 @@ public final class PhotographTaker implements AutoCloseable {
     /** Seconds between looks at the progress. */
     private static final double PATIENCE = 0.02;
 
-    private final Renderer renderer = new Renderer();
+    private final Renderer renderer;
     private RenderPlan plan;
+
+    /** Takes photographs with one thread for each core. */
+    public PhotographTaker() {
+        this(Runtime.getRuntime().availableProcessors());
+    }
+
+    /** Takes photographs with a number of threads. */
+    public PhotographTaker(int threads) {
+        renderer = new Renderer(threads);
+    }
 
     /**
      * Takes a photograph, as good as the studio says, and waits for it.

@@ -13,6 +13,8 @@ import tompkins.trace.RenderPlan;
  * <p>Where a pixel has several samples, its roughness is that of the difference between the first and the second half
  * of them. If it has only the one in its centre, the second differences over its neighbours give its roughness: an edge
  * of height h raises those of two pixels by h, and is wrong by h/sqrt(12) in one of them.
+ *
+ * <p>No neighbour tells of small lights; {@link #expect} counts those that samples may have missed.
  */
 final class PixelVariance {
 
@@ -23,8 +25,15 @@ final class PixelVariance {
 
     private final int width;
     private final int height;
-    private final float[] shared;
     private final Film film;
+
+    /** The roughness that each pixel's own samples show, in a picture with a border; NaN where there are no samples. */
+    private final float[] own;
+
+    /** The largest mean square of the second differences of each pixel, in a picture with a border, as {@link #own}. */
+    private final float[] differences;
+
+    private float[] shared;
     private final BooleanSupplier stopped;
     private final int sampled;
     private int lastSamples;
@@ -47,13 +56,15 @@ final class PixelVariance {
      */
     static double estimatedError(Film film, int sampledPixels, RenderPlan plan, BooleanSupplier stopped) {
         boolean samplesMissing = film.samples(0) == 1 && needsSeveralSamples(plan);
-        boolean varianceUnknown = film.samples(0) > 1 && !film.comparesHalves();
+        boolean varianceUnknown = film.samples(0) > 1 && !film.comparesSamples();
         boolean pixelsMissing = sampledPixels < film.width() * film.height();
         if (samplesMissing || varianceUnknown || pixelsMissing) {
             return Double.NaN;
         }
         try {
-            return new PixelVariance(film, stopped).rootMeanSquare();
+            PixelVariance variance = new PixelVariance(film, stopped);
+            variance.expect(new Specks(film, variance, stopped));
+            return variance.rootMeanSquare();
         } catch (CancellationException unwanted) {
             return Double.NaN;
         }
@@ -71,16 +82,16 @@ final class PixelVariance {
         width = film.width();
         height = film.height();
         sampled = film.sampledPixels();
-        shared = withNeighbours(own());
+        own = new float[(width + 2) * (height + 2)];
+        differences = new float[own.length];
+        measure();
+        shared = withNeighbours(own);
     }
 
-    /**
-     * The roughness that each pixel's own samples show, with a border of one pixel; NaN in the border and where there
-     * are no samples.
-     */
-    private float[] own() {
-        float[] own = new float[(width + 2) * (height + 2)];
+    /** Finds what each pixel's own samples and the differences from its neighbours show. */
+    private void measure() {
         Arrays.fill(own, Float.NaN);
+        Arrays.fill(differences, Float.NaN);
         double[] above = unknownRow();
         double[] here = unknownRow();
         double[] below = unknownRow();
@@ -96,9 +107,11 @@ final class PixelVariance {
                 int pixel = film.pixel(column, row);
                 int samples = film.samples(pixel);
                 if (samples > 0) {
+                    double difference = secondDifferences(above, here, below, 3 * column);
                     double roughness = samples > 1
                             ? film.halvesVariance(pixel) * power(samples, POWER)
-                            : secondDifferences(above, here, below, 3 * column) * SHARE_OF_SECOND_DIFFERENCE;
+                            : difference * SHARE_OF_SECOND_DIFFERENCE;
+                    differences[bordered(row, column)] = (float) Math.min(Float.MAX_VALUE, difference);
                     own[bordered(row, column)] = (float) Math.min(Float.MAX_VALUE, roughness);
                 }
             }
@@ -107,7 +120,48 @@ final class PixelVariance {
             here = below;
             below = next;
         }
-        return own;
+    }
+
+    /**
+     * Counts the light that samples may have missed, too: what specks add to the pixels in which they were found is
+     * shared with those in which they may have been missed.
+     *
+     * @throws CancellationException if it is no longer wanted
+     */
+    void expect(Specks specks) {
+        if (specks.isEmpty()) {
+            return;
+        }
+        for (int row = 0; row < height; row++) {
+            stopIf(stopped);
+            for (int column = 0; column < width; column++) {
+                if (specks.isAt(column, row)) {
+                    int place = bordered(row, column);
+                    double growth = power(film.samples(film.pixel(column, row)), POWER);
+                    double roughness = Math.max(own[place], specks.varianceOfMean(column, row) * growth);
+                    own[place] = (float) (roughness * (1 - specks.missed(column, row)));
+                }
+            }
+        }
+        shared = withNeighbours(own);
+        for (int row = 0; row < height; row++) {
+            stopIf(stopped);
+            for (int column = 0; column < width; column++) {
+                int pixel = film.pixel(column, row);
+                if (film.samples(pixel) > 0) {
+                    shared[pixel] =
+                            (float) (shared[pixel] + specks.unseen(column, row) * power(film.samples(pixel), POWER));
+                }
+            }
+        }
+    }
+
+    /**
+     * The square of the height by which a pixel stands out, along the line through it on which this is largest; NaN
+     * outside of the picture and where there are no samples.
+     */
+    double contrast(int column, int row) {
+        return differences[bordered(row, column)] / 4;
     }
 
     /** A row with a border, whose values are all unknown. */

@@ -130,7 +130,7 @@ public final class RenderJob {
         if (pass.chosen() == null) {
             return true;
         }
-        for (int row = top; row < top + height; row++) {
+        for (int row = top; row < top + height; row += pass.stride()) {
             int next = pass.chosen().nextSetBit(row * plan.width() + left);
             if (next >= 0 && next < row * plan.width() + left + width) {
                 return true;
@@ -233,8 +233,8 @@ public final class RenderJob {
         }
     }
 
-    /** Waits for the end of the job, but not forever. */
-    void await(double seconds) throws InterruptedException {
+    /** Waits for the end of the job, but no longer than some seconds. */
+    public void await(double seconds) throws InterruptedException {
         end.await((long) (seconds * 1e9), TimeUnit.NANOSECONDS);
     }
 

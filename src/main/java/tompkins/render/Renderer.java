@@ -23,6 +23,7 @@ public final class Renderer implements AutoCloseable {
     private final int threads;
     private final ExecutorService pool;
     private final Set<RenderJob> jobs = ConcurrentHashMap.newKeySet();
+    private final GlimpseBudget glimpseBudget = new GlimpseBudget();
 
     /** A renderer with one thread for each core. */
     public Renderer() {
@@ -57,14 +58,26 @@ public final class Renderer implements AutoCloseable {
         return start(plan, quality, true, Tile.of(plan.width(), plan.height()), listener);
     }
 
+    /**
+     * Starts a picture that is seen for a moment: the first samples of a part of the pixels, and what lies between
+     * them. It ends as soon as most of it is right, or after about so many seconds. Returns at once.
+     */
+    public RenderJob startGlimpse(RenderPlan plan, double seconds, RenderListener listener) {
+        int pixels = plan.width() * plan.height();
+        Schedule schedule = new EdgeSchedule((first, taken) -> glimpseBudget.most(first, taken, seconds, pixels));
+        return start(plan, schedule, false, Tile.of(plan.width(), plan.height()), listener);
+    }
+
     /** Starts some tiles of a picture. */
     RenderJob start(RenderPlan plan, Quality quality, boolean coarseFirst, List<Tile> tiles, RenderListener listener) {
-        Film film = new Film(
-                plan.width(),
-                plan.height(),
-                plan.exposure(),
-                needsHalves(plan.studio().settings(), quality));
-        Schedule schedule = schedule(plan, quality, coarseFirst);
+        boolean comparesSamples = needsHalves(plan.studio().settings(), quality);
+        return start(plan, schedule(plan, quality, coarseFirst), comparesSamples, tiles, listener);
+    }
+
+    /** Starts some tiles of a picture by a schedule. */
+    RenderJob start(
+            RenderPlan plan, Schedule schedule, boolean comparesSamples, List<Tile> tiles, RenderListener listener) {
+        Film film = new Film(plan.width(), plan.height(), plan.exposure(), comparesSamples);
         RenderJob job = new RenderJob(plan, schedule, film, tiles, threads, listener, jobs::remove);
         jobs.add(job);
         try {

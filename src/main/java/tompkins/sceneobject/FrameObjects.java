@@ -10,21 +10,14 @@ import tompkins.spacetime.Velocity;
 /** What rests in one inertial frame: all objects with one velocity, wherever they are. */
 public final class FrameObjects {
 
-    private final FrameObjects outer;
     private final FrameMotion motion;
     private final Event origin;
     private final List<FrameObjects> inner = new ArrayList<>();
     private final List<Primitive> primitives = new ArrayList<>();
 
-    FrameObjects(FrameObjects outer, FrameMotion motion, Event origin) {
-        this.outer = outer;
+    FrameObjects(FrameMotion motion, Event origin) {
         this.motion = motion;
         this.origin = origin;
-    }
-
-    /** What rests in the frame that contains this one; null if this is the outermost. */
-    public FrameObjects outer() {
-        return outer;
     }
 
     /** How the frame moves; null if it is the outermost. */

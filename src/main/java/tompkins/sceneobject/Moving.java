@@ -11,7 +11,7 @@ import tompkins.spacetime.Velocity;
 
 /**
  * Objects that move with one velocity. They are described at rest, in a frame of their own, whose origin passes the
- * place at time 0 of the frame around it and with own time 0; its axes are those of a pure boost.
+ * place at time 0 of the frame around it and with proper time 0; its axes are those of a pure boost.
  */
 @Meaning("Objects that move together with a velocity of their own; they are described at rest, in a frame of their own")
 public record Moving(

@@ -3,7 +3,6 @@ package tompkins.sceneobject;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import org.joml.Matrix3d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -11,9 +10,11 @@ import tompkins.primitive.Bounds;
 import tompkins.primitive.Placement;
 import tompkins.primitive.Primitive;
 import tompkins.primitive.RestFrame;
+import tompkins.primitive.Rotation;
 import tompkins.property.InvalidPropertyException;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
+import tompkins.spacetime.FrameTree;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 
@@ -29,8 +30,11 @@ public final class PrimitiveCollector {
     private static final String VELOCITY = "velocity";
 
     private final ImagePoints imagePoints;
-    private final TransformationLaw law;
-    private final Function<FrameMotion, Event> origins;
+    private final FrameTree tree;
+
+    /** The same frames, in the coordinates in which they are described. */
+    private final FrameTree described;
+
     private final List<FrameObjects> frames = new ArrayList<>();
     private int count;
 
@@ -45,15 +49,13 @@ public final class PrimitiveCollector {
      * A collector.
      *
      * @param imagePoints where points in front of the camera are photographed
-     * @param law how coordinates change from frame to frame
-     * @param origins says for each motion at which event the coordinates of its frame shall begin; asked with null for
-     *     the outermost frame
+     * @param tree how coordinates change from frame to frame, and where those of each frame begin
      */
-    public PrimitiveCollector(ImagePoints imagePoints, TransformationLaw law, Function<FrameMotion, Event> origins) {
+    public PrimitiveCollector(ImagePoints imagePoints, FrameTree tree) {
         this.imagePoints = imagePoints;
-        this.law = law;
-        this.origins = origins;
-        frame = new FrameObjects(null, null, origins.apply(null));
+        this.tree = tree;
+        described = FrameTree.described(tree.law());
+        frame = new FrameObjects(null, tree.origin(null));
         frames.add(frame);
         rest = restFrame(Event.ORIGIN, 0);
     }
@@ -65,7 +67,7 @@ public final class PrimitiveCollector {
 
     /** A collector for objects at rest whose place does not depend on the camera; image points stay where they are. */
     public PrimitiveCollector() {
-        this(point -> new Event(point.x(), point.y(), point.z(), 0), TransformationLaw.NONE, motion -> Event.ORIGIN);
+        this(point -> new Event(point.x(), point.y(), point.z(), 0), FrameTree.described(TransformationLaw.NONE));
     }
 
     /** Collects objects whose place does not depend on the camera; image points stay where they are. */
@@ -128,7 +130,7 @@ public final class PrimitiveCollector {
      * different place in that frame and a different zero of proper time.
      *
      * @param velocity velocity in the frame in which the placement places
-     * @param place where the origin of what moves is at own time 0, before the placement
+     * @param place where the origin of what moves is at proper time 0, before the placement
      * @param offset what its clocks show then
      * @param content adds what moves, placed as it is told
      * @throws InvalidPropertyException if motions together are too fast, or velocities too many
@@ -140,7 +142,7 @@ public final class PrimitiveCollector {
         double clockOffset = rest.clockOffset() + offset;
         double ownZero = rest.zero().plus(frame.origin()).time();
         Velocity turned = placement.velocity(velocity);
-        if (law == TransformationLaw.NONE || turned.isRest()) {
+        if (tree.law() == TransformationLaw.NONE || turned.isRest()) {
             Vector3dc shift = placement.vector(place);
             rest = new RestFrame(
                     rest.motion(), rest.zero().plus(new Event(shift.x(), shift.y(), shift.z(), 0)), clockOffset);
@@ -149,14 +151,30 @@ public final class PrimitiveCollector {
             Vector3d at = placement.place(place);
             Event start = new Event(at.x, at.y, at.z, ownZero);
             frame = frameFor(turned, start);
-            Event shift = law.sceneFromCamera(turned)
-                    .inverse()
-                    .transform(start.minus(frame.motion().start()));
+            Event shift = described.route(outerFrame.motion(), frame.motion()).transform(start);
             rest = restFrame(shift, clockOffset);
             content.accept(placement.inFrame(shift.position(), frame.origin().position()));
         }
         frame = outerFrame;
         rest = outerRest;
+    }
+
+    /** Adds what turns in the frame in which it is added. */
+    void addTurning(Rotation rotation, Runnable content) {
+        RestFrame outer = rest;
+        rest = rest.turning(rotation);
+        content.run();
+        rest = outer;
+    }
+
+    /** The law by which what moves is seen. */
+    TransformationLaw law() {
+        return tree.law();
+    }
+
+    /** The time that is described as 0, in the coordinates in which the tracer works. */
+    double zeroTime() {
+        return rest.zero().time();
     }
 
     private FrameObjects frameFor(Velocity velocity, Event start) {
@@ -169,10 +187,10 @@ public final class PrimitiveCollector {
                     VELOCITY, "one of at most " + Moving.MOST_FRAMES + " in a scene", velocity.toString());
         }
         FrameMotion motion = new FrameMotion(frame.motion(), velocity, start);
-        if (law == TransformationLaw.LORENTZ) {
+        if (tree.law() == TransformationLaw.LORENTZ) {
             motion.requireGamma(VELOCITY);
         }
-        FrameObjects found = new FrameObjects(frame, motion, origins.apply(motion));
+        FrameObjects found = new FrameObjects(motion, tree.origin(motion));
         frame.add(found);
         frames.add(found);
         return found;
@@ -183,23 +201,18 @@ public final class PrimitiveCollector {
      * described.
      */
     Vector3dc imagePoint(Vector3dc point) {
-        Event event = intoFrame(frame, imagePoints.inScene(point));
+        Event event = described.route(null, frame.motion()).transform(imagePoints.inScene(point));
         return event.minus(rest.zero().plus(frame.origin())).position();
-    }
-
-    private Event intoFrame(FrameObjects inner, Event inScene) {
-        if (inner.motion() == null) {
-            return inScene;
-        }
-        Event inOuter = intoFrame(inner.outer(), inScene);
-        return law.sceneFromCamera(inner.motion().velocity())
-                .inverse()
-                .transform(inOuter.minus(inner.motion().start()));
     }
 
     /** The frame in which what is added now rests. */
     public FrameObjects frame() {
         return frame;
+    }
+
+    /** Where and when what is added now is described. */
+    public RestFrame rest() {
+        return rest;
     }
 
     /** What rests in each frame, so far: first what does not move. */

@@ -10,6 +10,7 @@ import tompkins.property.InvalidPropertyException;
 /** Something in the scene: a shape, or several of them. Descriptions, immutable, checked when they are made. */
 public sealed interface SceneObject extends Described
         permits Sphere,
+                Ellipsoid,
                 Plane,
                 Disc,
                 Parallelogram,
@@ -23,6 +24,7 @@ public sealed interface SceneObject extends Described
                 Group,
                 Placed,
                 Moving,
+                Rotating,
                 ImagePointGrid,
                 Hidden {
 
@@ -46,7 +48,7 @@ public sealed interface SceneObject extends Described
         if (object.moves()) {
             throw new InvalidPropertyException(
                     property,
-                    "at rest with the camera, without Moving in it",
+                    "at rest with the camera, without Moving or Rotating in it",
                     '"' + object.description() + "\", which moves");
         }
         return object;

@@ -20,7 +20,7 @@ final class Candidates {
     private final double[] leastDistances = new double[MOST];
     private int count;
 
-    private final double[] margins = new double[RayPacket.MOST];
+    private final double[] overlaps = new double[RayPacket.MOST];
 
     /** For each ray the sum of a power of two for each candidate that it may meet. */
     private final double[] mayMeet = new double[RayPacket.MOST];
@@ -101,7 +101,7 @@ final class Candidates {
     void sift(RayPacket rays) {
         Arrays.fill(mayMeet, 0, rays.count(), (1L << count) - 1);
         for (int i = 0; i < count; i++) {
-            if (found[i].missMargins(rays, bundle.starts(), margins)) {
+            if (found[i].overlaps(rays, bundle.starts(), overlaps)) {
                 takeOut(1L << i, rays.count());
             }
         }
@@ -111,7 +111,7 @@ final class Candidates {
     private void takeOut(double bit, int rayCount) {
         for (int ray = 0; ray < rayCount; ray++) {
             // -1 below 0, otherwise 0
-            mayMeet[ray] += bit * Math.floor(margins[ray] * (1 / Primitive.LARGEST_MARGIN));
+            mayMeet[ray] += bit * Math.floor(overlaps[ray] * (1 / Primitive.LARGEST_OVERLAP));
         }
     }
 

@@ -74,42 +74,42 @@ final class LampPlace {
     }
 
     /** The slopes under which a box is seen, in a direction across the view. */
-    Range slopes(Bounds box, Vector3dc across) {
+    Interval slopes(Bounds box, Vector3dc across) {
         return told(ownSlopes(box, across), across);
     }
 
     /** The slopes under which a primitive is seen: those of its box, narrowed where the primitive is narrower. */
-    Range slopes(Primitive primitive, Bounds box, Vector3dc across) {
-        Range range = ownSlopes(box, across);
+    Interval slopes(Primitive primitive, Bounds box, Vector3dc across) {
+        Interval range = ownSlopes(box, across);
         double far = extent(box, forward).most();
         return told(
-                new Range(
+                new Interval(
                         range.least() + ownGap(primitive, across, range.least(), 1) / far - MARGIN,
                         range.most() - ownGap(primitive, across, range.most(), -1) / far + MARGIN),
                 across);
     }
 
-    private Range told(Range own, Vector3dc across) {
+    private Interval told(Interval own, Vector3dc across) {
         double shift = offset.dot(across);
-        return new Range(own.least() * zoom + shift, own.most() * zoom + shift);
+        return new Interval(own.least() * zoom + shift, own.most() * zoom + shift);
     }
 
-    private Range ownSlopes(Bounds box, Vector3dc across) {
-        Range ahead = extent(box, forward);
-        Range sideways = extent(box, across);
-        return new Range(
+    private Interval ownSlopes(Bounds box, Vector3dc across) {
+        Interval ahead = extent(box, forward);
+        Interval sideways = extent(box, across);
+        return new Interval(
                 sideways.least() / (sideways.least() < 0 ? ahead.least() : ahead.most()) - MARGIN,
                 sideways.most() / (sideways.most() > 0 ? ahead.least() : ahead.most()) + MARGIN);
     }
 
     /** From where to where a box reaches in a direction, seen from the lamp. */
-    private Range extent(Bounds box, Vector3dc direction) {
+    private Interval extent(Bounds box, Vector3dc direction) {
         double centre = box.centre().sub(place).dot(direction);
         double half = 0.5
                 * ((box.maxX() - box.minX()) * Math.abs(direction.x())
                         + (box.maxY() - box.minY()) * Math.abs(direction.y())
                         + (box.maxZ() - box.minZ()) * Math.abs(direction.z()));
-        return new Range(centre - half, centre + half);
+        return new Interval(centre - half, centre + half);
     }
 
     /**

@@ -47,20 +47,6 @@ public final class LampShadows {
     /**
      * Whether something throws a shadow on a hit.
      *
-     * @param dx unit vector from the hit to the lamp
-     * @param dy its second component
-     * @param dz its third component
-     * @param limit distance of the lamp
-     * @param memory for the ray
-     * @param counts takes note of the work
-     */
-    public boolean shadows(Hit from, double dx, double dy, double dz, double limit, Ray memory, RayCounts counts) {
-        return shadows(from, memory.setShadow(from, dx, dy, dz), 0, limit, counts);
-    }
-
-    /**
-     * Whether something throws a shadow on a hit.
-     *
      * @param ray the ray from the hit to the lamp
      * @param share the part of its way that the lamp has covered, from 0 to 1
      * @param limit distance of the lamp

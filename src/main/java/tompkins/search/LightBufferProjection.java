@@ -131,8 +131,8 @@ final class LightBufferProjection {
         forwardX = forward.x();
         forwardY = forward.y();
         forwardZ = forward.z();
-        Range slopesU = slopes(place -> place.slopes(all, right));
-        Range slopesV = slopes(place -> place.slopes(all, up));
+        Interval slopesU = slopes(place -> place.slopes(all, right));
+        Interval slopesV = slopes(place -> place.slopes(all, up));
         leastU = slopesU.least();
         leastV = slopesV.least();
         cellU = (slopesU.most() - slopesU.least()) / SIDE;
@@ -171,8 +171,8 @@ final class LightBufferProjection {
     }
 
     /** The range of slopes under which something is seen from all places. */
-    private Range slopes(Function<LampPlace, Range> from) {
-        Range all = from.apply(places[0]);
+    private Interval slopes(Function<LampPlace, Interval> from) {
+        Interval all = from.apply(places[0]);
         for (int i = 1; i < places.length; i++) {
             all = all.with(from.apply(places[i]));
         }
@@ -200,7 +200,7 @@ final class LightBufferProjection {
                 slopes(place -> place.slopes(primitive, box, up)));
     }
 
-    private Rectangle rectangle(Range u, Range v) {
+    private Rectangle rectangle(Interval u, Interval v) {
         return new Rectangle(
                 limited((u.least() - leastU) * partsPerU),
                 limited((u.most() - leastU) * partsPerU),
@@ -235,15 +235,15 @@ final class LightBufferProjection {
         perU /= length;
         perV /= length;
         Vector3d across = right.mul(perU, new Vector3d()).fma(perV, up);
-        Range range = slopes(place -> place.slopes(primitive, box, across));
+        Interval range = slopes(place -> place.slopes(primitive, box, across));
         return new Strip(perU, perV, range.least(), range.most());
     }
 
     /** The rectangle around that part of a strip that lies in some rows of a column of cells; it may be empty. */
     Rectangle rectangle(Strip strip, int column, int row, int rows) {
-        Range u = new Range(leastU + column * cellU, leastU + (column + 1) * cellU);
-        Range v = new Range(leastV + row * cellV, leastV + (row + rows) * cellV);
-        Range both = new Range(strip.least - MARGIN, strip.most + MARGIN);
+        Interval u = new Interval(leastU + column * cellU, leastU + (column + 1) * cellU);
+        Interval v = new Interval(leastV + row * cellV, leastV + (row + rows) * cellV);
+        Interval both = new Interval(strip.least - MARGIN, strip.most + MARGIN);
         if (Math.abs(strip.perV) > LEAST_SINE) {
             v = v.and(both.minus(u.times(strip.perU)).times(1 / strip.perV));
         }

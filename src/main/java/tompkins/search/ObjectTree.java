@@ -33,6 +33,8 @@ public final class ObjectTree {
     private final List<Primitive> bounded;
     private final List<Primitive> unbounded;
     private final boolean mostlyLong;
+    private final int size;
+    private final List<RotatingGroup> rotating;
 
     /** Orders primitives that were numbered by a {@link PrimitiveCollector}. */
     public ObjectTree(List<Primitive> primitives) {
@@ -41,8 +43,14 @@ public final class ObjectTree {
 
     /** As above, with a tree from {@code smallestTree} bounded primitives upwards. */
     public ObjectTree(List<Primitive> primitives, int smallestTree) {
+        List<Primitive> searched = RotatingGroup.gather(primitives);
+        size = primitives.size();
+        rotating = searched.stream()
+                .filter(RotatingGroup.class::isInstance)
+                .map(RotatingGroup.class::cast)
+                .toList();
         Map<Boolean, List<Primitive>> byBounds =
-                primitives.stream().collect(Collectors.partitioningBy(primitive -> primitive.bounds() != null));
+                searched.stream().collect(Collectors.partitioningBy(primitive -> primitive.bounds() != null));
         Primitive[] ordered = byBounds.get(true).toArray(Primitive[]::new);
         boolean tree = ordered.length > 0 && ordered.length >= smallestTree;
         mostlyLong = Arrays.stream(ordered)
@@ -52,17 +60,30 @@ public final class ObjectTree {
         root = tree ? TreeBuilder.build(ordered, mostlyLong ? NODE_AMONG_RODS : NODE) : null;
         bounded = List.of(ordered);
         unbounded = byBounds.get(false);
-        listed = (tree ? unbounded : primitives).toArray(Primitive[]::new);
+        listed = (tree ? unbounded : searched).toArray(Primitive[]::new);
     }
 
     /** Number of primitives. */
     public int size() {
-        return bounded.size() + unbounded.size();
+        return size;
     }
 
     /** The primitives, in any order. */
     public List<Primitive> primitives() {
-        return Stream.of(bounded, unbounded).flatMap(List::stream).toList();
+        return Stream.of(bounded, unbounded)
+                .flatMap(List::stream)
+                .flatMap(each -> each instanceof RotatingGroup group ? group.members().stream() : Stream.of(each))
+                .toList();
+    }
+
+    /** The largest speed of each of the groups of primitives that turn together, in this frame. */
+    public List<Double> rotationSpeeds() {
+        return rotating.stream().map(RotatingGroup::largestSpeed).toList();
+    }
+
+    /** Whether something in it turns. */
+    public boolean rotates() {
+        return !rotating.isEmpty();
     }
 
     /** Whether a tree was built. */

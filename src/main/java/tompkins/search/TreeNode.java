@@ -97,6 +97,23 @@ final class TreeNode {
         return enter > leave || leave < 0 || enter > limit ? MISSED : enter;
     }
 
+    /**
+     * Whether a straight line, from a start to another place at most, comes nearer to the box than a distance.
+     *
+     * @param inverseX the inverse of the way to that other place
+     */
+    boolean isNear(double x, double y, double z, double inverseX, double inverseY, double inverseZ, double distance) {
+        double enterX = ((inverseX > 0 ? minX - distance : maxX + distance) - x) * inverseX;
+        double leaveX = ((inverseX > 0 ? maxX + distance : minX - distance) - x) * inverseX;
+        double enterY = ((inverseY > 0 ? minY - distance : maxY + distance) - y) * inverseY;
+        double leaveY = ((inverseY > 0 ? maxY + distance : minY - distance) - y) * inverseY;
+        double enterZ = ((inverseZ > 0 ? minZ - distance : maxZ + distance) - z) * inverseZ;
+        double leaveZ = ((inverseZ > 0 ? maxZ + distance : minZ - distance) - z) * inverseZ;
+        double enter = Math.max(Math.max(enterX, enterY), enterZ);
+        double leave = Math.min(Math.min(leaveX, leaveY), leaveZ);
+        return !(enter > leave || leave < 0 || enter > 1);
+    }
+
     /** The least value of n.x over the box. */
     double minimumAlong(double nx, double ny, double nz) {
         return (nx > 0 ? minX : maxX) * nx + (ny > 0 ? minY : maxY) * ny + (nz > 0 ? minZ : maxZ) * nz;

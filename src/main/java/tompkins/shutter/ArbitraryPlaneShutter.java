@@ -31,7 +31,7 @@ public record ArbitraryPlaneShutter(
     /** Checks all values. */
     public ArbitraryPlaneShutter {
         Require.coordinate("openingTime", openingTime);
-        point = Require.place("point", point);
+        point = Require.position("point", point);
         normal = Require.direction("normal", normal);
     }
 

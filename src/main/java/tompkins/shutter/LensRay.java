@@ -5,10 +5,10 @@ import org.joml.Vector3dc;
 
 /**
  * What a shutter knows of a ray at the lens, in the camera frame: where it crosses the lens, and the point I in which
- * the lens focuses it. I is given by the chief direction (from the centre of the lens, traced outwards) and the inverse
- * of its signed distance, which is positive for I in front of the camera, negative for I behind it, and 0 at infinity.
- * In this form no case needs a branch: the traced ray leaves the lens at the point E in the direction {@code D = m - w
- * r}, with {@code r = E - centre}, whether I is near, far, at infinity or behind.
+ * the lens focuses it. I is given by the direction of the chief ray (from the centre of the lens, traced outwards) and
+ * the inverse of its signed distance, which is positive for I in front of the camera, negative for I behind it, and 0
+ * at infinity. In this form no case needs a branch: the traced ray leaves the lens at the point E in the direction
+ * {@code D = m - w r}, with {@code r = E - centre}, whether I is near, far, at infinity or behind.
  *
  * @param centre centre of the lens
  * @param pupilPoint the point E at which the ray crosses the lens

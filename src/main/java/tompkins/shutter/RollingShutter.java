@@ -35,11 +35,11 @@ public record RollingShutter(
     /**
      * How much later than the shutter model says a line opens.
      *
-     * @param line row from the top or column from the left, from 0
+     * @param middle its middle, in rows from the top or in columns from the left: 0.5 for the first
      * @param lines how many rows or columns the picture has
      */
-    public double delay(int line, int lines) {
-        int fromFirst = direction.beginsAtFirst() ? line : lines - 1 - line;
-        return sweep * ((fromFirst + 0.5) / lines);
+    public double delay(double middle, int lines) {
+        double fromFirst = direction.beginsAtFirst() ? middle : lines - middle;
+        return sweep * (fromFirst / lines);
     }
 }

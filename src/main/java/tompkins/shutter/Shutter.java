@@ -33,7 +33,7 @@ public sealed interface Shutter
     Shutter openedAt(double openingTime);
 
     /**
-     * The same shutter after a motion of the camera in its own frame; what stands at a place of that frame goes along.
+     * The same shutter after a motion of the camera in its rest frame; what stands at a place of that frame goes along.
      */
     default Shutter moved(RigidMotion motion) {
         return this;

@@ -1,19 +1,30 @@
 package tompkins.spacetime;
 
-import org.joml.Vector3d;
+import java.util.ArrayList;
+import java.util.List;
 import org.joml.Vector3dc;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
 
 /**
  * How an inertial frame moves in the frame that contains it. Its axes are those of a pure boost, and its origin passes
- * the start with own time 0.
+ * the start with proper time 0. The scene frame, which contains all others, has no motion: it is null. The camera frame
+ * moves in the scene frame like any other. {@link FrameTree} has the ways between frames.
  *
  * @param outer the motion of the frame that contains it, or null if that is the scene frame
  * @param velocity velocity in the outer frame
- * @param start an event in the outer frame: place and time of the origin at own time 0
+ * @param start an event in the outer frame: place and time of the origin at proper time 0
  */
 public record FrameMotion(FrameMotion outer, Velocity velocity, Event start) {
+
+    /** The frames from the outermost to this one, of which the first moves in the scene frame; none for null. */
+    static List<FrameMotion> chain(FrameMotion motion) {
+        List<FrameMotion> chain = new ArrayList<>();
+        for (FrameMotion each = motion; each != null; each = each.outer) {
+            chain.add(0, each);
+        }
+        return chain;
+    }
 
     /**
      * Checks how fast the frame is in the scene.
@@ -33,49 +44,26 @@ public record FrameMotion(FrameMotion outer, Velocity velocity, Event start) {
         }
     }
 
-    /** The Lorentz factor in the scene frame: gamma12 = gamma1 gamma2 + u1.u2. */
+    /** The Lorentz factor in the scene frame. */
     public double gamma() {
-        return outer == null ? velocity.gamma() : gamma(outer, velocity);
+        return inScene().gamma();
     }
 
-    private static double gamma(FrameMotion outer, Velocity inner) {
-        return outer.gamma() * inner.gamma() + outer.proper().dot(inner.proper());
-    }
-
-    /** The proper velocity in the scene frame: u12 = u2 + u1 ((u1.u2)/(gamma1 + 1) + gamma2). */
+    /** The proper velocity in the scene frame. */
     public Vector3dc proper() {
-        if (outer == null) {
-            return velocity.proper();
+        return inScene().proper();
+    }
+
+    private ProperVelocity inScene() {
+        ProperVelocity sum = ProperVelocity.of(velocity);
+        for (FrameMotion each = outer; each != null; each = each.outer) {
+            sum = ProperVelocity.of(each.velocity).plus(sum);
         }
-        Vector3dc first = outer.proper();
-        Vector3dc second = velocity.proper();
-        return new Vector3d(second).fma(first.dot(second) / (outer.gamma() + 1) + velocity.gamma(), first);
+        return sum;
     }
 
-    /** How place and time in the scene frame change in one unit of the proper time of what rests in this frame. */
-    public Event worldLine(TransformationLaw law) {
-        return step(law, new Event(0, 0, 0, 1));
-    }
-
-    private Event step(TransformationLaw law, Event own) {
-        Event moved = law.sceneFromCamera(velocity).transform(own);
-        return outer == null ? moved : outer.step(law, moved);
-    }
-
-    /** An event of this frame, in the scene frame. */
-    public Event inScene(TransformationLaw law, Event own) {
-        Event moved = law.sceneFromCamera(velocity).transform(own);
-        Event around = new Event(
-                moved.x() + start.x(), moved.y() + start.y(), moved.z() + start.z(), moved.time() + start.time());
-        return outer == null ? around : outer.inScene(law, around);
-    }
-
-    /** Where a point that rests in this frame is at a time of the scene, in the scene frame. */
-    public Vector3d placeInScene(TransformationLaw law, Vector3dc own, double sceneTime) {
-        Event first = inScene(law, new Event(own.x(), own.y(), own.z(), 0));
-        Event later = inScene(law, new Event(own.x(), own.y(), own.z(), 1));
-        double time = (sceneTime - first.time()) / (later.time() - first.time());
-        Vector3d way = later.position().sub(first.position());
-        return first.position().fma(time, way);
+    /** The way from this frame to the scene frame. */
+    public FrameRoute toScene(TransformationLaw law) {
+        return FrameTree.described(law).route(this, null);
     }
 }

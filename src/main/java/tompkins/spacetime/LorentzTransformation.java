@@ -208,7 +208,7 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
             rays.frequency[i] *= lengthMiddle + lengthSlope * halves[i];
         }
         for (int i = from; i < to; i++) {
-            rays.stretch[i] *= lengthMiddle + lengthSlope * halves[i];
+            rays.directionLength[i] *= lengthMiddle + lengthSlope * halves[i];
         }
         for (int i = from; i < to; i++) {
             rays.spread[i] /= lengthMiddle + lengthSlope * halves[i];

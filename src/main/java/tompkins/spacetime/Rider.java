@@ -7,7 +7,7 @@ import org.joml.Vector3dc;
 import tompkins.math.Vectors;
 
 /**
- * A moment of a world line: where and when a rider is in the scene frame, and how fast. Thrust leads from one moment to
+ * A moment of a worldline: where and when a rider is in the scene frame, and how fast. Thrust leads from one moment to
  * the next, exactly: with the proper acceleration a (what an accelerometer on board shows) and the time s on board, the
  * rider moves in the frame in which it was at rest by {@code (cosh(a s) - 1)/a} in the time {@code sinh(a s)/a}, and
  * its velocity there is then {@code tanh(a s)} (hyperbolic motion).
@@ -44,7 +44,7 @@ public record Rider(Event event, Vector3dc proper) {
 
     /** The Lorentz factor. */
     public double gamma() {
-        return Math.sqrt(1 + proper.lengthSquared());
+        return ProperVelocity.of(proper).gamma();
     }
 
     /** The rapidity. */
@@ -73,12 +73,15 @@ public record Rider(Event event, Vector3dc proper) {
         double half = Math.sinh(rapidity / 2);
         Vector3d way = along.mul(2 * half * half / strength, new Vector3d());
         Event moved = later(new Event(way.x, way.y, way.z, Math.sinh(rapidity) / strength));
-        Vector3d gained = along.mul(Math.sinh(rapidity), new Vector3d());
-        double gainedGamma = Math.cosh(rapidity);
-        Vector3d sum = sum(proper, gamma(), gained, gainedGamma);
+        ProperVelocity before = ProperVelocity.of(proper);
+        ProperVelocity gained = new ProperVelocity(along.mul(Math.sinh(rapidity), new Vector3d()), Math.cosh(rapidity));
+        Vector3dc sum = before.plus(gained).proper();
         // thrust against the motion leaves a difference of large numbers
-        boolean stopped = sum.length() < ROUNDING * gainedGamma * gainedGamma;
-        return new Step(new Rider(moved, stopped ? new Vector3d() : sum), turn(proper, gamma(), gained, gainedGamma));
+        boolean stopped = sum.length() < ROUNDING * gained.gamma() * gained.gamma();
+        // the axes that come from two boosts, seen from those of the one boost that leads to the same velocity
+        return new Step(
+                new Rider(moved, stopped ? new Vector3d() : sum),
+                before.rotation(gained).conjugate());
     }
 
     /** The thrust against the motion, which leads to rest in the time rapidity/strength on board; none at rest. */
@@ -98,20 +101,5 @@ public record Rider(Event event, Vector3dc proper) {
                 event.y() + (own.y() + proper.y() * factor),
                 event.z() + (own.z() + proper.z() * factor),
                 event.time() + (gamma() * own.time() + along));
-    }
-
-    /** The composition of two proper velocities: u2 is given in the frame that moves with u1. */
-    private static Vector3d sum(Vector3dc u1, double gamma1, Vector3dc u2, double gamma2) {
-        return new Vector3d(u2).fma(u1.dot(u2) / (gamma1 + 1) + gamma2, u1);
-    }
-
-    /**
-     * The axes that come from two boosts, seen from those of the one boost that leads to the same velocity: the inverse
-     * of the rotation with the quaternion ((gamma1 + 1)(gamma2 + 1) + u1.u2, u1 x u2).
-     */
-    private static Quaterniond turn(Vector3dc u1, double gamma1, Vector3dc u2, double gamma2) {
-        Vector3d across = u1.cross(u2, new Vector3d());
-        double scalar = (gamma1 + 1) * (gamma2 + 1) + u1.dot(u2);
-        return new Quaterniond(-across.x, -across.y, -across.z, scalar).normalize();
     }
 }

@@ -7,7 +7,7 @@ import tompkins.property.NumberText;
 public enum TransformationLaw {
     /** Special relativity. */
     LORENTZ,
-    /** Newton's mechanics with a finite speed of light. */
+    /** The Galilean change of frame; light has speed 1 relative to the camera. */
     GALILEAN,
     /** The velocity is ignored. */
     NONE;

@@ -17,7 +17,7 @@ import tompkins.spacetime.Velocity;
 
 /**
  * The event of a photograph: the light for the middle of the picture crosses the centre of the lens. The place of a
- * camera in its own frame says little while it moves; this event says where the camera is in the scene, and when.
+ * camera in its rest frame says little while it moves; this event says where the camera is in the scene, and when.
  */
 public final class LensEvent {
 

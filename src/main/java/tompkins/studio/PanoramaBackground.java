@@ -9,10 +9,15 @@ import tompkins.ray.PixelPicture;
 @Meaning("A picture of all directions; its middle is seen along z, columns are longitudes, rows latitudes")
 public record PanoramaBackground(
         @Meaning("The picture file, relative to the scene file")
-        PixelPicture picture) implements Background {
+        PixelPicture picture,
+
+        @Meaning(
+                "Whether pixels show the mean of what they see of the picture, and it is smooth between its own pixels")
+        boolean filtered)
+        implements Background {
 
     /** White. */
-    public static final PanoramaBackground DEFAULT = new PanoramaBackground(PixelPicture.WHITE);
+    public static final PanoramaBackground DEFAULT = new PanoramaBackground(PixelPicture.WHITE, true);
 
     /** Checks that there is a picture. */
     public PanoramaBackground {
@@ -20,9 +25,15 @@ public record PanoramaBackground(
     }
 
     @Override
-    public Colour colour(double dx, double dy, double dz) {
+    public Colour colour(double dx, double dy, double dz, double angle) {
         double longitude = Math.atan2(dx, dz) / (2 * Math.PI) + 0.5;
-        double latitude = Math.atan2(dy, Math.hypot(dx, dz)) / Math.PI + 0.5;
-        return picture.colour(longitude, latitude);
+        double fromAxis = Math.hypot(dx, dz);
+        double latitude = Math.atan2(dy, fromAxis) / Math.PI + 0.5;
+        if (!filtered) {
+            return picture.pixel(longitude, latitude).light();
+        }
+        double half = angle / 2;
+        return picture.mean(longitude, latitude, half / (2 * Math.PI * fromAxis), half / Math.PI, true)
+                .light();
     }
 }

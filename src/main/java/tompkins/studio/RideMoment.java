@@ -13,7 +13,7 @@ import tompkins.spacetime.Velocity;
 
 /**
  * A moment of a ride with the camera: an ordinary studio, photographed from the momentary rest frame of the rider. The
- * events of its photographs at the centre of the lens lie on one world line, and the camera turns no more than a
+ * events of its photographs at the centre of the lens lie on one worldline, and the camera turns no more than a
  * gyroscope on board does, so that the picture never jumps.
  *
  * <p>A ride obeys special relativity, whatever law the picture follows.

@@ -23,7 +23,7 @@ public record SkyBackground(
     }
 
     @Override
-    public Colour colour(double dx, double dy, double dz) {
+    public Colour colour(double dx, double dy, double dz, double angle) {
         return dy < 0 ? ground : horizon.mixedWith(zenith, Math.min(1, dy));
     }
 }

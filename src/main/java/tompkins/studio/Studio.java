@@ -40,7 +40,7 @@ public record Studio(
         List<LightSource> lights,
 
         @Meaning("What is seen where there is no object") Background background,
-        @Meaning("The camera, described in its own frame") Camera camera,
+        @Meaning("The camera, described in its rest frame") Camera camera,
 
         @Meaning(value = "Velocity of the camera in the scene frame", unit = "c")
         Velocity velocity,
@@ -64,6 +64,9 @@ public record Studio(
         @Meaning("A ride with the camera that begins with this photograph, in legs that follow each other")
         List<RideLeg> ride,
 
+        @Meaning("Rides that begin elsewhere; the window offers them, and begins with the first")
+        List<Ride> rides,
+
         @Meaning("What the scene teaches, step by step") LessonPlan lesson) {
 
     /** An empty scene, lit as in the paper, and its camera at rest. */
@@ -82,6 +85,7 @@ public record Studio(
             ColourLaw.UNCHANGED,
             Metering.MIDDLE,
             RenderSettings.DEFAULT,
+            List.of(),
             List.of(),
             NoLesson.DEFAULT);
 
@@ -105,6 +109,7 @@ public record Studio(
         Require.present("metering", metering);
         Require.present("settings", settings);
         ride = Require.list("ride", ride);
+        rides = Require.list("rides", rides);
         Require.present("lesson", lesson);
     }
 
@@ -218,6 +223,7 @@ public record Studio(
                 newMetering,
                 newSettings,
                 newRide,
+                rides,
                 lesson);
     }
 }

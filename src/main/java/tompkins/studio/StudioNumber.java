@@ -5,11 +5,11 @@ import tompkins.property.InvalidPropertyException;
 import tompkins.spacetime.SpeedScale;
 
 /**
- * A decimal number of a studio, by its place.
+ * A decimal number of a studio, by its path.
  *
- * @param place the way to it
+ * @param path the way to it
  */
-public record StudioNumber(StudioPath place) {
+public record StudioNumber(StudioPath path) {
 
     private static final StudioPath VELOCITY = StudioPath.ROOT.then("velocity");
 
@@ -17,6 +17,8 @@ public record StudioNumber(StudioPath place) {
     public static final StudioNumber OPENING_TIME =
             new StudioNumber(StudioPath.ROOT.then("camera").then("shutter").then("openingTime"));
 
+    private static final String NUMBER = "number";
+    private static final String PATH = "the path of a number";
     private static final String EXAMPLES = "such as velocity.beta, camera.shutter.openingTime or scene[0].radius";
 
     /** The speed of the camera on a scale; its direction stays. */
@@ -25,13 +27,14 @@ public record StudioNumber(StudioPath place) {
     }
 
     /**
-     * The number at a place that is written as messages do, such as {@code scene[0].centre.x}.
+     * The number at a path that is written as messages do, such as {@code scene[0].centre.x}.
      *
+     * @param studio the studio, or another description of which the path is one
      * @throws InvalidPropertyException if the studio has no decimal number there
      */
-    public static StudioNumber at(String place, Studio studio) {
-        StudioPath path = StudioPath.parse(place)
-                .orElseThrow(() -> new InvalidPropertyException("place", "that of a number, " + EXAMPLES, place));
+    public static StudioNumber at(String written, Record studio) {
+        StudioPath path = StudioPath.parse(written)
+                .orElseThrow(() -> new InvalidPropertyException(NUMBER, PATH + ", " + EXAMPLES, written));
         StudioNumber number = new StudioNumber(path);
         if (number.isIn(studio)) {
             return number;
@@ -40,26 +43,27 @@ public record StudioNumber(StudioPath place) {
         Object part = known.get(studio);
         List<String> further = StudioPath.stepsFrom(part);
         if (!further.isEmpty()) {
-            String start = known.equals(StudioPath.ROOT) ? "that begins" : "that goes on after " + known;
-            throw new InvalidPropertyException("place", "one " + start + " with " + String.join(", ", further), place);
+            String whole = known.equals(StudioPath.ROOT) ? "the scene" : known.toString();
+            throw new InvalidPropertyException(
+                    NUMBER, PATH + " (" + whole + " has " + String.join(", ", further) + ")", written);
         }
         String leaf = known + " is not a number that can change step by step";
-        throw new InvalidPropertyException("place", "that of a number, " + EXAMPLES + " (" + leaf + ")", place);
+        throw new InvalidPropertyException(NUMBER, PATH + ", " + EXAMPLES + " (" + leaf + ")", written);
     }
 
     /** Whether this is the speed of the camera, on any scale. */
     public boolean isSpeed() {
-        return place.parent().equals(VELOCITY);
+        return path.parent().equals(VELOCITY);
     }
 
     /** Whether a studio has a decimal number there. */
-    public boolean isIn(Studio studio) {
-        return place.length(studio) == place.steps().size() && place.get(studio) instanceof Double;
+    public boolean isIn(Record studio) {
+        return path.length(studio) == path.steps().size() && path.get(studio) instanceof Double;
     }
 
     /** Its value in a studio that has it. */
-    public double in(Studio studio) {
-        return (Double) place.get(studio);
+    public double in(Record studio) {
+        return (Double) path.get(studio);
     }
 
     /**
@@ -68,6 +72,6 @@ public record StudioNumber(StudioPath place) {
      * @throws InvalidPropertyException if the studio does not accept the value
      */
     public Studio with(Studio studio, double value) {
-        return FrontWindow.following(studio, place.with(studio, value));
+        return FrontWindow.following(studio, path.with(studio, value));
     }
 }

@@ -15,6 +15,7 @@ import tompkins.sceneobject.Group;
 import tompkins.sceneobject.ImagePointGrid;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Placed;
+import tompkins.sceneobject.Rotating;
 import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
@@ -70,6 +71,9 @@ public record StudioPath(List<Object> steps) {
         }
         if (part instanceof Moving moving) {
             return then(step).then("objects").to(moving.objects(), wanted);
+        }
+        if (part instanceof Rotating rotating) {
+            return then(step).then("objects").to(rotating.objects(), wanted);
         }
         if (part instanceof Placed placed) {
             return then(step).toPart("object", placed.object(), wanted);

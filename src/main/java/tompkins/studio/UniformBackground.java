@@ -16,7 +16,7 @@ public record UniformBackground(@Meaning("The colour") Colour colour) implements
     }
 
     @Override
-    public Colour colour(double dx, double dy, double dz) {
+    public Colour colour(double dx, double dy, double dz, double angle) {
         return colour;
     }
 }

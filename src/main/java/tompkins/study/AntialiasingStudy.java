@@ -17,6 +17,7 @@ final class AntialiasingStudy implements Study {
     private final int referenceSamples;
     private final Map<String, Studio> compared;
     private final Map<String, Studio> promised;
+    private final Map<String, Studio> sparse;
     private final PromisedErrors promises;
 
     /**
@@ -24,18 +25,25 @@ final class AntialiasingStudy implements Study {
      *
      * @param compared pinhole photographs on which methods are compared
      * @param promised photographs on which the promised error is compared with the true one
+     * @param sparse photographs with sparse light, of which the same is asked
      * @param width width of the compared photographs in pixels; the promised ones have a third of it
      * @param referenceSamples samples per pixel of the references of the compared photographs; those of the promised
      *     ones begin with a quarter and have as many as it takes
      */
     AntialiasingStudy(
-            Map<String, Studio> compared, Map<String, Studio> promised, long seed, int width, int referenceSamples) {
+            Map<String, Studio> compared,
+            Map<String, Studio> promised,
+            Map<String, Studio> sparse,
+            long seed,
+            int width,
+            int referenceSamples) {
         this.compared = compared;
         this.promised = promised;
+        this.sparse = sparse;
         this.seed = seed;
         this.width = width;
         this.referenceSamples = referenceSamples;
-        promises = new PromisedErrors(promised, seed, width / PROMISED_PART, referenceSamples / 4);
+        promises = new PromisedErrors(promised, sparse, seed, width / PROMISED_PART, referenceSamples / 4);
     }
 
     @Override
@@ -50,7 +58,7 @@ final class AntialiasingStudy implements Study {
         return "seeds " + seed + " to " + (seed + PictureStudy.SEEDS - 1) + ", width " + width + " and "
                 + width / PROMISED_PART
                 + ", references " + referenceSamples + " samples or as many as it takes, scenes "
-                + StudySetup.settings(compared) + " and " + StudySetup.settings(promised);
+                + StudySetup.settings(compared) + ", " + StudySetup.settings(promised) + " and " + sparse.keySet();
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
@@ -31,6 +32,7 @@ import org.jfree.data.xy.XYIntervalSeries;
 import org.jfree.data.xy.XYIntervalSeriesCollection;
 import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
+import tompkins.image.FewColours;
 
 /**
  * Draws a {@link Chart}: a curve with error bars for each method, its slope, the Pareto front, and the reference's
@@ -51,7 +53,10 @@ public final class ChartDrawing {
     static byte[] png(Chart chart, List<Measurement> all) {
         try {
             return ChartUtils.encodeAsPNG(
-                    drawing(chart, all, ChartStyle.PRINTED).createBufferedImage(WIDTH, HEIGHT), false, 9);
+                    FewColours.of(drawing(chart, all, ChartStyle.PRINTED)
+                            .createBufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB, null)),
+                    false,
+                    9);
         } catch (IOException impossible) {
             throw new UncheckedIOException(impossible);
         }

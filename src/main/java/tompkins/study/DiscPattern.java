@@ -7,8 +7,8 @@ import org.hipparchus.analysis.integration.gauss.GaussIntegrator;
 import org.hipparchus.analysis.integration.gauss.GaussIntegratorFactory;
 
 /**
- * A pattern made for the disc, from a table, turned in each pixel. Where the place in the pixel varies too, the places
- * are those of {@link SamplingMethod#ADDITIVE}, paired with the points of the disc at random.
+ * A pattern made for the disc, from a table, turned in each pixel. Where the position in the pixel varies too, the
+ * positions are those of {@link SamplingMethod#ADDITIVE}, paired with the points of the disc at random.
  */
 final class DiscPattern extends SamplePattern {
 
@@ -17,10 +17,10 @@ final class DiscPattern extends SamplePattern {
     private final double[] discX;
     private final double[] discY;
     private final double[] weights;
-    private final ShiftedPattern pixelPlaces;
-    private double cosine;
-    private double sine;
-    private int[] pairs;
+    private final ShiftedPattern pixelPositions;
+    private final double[] cosines = new double[PIXELS];
+    private final double[] sines = new double[PIXELS];
+    private final int[][] pairs = new int[PIXELS][];
 
     private DiscPattern(
             long seed,
@@ -33,7 +33,7 @@ final class DiscPattern extends SamplePattern {
         discX = table(samples, i -> radius.applyAsDouble(i) * Math.cos(angle.applyAsDouble(i)));
         discY = table(samples, i -> radius.applyAsDouble(i) * Math.sin(angle.applyAsDouble(i)));
         weights = table(samples, weight);
-        pixelPlaces = space.hasPixel() ? ShiftedPattern.additive(seed, samples, space) : null;
+        pixelPositions = space.hasPixel() ? ShiftedPattern.additive(seed, samples, space) : null;
     }
 
     private static double[] table(int samples, IntToDoubleFunction value) {
@@ -61,27 +61,27 @@ final class DiscPattern extends SamplePattern {
     }
 
     @Override
-    void startPixel(int column, int row) {
-        SplittableRandom random = randomFor(column, row);
+    void start(int pixel, SplittableRandom random) {
         double turn = 2 * Math.PI * random.nextDouble();
-        cosine = Math.cos(turn);
-        sine = Math.sin(turn);
-        if (pixelPlaces != null) {
-            pairs = shuffled(discX.length, random);
-            pixelPlaces.startPixel(column, row);
+        cosines[pixel] = Math.cos(turn);
+        sines[pixel] = Math.sin(turn);
+        if (pixelPositions != null) {
+            pairs[pixel] = shuffled(discX.length, random);
+            pixelPositions.start(pixel, random);
         }
     }
 
     @Override
-    void goTo(int sample) {
-        lensX = cosine * discX[sample] - sine * discY[sample];
-        lensY = sine * discX[sample] + cosine * discY[sample];
-        weight = weights[sample];
-        if (pixelPlaces != null) {
-            pixelPlaces.goTo(pairs[sample]);
-            x = pixelPlaces.x;
-            y = pixelPlaces.y;
-            moment = pixelPlaces.moment;
+    void go(int pixel, int sample, Position at) {
+        if (pixelPositions != null) {
+            pixelPositions.go(pixel, pairs[pixel][sample], at);
         }
+        at.lensX = cosines[pixel] * discX[sample] - sines[pixel] * discY[sample];
+        at.lensY = sines[pixel] * discX[sample] + cosines[pixel] * discY[sample];
+    }
+
+    /** The weight of a sample in the mean of its pixel. */
+    double weight(int sample) {
+        return weights[sample];
     }
 }

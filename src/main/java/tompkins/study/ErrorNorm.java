@@ -1,5 +1,7 @@
 package tompkins.study;
 
+import java.util.Arrays;
+
 /**
  * The size of a set of errors.
  *
@@ -26,5 +28,12 @@ record ErrorNorm(double rootMeanSquare, double maximum) {
             errors[i] = values[i] - reference[i];
         }
         return of(errors);
+    }
+
+    /** The relative error of the mean of a set of values. */
+    static ErrorNorm ofMean(double[] values, double[] reference) {
+        double error =
+                Math.abs(Arrays.stream(values).sum() / Arrays.stream(reference).sum() - 1);
+        return new ErrorNorm(error, error);
     }
 }

@@ -2,127 +2,95 @@ package tompkins.study;
 
 import java.util.SplittableRandom;
 import java.util.function.Function;
+import tompkins.camera.SamplePositions;
+import tompkins.camera.Sampler;
 
-/** What a pixel may see through the lens, with the exact answer. */
-enum ExactProblem {
+/**
+ * Something that a pixel may see, with the exact answer: how much of it is bright.
+ *
+ * @param key its name in files
+ * @param title of its chart
+ * @param space what the samples have to be spread over
+ * @param largestSlope with which the error of the program's samples may fall
+ * @param theory the slope that theory gives it
+ * @param share the largest error of the program's samples, divided by that of random ones
+ * @param instances makes cases of the problem
+ */
+record ExactProblem(
+        String key,
+        String title,
+        SampledSpace space,
+        double largestSlope,
+        String theory,
+        double share,
+        Function<SplittableRandom, Instance> instances) {
 
-    /** A straight edge across the lens. */
-    EDGE("edge", "An edge seen through the lens", SampledSpace.LENS, random -> {
-        double angle = 2 * Math.PI * random.nextDouble();
-        double cosine = Math.cos(angle);
-        double sine = Math.sin(angle);
-        double c = random.nextDouble(-0.9, 0.9);
-        return new Instance(place -> cosine * place.lensX + sine * place.lensY < c ? 1 : 0, DiscArea.below(c));
-    }),
+    /** Number of cases that are worked out. */
+    static final int INSTANCES = 60;
 
-    /** A disc that covers a part of the lens. */
-    DISC("disc", "A disc seen through the lens", SampledSpace.LENS, random -> {
-        double angle = 2 * Math.PI * random.nextDouble();
-        double distance = random.nextDouble(1);
-        double centreX = distance * Math.cos(angle);
-        double centreY = distance * Math.sin(angle);
-        double radius = random.nextDouble(0.3, 0.9);
-        return new Instance(
-                place -> {
-                    double x = place.lensX - centreX;
-                    double y = place.lensY - centreY;
-                    return x * x + y * y < radius * radius ? 1 : 0;
-                },
-                DiscArea.overlap(distance, radius));
-    }),
+    /** The pixels that see a case form a square, so that neighbours in either direction are compared. */
+    private static final int SIDE = 4;
 
-    /** A chequerboard. */
-    CHEQUER("chequer", "A chequerboard seen through the lens", SampledSpace.LENS, random -> {
-        double angle = 2 * Math.PI * random.nextDouble();
-        double cosine = Math.cos(angle);
-        double sine = Math.sin(angle);
-        double side = random.nextDouble(0.5, 1);
-        double left = -3 + side * random.nextDouble();
-        double bottom = -3 + side * random.nextDouble();
-        return new Instance(
-                place -> {
-                    int column = (int) ((cosine * place.lensX + sine * place.lensY - left) / side);
-                    int row = (int) ((cosine * place.lensY - sine * place.lensX - bottom) / side);
-                    return (column + row) % 2;
-                },
-                chequer(left, bottom, side));
-    }),
+    /** Pixels that see the same case. */
+    static final int PIXELS_OF_INSTANCE = SIDE * SIDE;
 
-    /** An edge that sweeps over the lens from one side of the pixel to the other. */
-    SWEEP("edge-in-pixel", "An edge seen through the lens and the pixel", SampledSpace.LENS_AND_PIXEL, random -> {
-        double angle = 2 * Math.PI * random.nextDouble();
-        double cosine = Math.cos(angle);
-        double sine = Math.sin(angle);
-        double u = random.nextDouble(0.3, 1.5);
-        double v = random.nextDouble(0.3, 1.5);
-        double c = random.nextDouble(-0.9, 0.9);
-        return new Instance(
-                place -> cosine * place.lensX + sine * place.lensY + u * (place.x - 0.5) + v * (place.y - 0.5) < c
-                        ? 1
-                        : 0,
-                DiscArea.below(c, u, v));
-    });
+    private static final int INSTANCES_OF_BLOCK = 15;
 
     /** Something to be integrated. */
     @FunctionalInterface
     interface Integrand {
 
-        /** Its value at the place where a pattern is. */
-        double value(SamplePattern place);
+        /** Its value at a position. */
+        double value(Position position);
     }
 
     /**
      * One case of a problem.
      *
      * @param integrand what is to be integrated
-     * @param exact its mean over lens and pixel
+     * @param exact its mean over all positions
      */
     record Instance(Integrand integrand, double exact) {}
 
-    private static final double FAR = 3;
-
-    private final String key;
-    private final String title;
-    private final SampledSpace space;
-    private final Function<SplittableRandom, Instance> instances;
-
-    ExactProblem(String key, String title, SampledSpace space, Function<SplittableRandom, Instance> instances) {
-        this.key = key;
-        this.title = title;
-        this.space = space;
-        this.instances = instances;
-    }
-
-    Instance instance(SplittableRandom random) {
-        return instances.apply(random);
-    }
-
-    String key() {
-        return key;
-    }
-
-    String title() {
-        return title;
-    }
-
-    SampledSpace space() {
-        return space;
-    }
-
-    private static double chequer(double left, double bottom, double side) {
-        double sum = 0;
-        for (int column = 0; left + column * side < FAR; column++) {
-            for (int row = 0; bottom + row * side < FAR; row++) {
-                if ((column + row) % 2 == 1) {
-                    double x = left + column * side;
-                    double y = bottom + row * side;
-                    sum += DiscArea.corner(x + side, y + side)
-                            - DiscArea.corner(x, y + side)
-                            - DiscArea.corner(x + side, y)
-                            + DiscArea.corner(x, y);
+    /**
+     * The errors of all pixels; those of one case are next to each other.
+     *
+     * @param seed of the cases
+     */
+    double[] errors(long seed, Sampler sampler, int samples) {
+        double[] errors = new double[INSTANCES * PIXELS_OF_INSTANCE];
+        SplittableRandom random = new SplittableRandom(seed);
+        SamplePositions positions = new SamplePositions(INSTANCES_OF_BLOCK * PIXELS_OF_INSTANCE);
+        Instance[] cases = new Instance[INSTANCES_OF_BLOCK];
+        for (int first = 0; first < INSTANCES; first += INSTANCES_OF_BLOCK) {
+            positions.clear();
+            for (int i = 0; i < INSTANCES_OF_BLOCK; i++) {
+                cases[i] = instances.apply(random);
+                for (int pixel = 0; pixel < PIXELS_OF_INSTANCE; pixel++) {
+                    positions.addPixel(pixel % SIDE, (first + i) * SIDE + pixel / SIDE);
                 }
             }
+            addErrors(cases, positions, sampler, samples, errors, first * PIXELS_OF_INSTANCE);
         }
-        return sum;
+        return errors;
+    }
+
+    private static void addErrors(
+            Instance[] cases, SamplePositions positions, Sampler sampler, int samples, double[] errors, int first) {
+        Position position = new Position();
+        double weights = 0;
+        for (int sample = 0; sample < samples; sample++) {
+            sampler.choose(positions, sample);
+            double weight = SamplePattern.weight(sampler, sample);
+            weights += weight;
+            for (int i = 0; i < positions.count(); i++) {
+                position.goTo(positions, i);
+                errors[first + i] +=
+                        weight * cases[i / PIXELS_OF_INSTANCE].integrand().value(position);
+            }
+        }
+        for (int i = 0; i < positions.count(); i++) {
+            errors[first + i] = errors[first + i] / weights - cases[i / PIXELS_OF_INSTANCE].exact();
+        }
     }
 }

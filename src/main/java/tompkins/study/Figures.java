@@ -30,7 +30,7 @@ public record Figures(double rays, Spread seconds, Spread error, double maximum,
                 runs.stream().mapToDouble(Figures::rays).average().orElseThrow(),
                 spread(runs, run -> run.seconds.middle()),
                 spread(runs, run -> run.error.middle()),
-                spread(runs, Figures::maximum).middle(),
+                spread(runs, Figures::maximum).high(),
                 runs.get(0).floor);
     }
 

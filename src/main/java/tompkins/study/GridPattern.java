@@ -1,5 +1,7 @@
 package tompkins.study;
 
+import java.util.SplittableRandom;
+
 /** The centres of the cells of a grid in the pixel, the same in all pixels; through the centre of the lens. */
 final class GridPattern extends SamplePattern {
 
@@ -12,13 +14,13 @@ final class GridPattern extends SamplePattern {
     }
 
     @Override
-    void startPixel(int column, int row) {
+    void start(int pixel, SplittableRandom random) {
         // the same everywhere
     }
 
     @Override
-    void goTo(int sample) {
-        x = (sample % side + 0.5) / side;
-        y = (sample / side + 0.5) / side;
+    void go(int pixel, int sample, Position at) {
+        at.x = (sample % side + 0.5) / side;
+        at.y = (sample / side + 0.5) / side;
     }
 }

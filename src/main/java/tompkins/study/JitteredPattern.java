@@ -9,9 +9,9 @@ final class JitteredPattern extends SamplePattern {
     private final int columns;
     private final int rows;
     private final SampledSpace space;
-    private SplittableRandom random;
-    private int[] pairs;
-    private int[] moments;
+    private final SplittableRandom[] randoms = new SplittableRandom[PIXELS];
+    private final int[][] pairs = new int[PIXELS][];
+    private final int[][] moments = new int[PIXELS][];
 
     JitteredPattern(long seed, int samples, SampledSpace space) {
         super(seed);
@@ -22,31 +22,32 @@ final class JitteredPattern extends SamplePattern {
     }
 
     @Override
-    void startPixel(int column, int row) {
-        random = randomFor(column, row);
-        pairs = space.hasPixel() ? shuffled(samples, random) : null;
-        moments = space.hasTime() ? shuffled(samples, random) : null;
+    void start(int pixel, SplittableRandom random) {
+        randoms[pixel] = random;
+        pairs[pixel] = space.hasPixel() ? shuffled(samples, random) : null;
+        moments[pixel] = space.hasTime() ? shuffled(samples, random) : null;
     }
 
     @Override
-    void goTo(int sample) {
+    void go(int pixel, int sample, Position at) {
+        SplittableRandom random = randoms[pixel];
         if (space.hasLens()) {
-            lens(across(sample), up(sample));
+            at.goToLens(across(sample, random), up(sample, random));
         }
         if (space.hasTime()) {
-            moment = (moments[sample] + random.nextDouble()) / samples;
+            at.moment = (moments[pixel][sample] + random.nextDouble()) / samples;
         }
         if (space.hasPixel()) {
-            x = across(pairs[sample]);
-            y = up(pairs[sample]);
+            at.x = across(pairs[pixel][sample], random);
+            at.y = up(pairs[pixel][sample], random);
         }
     }
 
-    private double across(int cell) {
+    private double across(int cell, SplittableRandom random) {
         return (cell % columns + random.nextDouble()) / columns;
     }
 
-    private double up(int cell) {
+    private double up(int cell, SplittableRandom random) {
         return (cell / columns + random.nextDouble()) / rows;
     }
 }

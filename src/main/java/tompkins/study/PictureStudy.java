@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.stream.LongStream;
+import tompkins.camera.PixelSampler;
+import tompkins.camera.Sampler;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
@@ -71,11 +73,11 @@ public final class PictureStudy {
             trials.add(photographed(CENTRE, 1, new Quality.Samples(1)));
         }
         if (sharp && others) {
-            trials.add(placed(ANYWHERE, new ProgramPattern(seed, SampledSpace.LENS_AND_PIXEL), 1));
+            trials.add(sampled(ANYWHERE, new PixelSampler(seed, false, false), 1));
         }
         for (int samples = 4; samples <= MOST_SAMPLES; samples *= 4) {
             if (sharp && others) {
-                trials.add(placed(GRID, new GridPattern(samples), samples));
+                trials.add(sampled(GRID, new GridPattern(samples), samples));
             }
             trials.add(photographed(FIXED, samples, new Quality.Samples(samples)));
         }
@@ -89,8 +91,8 @@ public final class PictureStudy {
         return new Trial(name, method, setting, () -> pixels.photographed(seeded, quality));
     }
 
-    private Trial placed(String method, SamplePattern pattern, int samples) {
-        return new Trial(name, method, samples, () -> pixels.placed(List.of(pattern), samples));
+    private Trial sampled(String method, Sampler sampler, int samples) {
+        return new Trial(name, method, samples, () -> pixels.sampled(sampler, samples));
     }
 
     /** Number of points of the chart. */

@@ -1,9 +1,12 @@
 package tompkins.study;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiFunction;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.LongStream;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
@@ -25,41 +28,83 @@ final class PromisedErrors {
 
     private static final double MOST_REFERENCE_ERROR = 0.0005;
 
-    private final Map<String, Studio> small = new LinkedHashMap<>();
+    /** The light of photographs with sparse light, at the best quality that is promised. */
+    private static final String LIGHT = "light";
+
+    private static final String SPARSE = "sparse light";
+    private static final int SPARSE_WIDTH = 128;
+    private static final double SPARSE_TOLERANCE = 2;
+    private static final double LIGHT_TOLERANCE = 0.02;
+
+    private final Map<String, Studio> studios;
+    private final Map<String, Studio> sparse;
     private final long seed;
+    private final int width;
     private final int referenceSamples;
 
     /**
      * The question for some photographs.
      *
-     * @param width of the photographs in pixels
+     * @param sparse photographs whose light comes from few places, which are taken larger
+     * @param width of the other photographs in pixels
      * @param referenceSamples least number of samples per pixel of the references
      */
-    PromisedErrors(Map<String, Studio> studios, long seed, int width, int referenceSamples) {
+    PromisedErrors(
+            Map<String, Studio> studios, Map<String, Studio> sparse, long seed, int width, int referenceSamples) {
+        this.studios = studios;
+        this.sparse = sparse;
         this.seed = seed;
+        this.width = width;
         this.referenceSamples = referenceSamples;
-        studios.forEach((name, studio) -> small.put(name, Photographs.small(studio, width)));
     }
 
     List<Trial> trials() {
         List<Trial> trials = new ArrayList<>();
-        small.forEach((name, studio) -> {
-            ScenePixels pixels =
-                    new ScenePixels(studio, ScenePixels.ALL, referenceSamples, WANTED_REFERENCE_ERROR, () -> false);
-            String kind = kind(studio);
-            for (double promise : PROMISES) {
-                for (long run = seed; run < seed + SEEDS; run++) {
-                    String problem = PROBLEM + ":" + name + ":seed " + run;
-                    Studio seeded = studio.withSettings(studio.settings().withSeed(run));
-                    trials.add(new Trial(
-                            problem,
-                            kind,
-                            promise,
-                            () -> pixels.photographed(List.of(seeded), new Quality.TargetError(promise))));
-                }
-            }
+        studios.forEach((name, studio) -> {
+            Studio small = Photographs.small(studio, width);
+            trials.addAll(trials(name, kind(studio), small, pixels(small)));
+        });
+        sparse.forEach((name, studio) -> {
+            Studio small = Photographs.small(studio, SPARSE_WIDTH);
+            ScenePixels pixels = pixels(small);
+            trials.addAll(trials(name, SPARSE, small, pixels));
+            double best = PROMISES[PROMISES.length - 1];
+            trials.addAll(trials(LIGHT, name, SPARSE, small, best, pixels::meanLight));
         });
         return trials;
+    }
+
+    private ScenePixels pixels(Studio small) {
+        return new ScenePixels(small, ScenePixels.ALL, referenceSamples, WANTED_REFERENCE_ERROR, () -> false);
+    }
+
+    private List<Trial> trials(String name, String kind, Studio small, ScenePixels pixels) {
+        List<Trial> trials = new ArrayList<>();
+        for (double promise : PROMISES) {
+            trials.addAll(trials(PROBLEM, name, kind, small, promise, pixels::photographed));
+        }
+        return trials;
+    }
+
+    /** One trial for each seed. */
+    private List<Trial> trials(
+            String problem,
+            String name,
+            String kind,
+            Studio small,
+            double promise,
+            BiFunction<List<Studio>, Quality, Figures> measure) {
+        return LongStream.range(seed, seed + SEEDS)
+                .mapToObj(run -> {
+                    List<Studio> seeded =
+                            List.of(small.withSettings(small.settings().withSeed(run)));
+                    return new Trial(
+                            problem + ":" + name + ":seed " + run,
+                            kind,
+                            promise,
+                            () -> measure.apply(seeded, new Quality.TargetError(promise)));
+                })
+                .toList();
     }
 
     private static String kind(Studio studio) {
@@ -84,13 +129,13 @@ final class PromisedErrors {
 
     /** The share of the photographs that keep what was promised. */
     static double share(List<Measurement> all) {
-        List<Measurement> runs = runs(all);
+        List<Measurement> runs = runs(PROBLEM, all);
         return (double) kept(runs) / runs.size();
     }
 
-    private static List<Measurement> runs(List<Measurement> all) {
+    private static List<Measurement> runs(String problem, List<Measurement> all) {
         return all.stream()
-                .filter(point -> point.problem().startsWith(PROBLEM + ":"))
+                .filter(point -> point.problem().startsWith(problem + ":"))
                 .toList();
     }
 
@@ -98,33 +143,60 @@ final class PromisedErrors {
         return runs.stream().filter(run -> excess(run) <= TOLERANCE).count();
     }
 
+    /** The run with the largest of some figure. */
+    private static Measurement worst(List<Measurement> runs, ToDoubleFunction<Measurement> figure) {
+        return runs.stream().max(Comparator.comparingDouble(figure)).orElseThrow();
+    }
+
+    private static String name(Measurement run) {
+        return run.problem().substring(run.problem().indexOf(':') + 1).replace(":", ", ") + " at " + run.setting();
+    }
+
     /** What the measurements must show. */
     static List<Finding> findings(List<Measurement> all) {
-        List<Measurement> runs = runs(all);
-        if (runs.isEmpty()) {
-            return List.of();
+        List<Finding> findings = new ArrayList<>();
+        List<Measurement> runs = runs(PROBLEM, all);
+        if (!runs.isEmpty()) {
+            long kept = kept(runs);
+            Measurement worst = worst(runs, PromisedErrors::excess);
+            double reference = worst(runs, Measurement::floor).floor();
+            findings.add(Finding.of(
+                    kept >= SHARE * runs.size(),
+                    Finding.text("Photographs that err by at most %.2f times what was promised", TOLERANCE),
+                    Finding.text("%.0f %%", 100 * SHARE),
+                    "%d of %d; the worst errs by %.2f times (%s)",
+                    kept,
+                    runs.size(),
+                    excess(worst),
+                    name(worst)));
+            findings.add(Finding.of(
+                    reference <= MOST_REFERENCE_ERROR,
+                    "Largest error of the references themselves, from the difference of their halves",
+                    Finding.text("at most %.4f, half of the smallest promise", MOST_REFERENCE_ERROR),
+                    "%.5f",
+                    reference));
         }
-        long kept = kept(runs);
-        Measurement worst =
-                runs.stream().reduce((a, b) -> excess(a) > excess(b) ? a : b).orElseThrow();
-        double reference = runs.stream().mapToDouble(Measurement::floor).max().orElseThrow();
-        return List.of(
-                Finding.of(
-                        kept >= SHARE * runs.size(),
-                        Finding.text("Photographs that err by at most %.2f times what was promised", TOLERANCE),
-                        Finding.text("%.0f %%", 100 * SHARE),
-                        "%d of %d; the worst errs by %.2f times (%s at %s)",
-                        kept,
-                        runs.size(),
-                        excess(worst),
-                        worst.problem().substring(PROBLEM.length() + 1).replace(":", ", "),
-                        worst.setting()),
-                Finding.of(
-                        reference <= MOST_REFERENCE_ERROR,
-                        "Largest error of the references themselves, from the difference of their halves",
-                        Finding.text("at most %.4f, half of the smallest promise", MOST_REFERENCE_ERROR),
-                        "%.5f",
-                        reference));
+        List<Measurement> lights = runs(LIGHT, all);
+        if (!lights.isEmpty()) {
+            Measurement worst = worst(
+                    runs.stream().filter(run -> run.method().equals(SPARSE)).toList(), PromisedErrors::excess);
+            findings.add(Finding.of(
+                    excess(worst) <= SPARSE_TOLERANCE,
+                    "Largest error of a photograph with sparse light, divided by what was promised",
+                    Finding.text("at most %.0f", SPARSE_TOLERANCE),
+                    "%.2f (%s)",
+                    excess(worst),
+                    name(worst)));
+            Measurement darkest = worst(lights, Measurement::medianError);
+            findings.add(Finding.of(
+                    darkest.medianError() <= LIGHT_TOLERANCE,
+                    "Mean light of photographs with sparse light: largest difference from that of the reference",
+                    Finding.text("at most %.0f %%", 100 * LIGHT_TOLERANCE),
+                    "%.2f %% (%s)",
+                    100 * darkest.medianError(),
+                    name(darkest)));
+        }
+        return findings;
     }
 
     /** The error, divided by what was promised, without that of the reference, which adds to it in squares. */

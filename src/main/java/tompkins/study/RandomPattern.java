@@ -6,7 +6,7 @@ import java.util.SplittableRandom;
 final class RandomPattern extends SamplePattern {
 
     private final SampledSpace space;
-    private SplittableRandom random;
+    private final SplittableRandom[] randoms = new SplittableRandom[PIXELS];
 
     RandomPattern(long seed, SampledSpace space) {
         super(seed);
@@ -14,28 +14,25 @@ final class RandomPattern extends SamplePattern {
     }
 
     @Override
-    void startPixel(int column, int row) {
-        random = randomFor(column, row);
+    void start(int pixel, SplittableRandom random) {
+        randoms[pixel] = random;
     }
 
     @Override
-    void goTo(int sample) {
+    void go(int pixel, int sample, Position at) {
+        SplittableRandom random = randoms[pixel];
         if (space.hasPixel()) {
-            x = random.nextDouble();
-            y = random.nextDouble();
+            at.x = random.nextDouble();
+            at.y = random.nextDouble();
         }
         if (space.hasTime()) {
-            moment = random.nextDouble();
+            at.moment = random.nextDouble();
         }
         if (space.hasLens()) {
-            throughLens();
+            do {
+                at.lensX = 2 * random.nextDouble() - 1;
+                at.lensY = 2 * random.nextDouble() - 1;
+            } while (at.lensX * at.lensX + at.lensY * at.lensY > 1);
         }
-    }
-
-    private void throughLens() {
-        do {
-            lensX = 2 * random.nextDouble() - 1;
-            lensY = 2 * random.nextDouble() - 1;
-        } while (lensX * lensX + lensY * lensY > 1);
     }
 }

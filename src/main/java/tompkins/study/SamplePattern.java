@@ -1,57 +1,57 @@
 package tompkins.study;
 
 import java.util.SplittableRandom;
-import tompkins.camera.ConcentricMap;
+import tompkins.camera.SamplePositions;
+import tompkins.camera.Sampler;
+import tompkins.ray.RayPacket;
 
 /**
- * Places in a pixel, on the lens and in the exposure time, and how much each counts. Like the program's own sampler, a
- * pattern depends on the seed and the pixel, never on earlier requests.
+ * A way to choose positions, at work on the blocks of pixels that the renderer follows. Like the program's own sampler,
+ * a pattern depends on the seed and the pixel; what it keeps for each pixel of a block is made at the first sample.
  */
-abstract class SamplePattern {
+abstract class SamplePattern implements Sampler {
 
-    /** Place in the pixel, from 0 to 1. */
-    double x = 0.5;
-
-    /** Place in the pixel, from 0 to 1. */
-    double y = 0.5;
-
-    /** Place on the lens, in units of its radius. */
-    double lensX;
-
-    /** Place on the lens, in units of its radius. */
-    double lensY;
-
-    /** The part of the exposure time that has passed, from 0 to 1. */
-    double moment = 0.5;
-
-    /** Weight of the sample; the mean is the weighted one. */
-    double weight = 1;
+    /** Pixels of a block. */
+    static final int PIXELS = RayPacket.MOST;
 
     private final long seed;
+    private final Position position = new Position();
 
     SamplePattern(long seed) {
         this.seed = seed;
     }
 
-    /** Goes to a pixel. */
-    abstract void startPixel(int column, int row);
+    @Override
+    public void choose(SamplePositions positions, int sample) {
+        for (int i = 0; i < positions.count(); i++) {
+            if (sample == 0) {
+                start(i, randomFor(positions.column(i), positions.row(i)));
+            }
+            go(i, sample, position);
+            positions.choose(i, position.x, position.y, position.lensX, position.lensY, position.moment);
+        }
+    }
 
-    /** Goes to a sample of the pixel. */
-    abstract void goTo(int sample);
+    /**
+     * Begins a pixel.
+     *
+     * @param pixel its number in the block, below {@link #PIXELS}
+     * @param random a generator of its own
+     */
+    abstract void start(int pixel, SplittableRandom random);
 
-    /** A random generator for a pixel. */
-    final SplittableRandom randomFor(int column, int row) {
+    /** Puts the position of a sample where it belongs. */
+    abstract void go(int pixel, int sample, Position at);
+
+    /** The weight of a sample in the mean of its pixel; 1 but for rules that have weights of their own. */
+    static double weight(Sampler sampler, int sample) {
+        return sampler instanceof DiscPattern disc ? disc.weight(sample) : 1;
+    }
+
+    private SplittableRandom randomFor(int column, int row) {
         // the seed itself is not well mixed, but the first number of a generator is
         long mixed = new SplittableRandom(seed * 0x9e3779b97f4a7c15L + ((long) row << 32 | column)).nextLong();
         return new SplittableRandom(mixed);
-    }
-
-    /** Maps the unit square to the lens. */
-    final void lens(double s, double t) {
-        double radius = ConcentricMap.radius(s, t);
-        double angle = ConcentricMap.angle(s, t);
-        lensX = radius * Math.cos(angle);
-        lensY = radius * Math.sin(angle);
     }
 
     /** The numbers from 0 to below {@code count} in random order. */

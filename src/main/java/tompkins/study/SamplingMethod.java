@@ -3,21 +3,23 @@ package tompkins.study;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
+import tompkins.camera.PixelSampler;
+import tompkins.camera.Sampler;
 
-/** A way to choose places in the pixel and on the lens, and moments. */
+/** A way to choose positions in the pixel and on the lens, and moments. */
 enum SamplingMethod {
 
-    /** Independent random places; on the lens by rejection, as in Dr TIM. */
+    /** Independent random positions; on the lens by rejection, as in Dr TIM. */
     RANDOM("random (as in Dr TIM)", (seed, samples, space) -> new RandomPattern(seed, space)),
 
-    /** One random place in each cell of a grid, on the lens by the concentric map. */
+    /** One random position in each cell of a grid, on the lens by the concentric map. */
     JITTERED("jittered", JitteredPattern::new),
 
     /** Multiples of irrational numbers (Roberts 2018), shifted for each pixel. */
     ADDITIVE("R2", ShiftedPattern::additive),
 
     /** The program's own: Sobol points with Owen's scrambling. */
-    SOBOL("Sobol, Owen-scrambled", (seed, samples, space) -> new ProgramPattern(seed, space)),
+    SOBOL("Sobol, Owen-scrambled", (seed, samples, space) -> new PixelSampler(seed, space.hasLens(), space.hasTime())),
 
     /** Halton points, shifted for each pixel. */
     HALTON("Halton", ShiftedPattern::halton),
@@ -41,22 +43,27 @@ enum SamplingMethod {
         return title;
     }
 
-    /** Makes its patterns. */
+    /** Makes its samplers. */
     Factory factory() {
         return factory;
     }
 
-    /** Makes the patterns of a method. */
+    /** Makes the samplers of a method. */
     @FunctionalInterface
     interface Factory {
 
         /**
-         * A pattern for one thread.
+         * A sampler for one thread.
          *
          * @param samples samples per pixel
-         * @param space what the samples are spread over; the rest stays in its centre
+         * @param space what the samples have to be spread over
          */
-        SamplePattern pattern(long seed, int samples, SampledSpace space);
+        Sampler sampler(long seed, int samples, SampledSpace space);
+    }
+
+    /** The comparison of some methods with that of the program, as thorough as for the documents. */
+    static SamplingStudy.Comparison comparison(StudySetup setup, Map<String, Factory> methods) {
+        return new SamplingStudy.Comparison(setup.seed(), 4096, 5, methods, SOBOL.title);
     }
 
     /** All methods, by title. */

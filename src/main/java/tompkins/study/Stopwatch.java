@@ -1,24 +1,35 @@
 package tompkins.study;
 
-/** Times something that is done over and over, after it has warmed up. */
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+
+/** The time that a thread is at work, in which the other programs of the machine do not count. */
 final class Stopwatch {
 
-    private static final long WARM_NANOS = 20_000_000;
+    private static final double WARM_SECONDS = 0.05;
+
+    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
     private Stopwatch() {}
 
+    /** Seconds that this thread has been at work; real time where the machine does not tell. */
+    private static double now() {
+        return (THREADS.isCurrentThreadCpuTimeSupported() ? THREADS.getCurrentThreadCpuTime() : System.nanoTime())
+                / 1e9;
+    }
+
     /** Runs a task until the compiler has settled; at least once. */
     static void warmUp(Runnable task) {
-        long start = System.nanoTime();
+        double start = now();
         do {
             task.run();
-        } while (System.nanoTime() - start < WARM_NANOS);
+        } while (now() - start < WARM_SECONDS);
     }
 
     /** Seconds that a task takes. */
     static double seconds(Runnable task) {
-        long start = System.nanoTime();
+        double start = now();
         task.run();
-        return (System.nanoTime() - start) / 1e9;
+        return now() - start;
     }
 }

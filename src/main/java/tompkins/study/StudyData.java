@@ -11,9 +11,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
-import tompkins.image.FileException;
-import tompkins.image.OutputFolder;
-import tompkins.image.PendingFile;
+import tompkins.file.FileException;
+import tompkins.file.OutputFolder;
+import tompkins.file.PendingFile;
 
 /**
  * The figures of a study in a file of comma-separated values: lines about the study, the program and the machine, then

@@ -2,6 +2,7 @@ package tompkins.study;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.Function;
 
 /** The studies that the program can make. */
@@ -9,25 +10,20 @@ public enum StudyKind {
 
     /** See {@link ApertureStudy}. */
     APERTURE(setup -> new ApertureStudy(
-            setup.studios(List.of("fig3a", "fig3b")),
-            setup.seed(),
-            4096,
-            5,
-            SamplingMethod.all(),
-            SamplingMethod.SOBOL.title())),
+            setup.studios(List.of("fig3a", "fig3b")), SamplingMethod.comparison(setup, SamplingMethod.all()))),
 
     /** See {@link ExposureStudy}. */
     EXPOSURE(setup -> new ExposureStudy(
-            setup.studios(List.of("rolling-slit")),
-            setup.seed(),
-            4096,
-            5,
-            SamplingMethod.inTime(),
-            SamplingMethod.SOBOL.title())),
+            setup.studios(List.of("rolling-slit")), SamplingMethod.comparison(setup, SamplingMethod.inTime()))),
 
     /** See {@link AntialiasingStudy}. */
     ANTIALIASING(setup -> new AntialiasingStudy(
-            setup.studios(List.of("fig1a", "fig2a")), setup.studios(setup.names()), setup.seed(), 144, 4096)),
+            setup.studios(List.of("fig1a", "fig2a")),
+            setup.studios(setup.names()),
+            setup.scene() == null ? SparseLight.scenes(setup.seed()) : Map.of(),
+            setup.seed(),
+            144,
+            4096)),
 
     /** See {@link PrecisionStudy}. */
     PRECISION(setup -> new PrecisionStudy(setup.seed())),

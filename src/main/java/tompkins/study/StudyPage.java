@@ -1,6 +1,8 @@
 package tompkins.study;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -8,8 +10,8 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
-import tompkins.image.FileException;
-import tompkins.image.PendingFile;
+import tompkins.file.FileException;
+import tompkins.file.PendingFile;
 import tompkins.ray.Ray;
 import tompkins.render.Quality;
 import tompkins.search.ObjectTree;
@@ -49,56 +51,22 @@ public final class StudyPage {
     }
 
     /**
-     * The top of the page of all studies.
+     * The top of the page of all studies, from {@code introduction.md}, which is a pattern of {@link String#format}.
      *
      * @param program name and version of the program
      */
     public static String introduction(String program) {
-        return Finding.text(
-                """
-                # Speed and accuracy
-
-                A picture can be had soon, or it can be right; each choice that the program makes for you was measured against
-                the others. All of this page, charts and figures too, is made by one command, which takes about ten minutes:
-
-                    java -jar target/tompkins.jar study all -o docs
-
-                The figures were measured with %s (%s). What the csv files hold already
-                is not measured again; figures of another machine are replaced only with `--force`.
-
-                ## What the program does because of these studies
-
-                | choice | default | study |
-                |---|---|---|
-                | places in pixel and on the lens | Sobol points, Owen-scrambled in each pixel | [aperture](#aperture) |
-                | moments while the shutter is open | one more dimension of these points | [exposure](#exposure) |
-                | samples per pixel | one in the centre, unless the scene says another number | [antialiasing](#antialiasing) |
-                | how good a picture `--error` makes | %s, half a step of an 8-bit picture, with samples where they are needed | [antialiasing](#antialiasing) |
-                | form of the Lorentz transformation | half angles in double precision | [precision](#precision) |
-                | search for the nearest object | list below %d objects, tree from there on | [tree](#tree) |
-                | end of a ray between mirrors | when it can bring less than 1/%.0f of the light | [depth](#depth) |
-                | previews in the window | every 8th, 4th, 2nd pixel, interpolated | [preview](#preview) |
-                | formulas near rest, near light and far away | those that keep their digits | [stability](#stability) |
-
-                ## How to read the charts
-
-                Both axes are logarithmic, so that "the error falls as a power of the cost" is a straight line. The number in
-                brackets is this power, the slope of the curve as it is drawn. The slopes in the tables are those over the
-                number of samples, or over gamma where the power law holds, and differ a little. Lower left is better. Rings are what the program
-                does. The yellow band is the Pareto front: the points that no other beats in both cost and error. Bars reach from
-                the smallest to the largest of several runs. The RMS error is the root of the mean square error over all pixels and
-                channels, in linear light where white is 1. A grey line is the error of the reference itself, found from its two
-                halves, where the exact answer is not known.
-
-                In the csv files, `error` is the RMS error. In the studies of precision and stability it is the largest error, in
-                that of the tree the number of rays that find something else, and in the rows `independence` of the aperture the
-                ratio of the table.
-                """,
-                program,
-                Machine.text(),
-                Quality.TargetError.DEFAULT.rootMeanSquare(),
-                ObjectTree.SMALLEST_TREE,
-                1 / Ray.FAINTEST);
+        try (InputStream text = StudyPage.class.getResourceAsStream("introduction.md")) {
+            return Finding.text(
+                    new String(text.readAllBytes(), StandardCharsets.UTF_8),
+                    program,
+                    Machine.text(),
+                    Quality.TargetError.DEFAULT.rootMeanSquare(),
+                    ObjectTree.SMALLEST_TREE,
+                    1 / Ray.FAINTEST);
+        } catch (IOException impossible) {
+            throw new UncheckedIOException(impossible);
+        }
     }
 
     /** The file with the figures of a study. */

@@ -1,12 +1,11 @@
 package tompkins.study;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
-import java.util.function.Supplier;
+import java.util.function.IntFunction;
 import org.joml.Vector3d;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
@@ -26,8 +25,6 @@ final class TreeStudy implements Study {
     private static final String LIST = "list";
     private static final String TREE = "tree";
     private static final String PROGRAM = "the program's choice";
-    private static final List<String> METHODS = List.of(LIST, TREE, PROGRAM);
-    private static final List<String> METHODS_FOR_MANY = List.of(TREE, PROGRAM);
     private static final int RAYS = 20_000;
     private static final int LONGEST_LIST = 10_000;
     private static final int REPEATS = 3;
@@ -40,9 +37,6 @@ final class TreeStudy implements Study {
     private final long seed;
     private final int mostObjects;
     private final int manyRepeats;
-
-    /** The results of all methods, by number of objects. */
-    private final Map<Integer, Map<String, Figures>> races = new HashMap<>();
 
     /** The study, up to a number of objects. */
     TreeStudy(long seed, int mostObjects) {
@@ -75,51 +69,33 @@ final class TreeStudy implements Study {
         for (int decade = 1; 10 * decade <= mostObjects; decade *= 10) {
             for (int step : 10 * decade < MANY ? STEPS : STEPS_OF_MANY) {
                 int objects = step * decade;
-                if (objects > mostObjects) {
-                    break;
-                }
-                for (String method : objects <= LONGEST_LIST ? METHODS : METHODS_FOR_MANY) {
-                    trials.add(new Trial(
-                            SPHERES,
-                            method,
-                            objects,
-                            () -> races.computeIfAbsent(objects, this::race).get(method)));
+                if (objects <= mostObjects) {
+                    trials.addAll(race(objects).trials(SPHERES, objects));
                 }
             }
         }
         return trials;
     }
 
-    /**
-     * Runs all methods with the same objects and rays, in turns, so that whatever else the machine does disturbs them
-     * all alike.
-     */
-    private Map<String, Figures> race(int objects) {
+    /** All methods with the same objects and rays. */
+    private Race race(int objects) {
+        Map<String, IntFunction<Figures>> methods = new LinkedHashMap<>();
+        if (objects <= LONGEST_LIST) {
+            methods.put(LIST, run -> search(objects, Integer.MAX_VALUE, run));
+        }
+        methods.put(TREE, run -> search(objects, 1, run));
+        methods.put(PROGRAM, run -> search(objects, ObjectTree.SMALLEST_TREE, run));
+        return new Race(methods, objects <= MANY ? manyRepeats : REPEATS);
+    }
+
+    private Figures search(int objects, int smallestTree, int run) {
         List<Primitive> primitives = spheres(objects);
         Ray[] rays = rays();
-        Map<String, Supplier<ObjectTree>> methods = new LinkedHashMap<>();
-        if (objects <= LONGEST_LIST) {
-            methods.put(LIST, () -> new ObjectTree(primitives, Integer.MAX_VALUE));
-        }
-        methods.put(TREE, () -> new ObjectTree(primitives, 1));
-        methods.put(PROGRAM, () -> new ObjectTree(primitives));
-        if (objects <= LONGEST_LIST) {
-            methods.values().forEach(method -> Stopwatch.warmUp(() -> search(method.get(), rays)));
-        }
-        int repeats = objects <= MANY ? manyRepeats : REPEATS;
-        Map<String, double[]> seconds = new HashMap<>();
-        for (int run = 0; run < repeats; run++) {
-            for (String method : methods.keySet()) {
-                seconds.computeIfAbsent(method, first -> new double[repeats])[run] =
-                        Stopwatch.seconds(() -> search(methods.get(method).get(), rays));
-            }
-        }
-        Map<String, Figures> figures = new HashMap<>();
-        methods.forEach((method, tree) -> {
-            int different = objects <= LONGEST_LIST ? differences(primitives, tree.get(), rays) : 0;
-            figures.put(method, Figures.of(RAYS, Spread.of(seconds.get(method)), different));
-        });
-        return figures;
+        double seconds = Stopwatch.seconds(() -> search(new ObjectTree(primitives, smallestTree), rays));
+        // times need many runs, the hits need one
+        boolean compares = run == 1 && objects <= LONGEST_LIST;
+        int different = compares ? differences(primitives, new ObjectTree(primitives, smallestTree), rays) : 0;
+        return new Figures(RAYS, Spread.exact(seconds), Spread.exact(different), different, 0);
     }
 
     private static double search(ObjectTree tree, Ray[] rays) {

@@ -1,5 +1,6 @@
 package tompkins.surface;
 
+import java.util.stream.Stream;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.Colour;
@@ -94,8 +95,13 @@ public record Clock(
     }
 
     @Override
-    public boolean throwsShadowAt(Hit hit) {
-        return at(hit).throwsShadowAt(hit);
+    public boolean throwsShadowAt(Ray ray, Hit hit) {
+        return at(hit).throwsShadowAt(ray, hit);
+    }
+
+    @Override
+    public Stream<Surface> parts() {
+        return Stream.of(face, hand).flatMap(Surface::parts);
     }
 
     @Override

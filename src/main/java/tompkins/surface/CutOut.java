@@ -53,8 +53,8 @@ public record CutOut(
     }
 
     @Override
-    public boolean throwsShadowAt(Hit hit) {
-        return at(hit).throwsShadowAt(hit);
+    public boolean throwsShadowAt(Ray ray, Hit hit) {
+        return at(hit).throwsShadowAt(ray, hit);
     }
 
     @Override

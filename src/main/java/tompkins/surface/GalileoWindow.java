@@ -64,4 +64,9 @@ public record GalileoWindow(
     public boolean continuesRays() {
         return true;
     }
+
+    @Override
+    public boolean turnsRays() {
+        return true;
+    }
 }

@@ -48,8 +48,8 @@ public record LorentzWindow(
     private Ray turned(Ray ray, Hit hit) {
         Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz);
         Vector3d back = axes.inFrame(velocity.direction(), hit).negate(new Vector3d());
-        double stretch = LorentzTransformation.turn(velocity, back, direction);
-        return ray.bent(hit, direction.x, direction.y, direction.z, ray.lightSlowness(), stretch, transmission);
+        double directionLength = LorentzTransformation.turn(velocity, back, direction);
+        return ray.bent(hit, direction.x, direction.y, direction.z, ray.lightSlowness(), directionLength, transmission);
     }
 
     @Override
@@ -64,6 +64,11 @@ public record LorentzWindow(
 
     @Override
     public boolean continuesRays() {
+        return true;
+    }
+
+    @Override
+    public boolean turnsRays() {
         return true;
     }
 }

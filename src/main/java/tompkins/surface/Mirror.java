@@ -1,5 +1,7 @@
 package tompkins.surface;
 
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import tompkins.property.Meaning;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
@@ -21,7 +23,27 @@ public record Mirror(
 
     @Override
     public Response respond(Ray ray, Hit hit, Tracer tracer) {
-        return Response.goesOn(reflected(ray, hit, reflectance), Colour.grey(reflectance));
+        if (!MediumWave.moves(ray.medium, ray.frame)) {
+            return Response.goesOn(reflected(ray, hit, reflectance), Colour.grey(reflectance));
+        }
+        Ray mirrored = reflected(ray, MediumWave.of(ray, tracer), hit, reflectance, tracer);
+        return mirrored == null ? Response.ends(Colour.BLACK) : Response.goesOn(mirrored, Colour.grey(reflectance));
+    }
+
+    /**
+     * The ray that belongs to the mirrored wave, where the medium moves past the mirror; null if the mirror outruns the
+     * light, so that none comes from it.
+     */
+    static Ray reflected(Ray ray, MediumWave wave, Hit hit, double share, Tracer tracer) {
+        Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
+        MediumWave.Outgoing back = wave.outgoing(
+                normal, -Math.signum(hit.cosine(ray)), ray.medium.index(), tracer.velocity(ray.medium, ray.frame));
+        if (back == null || !wave.isMet()) {
+            return null;
+        }
+        Vector3dc direction = back.direction();
+        return ray.bent(hit, direction.x(), direction.y(), direction.z(), back.slowness(), 1, share)
+                .stretched(wave.frequency() * back.length());
     }
 
     /** The mirrored ray, with a share of the light. Its direction is made a unit vector again. */
@@ -36,6 +58,11 @@ public record Mirror(
 
     @Override
     public boolean continuesRays() {
+        return true;
+    }
+
+    @Override
+    public boolean turnsRays() {
         return true;
     }
 }

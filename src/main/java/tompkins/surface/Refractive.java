@@ -1,10 +1,12 @@
 package tompkins.surface;
 
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
+import tompkins.ray.Medium;
 import tompkins.ray.Ray;
 
 /**
@@ -29,6 +31,9 @@ public record Refractive(
      */
     private static final int LONGEST_CAPTURE = 32;
 
+    /** What rounding leaves of an index of 1. */
+    private static final double ROUNDING = 1e-12;
+
     /** Far beyond all media, but small enough that times inside stay finite. */
     private static final double LARGEST_RATIO = 1e6;
 
@@ -41,29 +46,95 @@ public record Refractive(
     public Response respond(Ray ray, Hit hit, Tracer tracer) {
         double along = hit.cosine(ray);
         boolean entering = along < 0;
+        Medium medium = !tracer.keepsMedia() ? null : entering ? inside(ray) : outside(ray);
+        if (MediumWave.moves(ray.medium, ray.frame) || MediumWave.moves(medium, ray.frame)) {
+            return respondToWave(ray, hit, medium, tracer);
+        }
         double before = entering ? 1 : indexRatio;
         double behind = entering ? indexRatio : 1;
-        double slowness = ray.lightSlowness() * behind / before;
+        double slowness =
+                !tracer.keepsMedia() ? ray.lightSlowness() * behind / before : medium == null ? 1 : medium.index();
         Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz);
         Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
         double cosineBehind = Refraction.bend(direction, normal, before, behind, direction);
         double reflected = Refraction.reflectance(before, behind, Math.abs(along), cosineBehind);
-        double transmitted = 1 - reflected;
-        boolean caught = !entering && ray.depth >= LONGEST_CAPTURE && cosineBehind > 0;
-        if (caught || ray.throughput * Math.min(reflected, transmitted) < Ray.FAINTEST) {
-            // everything goes to the stronger part, so that as little light as possible goes the wrong way
-            return Response.goesOn(
-                    caught || reflected < transmitted
-                            ? ray.bent(hit, direction.x, direction.y, direction.z, slowness, 1, 1)
-                            : Mirror.reflected(ray, hit, 1),
-                    Colour.WHITE);
+        Ray mirrored = Mirror.reflected(ray, hit, 1);
+        Ray bent = ray.bent(hit, direction.x, direction.y, direction.z, slowness, 1, 1)
+                .in(medium);
+        return split(ray, entering, mirrored, bent, reflected, tracer);
+    }
+
+    /** The medium inside, which rests in the frame of the boundary. */
+    private Medium inside(Ray ray) {
+        double around = ray.medium == null ? 1 : ray.medium.index();
+        return new Medium(around * indexRatio, ray.frame, ray.medium);
+    }
+
+    /** The medium outside; null for vacuum. A ray that has begun in a medium does not know what is around that. */
+    private Medium outside(Ray ray) {
+        Medium medium = ray.medium;
+        boolean isKnown = medium != null && medium.frame() == ray.frame && medium.outer() != null;
+        if (isKnown) {
+            return medium.outer();
         }
-        Ray mirrored = Mirror.reflected(ray, hit, reflected);
-        Ray bent = ray.bent(hit, direction.x, direction.y, direction.z, slowness, 1, transmitted);
+        double index = (medium == null ? 1 : medium.index()) / indexRatio;
+        return Math.abs(index - 1) < ROUNDING ? null : new Medium(index, ray.frame, null);
+    }
+
+    /** Where a medium moves past the boundary it is the wave that is bent, and mirrored. */
+    private Response respondToWave(Ray ray, Hit hit, Medium medium, Tracer tracer) {
+        MediumWave wave = MediumWave.of(ray, tracer);
+        if (!wave.isMet()) {
+            return Response.ends(Colour.BLACK);
+        }
+        Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
+        Vector3d direction = wave.direction();
+        double cosine = direction.dot(normal);
+        boolean entering = hit.cosine(ray) < 0;
+        Ray bent = null;
+        double reflected = 1;
+        if (MediumWave.moves(medium, ray.frame)) {
+            MediumWave.Outgoing through =
+                    wave.outgoing(normal, entering ? -1 : 1, medium.index(), tracer.velocity(medium, ray.frame));
+            if (through != null) {
+                Vector3dc way = through.direction();
+                bent = ray.bent(hit, way.x(), way.y(), way.z(), through.slowness(), 1, 1)
+                        .stretched(wave.frequency() * through.length());
+                double cosineBehind = through.vector().dot(normal) / through.index();
+                reflected =
+                        Refraction.reflectance(wave.index(), through.index(), Math.abs(cosine), Math.abs(cosineBehind));
+            }
+        } else {
+            double behind = medium == null ? 1 : medium.index();
+            double cosineBehind = Refraction.bend(direction, normal, wave.index(), behind, direction);
+            reflected = Refraction.reflectance(wave.index(), behind, Math.abs(cosine), cosineBehind);
+            bent = ray.bent(hit, direction.x, direction.y, direction.z, behind, 1, 1)
+                    .stretched(wave.frequency());
+        }
+        Ray mirrored = MediumWave.moves(ray.medium, ray.frame)
+                ? Mirror.reflected(ray, wave, hit, 1, tracer)
+                : Mirror.reflected(ray, hit, 1);
+        if (mirrored == null || bent == null) {
+            Ray only = bent == null ? mirrored : bent.in(medium);
+            return only == null ? Response.ends(Colour.BLACK) : Response.goesOn(only, Colour.WHITE);
+        }
+        return split(ray, entering, mirrored, bent.in(medium), reflected, tracer);
+    }
+
+    /**
+     * The response of a boundary that mirrors a part of the light; everything goes to the stronger part where the other
+     * is too faint, so that as little light as possible goes the wrong way.
+     */
+    private static Response split(Ray ray, boolean entering, Ray mirrored, Ray bent, double reflected, Tracer tracer) {
+        double transmitted = 1 - reflected;
+        boolean caught = !entering && ray.depth >= LONGEST_CAPTURE && transmitted > 0;
+        if (caught || ray.throughput * Math.min(reflected, transmitted) < Ray.FAINTEST) {
+            return Response.goesOn(caught || reflected < transmitted ? bent : mirrored, Colour.WHITE);
+        }
         // the tracer loops over the stronger part, so that each level of recursion at least halves the light
         return reflected < transmitted
-                ? split(tracer, mirrored, reflected, bent, transmitted)
-                : split(tracer, bent, transmitted, mirrored, reflected);
+                ? split(tracer, mirrored.dim(reflected), reflected, bent.dim(transmitted), transmitted)
+                : split(tracer, bent.dim(transmitted), transmitted, mirrored.dim(reflected), reflected);
     }
 
     private static Response split(Tracer tracer, Ray weaker, double weakerShare, Ray stronger, double strongerShare) {
@@ -77,6 +148,11 @@ public record Refractive(
 
     @Override
     public boolean continuesRays() {
+        return true;
+    }
+
+    @Override
+    public boolean turnsRays() {
         return true;
     }
 }

@@ -18,7 +18,11 @@ public sealed interface Surface
                 Mirror,
                 Refractive,
                 LorentzWindow,
-                GalileoWindow {
+                GalileoWindow,
+                ConfocalLensletArray,
+                IdealLens,
+                TwoSided,
+                Mixture {
 
     /** What becomes of a ray that hit this surface. */
     Response respond(Ray ray, Hit hit, Tracer tracer);
@@ -33,8 +37,12 @@ public sealed interface Surface
         return Shadow.ALWAYS;
     }
 
-    /** Whether the surface throws a shadow at a hit. Surfaces with {@link Shadow#BY_POINT} say where. */
-    default boolean throwsShadowAt(Hit hit) {
+    /**
+     * Whether the surface throws a shadow at a hit. Surfaces with {@link Shadow#BY_POINT} say where.
+     *
+     * @param ray the ray that hit it, from what may lie in its shadow towards the light
+     */
+    default boolean throwsShadowAt(Ray ray, Hit hit) {
         return switch (shadow()) {
             case ALWAYS -> true;
             case NEVER -> false;
@@ -52,8 +60,13 @@ public sealed interface Surface
         return false;
     }
 
-    /** Whether rays go on from here: mirrors, windows, glass. */
+    /** Whether rays go on from here: mirrors, windows, glass, lenses. */
     default boolean continuesRays() {
+        return false;
+    }
+
+    /** Whether rays that go on from here turn, so that what they meet is seen elsewhere than it is. */
+    default boolean turnsRays() {
         return false;
     }
 }

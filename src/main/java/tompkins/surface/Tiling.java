@@ -31,7 +31,7 @@ public record Tiling(
         implements Surface {
 
     /** The spot of a ray is taken in so many parts at most. */
-    private static final int MOST_PARTS = 16;
+    static final int MOST_PARTS = 16;
 
     /** Grey and white unit tiles, filtered. */
     public static final Tiling DEFAULT = new Tiling(
@@ -51,25 +51,7 @@ public record Tiling(
 
     @Override
     public Response respond(Ray ray, Hit hit, Tracer tracer) {
-        double share = shareOfSecond(ray, hit);
-        if (share == 0) {
-            return first.respond(ray, hit, tracer);
-        }
-        if (share == 1) {
-            return second.respond(ray, hit, tracer);
-        }
-        return respondBoth(ray, hit, tracer, share);
-    }
-
-    /** Each surface answers for its share of the bundle; the tracer loops over the larger share. */
-    private Response respondBoth(Ray ray, Hit hit, Tracer tracer, double share) {
-        if (continuesRays() && ray.throughput * Math.min(share, 1 - share) < Ray.FAINTEST) {
-            // a share too faint to be followed is added to the larger one
-            return (share < 0.5 ? first : second).respond(ray, hit, tracer);
-        }
-        Response ofFirst = first.respond(ray.dimmed(1 - share), hit, tracer).times(1 - share);
-        Response ofSecond = second.respond(ray.dimmed(share), hit, tracer).times(share);
-        return share < 0.5 ? ofFirst.plus(ofSecond, tracer) : ofSecond.plus(ofFirst, tracer);
+        return Mixture.respond(first, second, shareOfSecond(ray, hit), ray, hit, tracer);
     }
 
     private double shareOfSecond(Ray ray, Hit hit) {
@@ -107,7 +89,7 @@ public record Tiling(
     }
 
     /** The spread of a part: all of what lies across the long axis of the spot, and its share of what lies along. */
-    private static double partSpread(double spread, double along, int parts) {
+    static double partSpread(double spread, double along, int parts) {
         double across = Math.max(0, (spread - Math.abs(along)) * (spread + Math.abs(along)));
         double share = along / parts;
         return Math.sqrt(across + share * share);
@@ -124,10 +106,10 @@ public record Tiling(
     }
 
     @Override
-    public boolean throwsShadowAt(Hit hit) {
+    public boolean throwsShadowAt(Ray ray, Hit hit) {
         boolean odd =
                 SquareWave.isOdd(Math.floor(hit.coordinates.u() / width) + Math.floor(hit.coordinates.v() / height));
-        return (odd ? second : first).throwsShadowAt(hit);
+        return (odd ? second : first).throwsShadowAt(ray, hit);
     }
 
     @Override

@@ -1,5 +1,6 @@
 package tompkins.surface;
 
+import org.joml.Matrix3d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
@@ -18,6 +19,14 @@ public enum WindowAxes {
         if (this == FRAME) {
             return vector;
         }
+        Matrix3d own = ofSurface(hit);
+        Vector3d first = own.getColumn(0, new Vector3d()).mul(vector.x());
+        Vector3d second = own.getColumn(1, new Vector3d()).mul(vector.y());
+        return first.add(second).add(own.getColumn(2, new Vector3d()).mul(vector.z()));
+    }
+
+    /** The unit vectors along the axes of the surface at a hit, as columns: the matrix takes them to the frame. */
+    static Matrix3d ofSurface(Hit hit) {
         SurfaceCoordinates at = hit.coordinates;
         Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
         // gradients may leave the surface, as that of the height does on a cone: only their part in the surface counts
@@ -26,7 +35,7 @@ public enum WindowAxes {
         Vector3d second = unit(
                 without(first, without(normal, new Vector3d(at.vX(), at.vY(), at.vZ()))),
                 first.cross(normal, new Vector3d()));
-        return first.mul(vector.x()).add(second.mul(vector.y())).add(normal.mul(vector.z()));
+        return new Matrix3d(first, second, normal);
     }
 
     /** The unit vector along a vector, or the other one if rounding leaves nothing of it. */

@@ -5,16 +5,16 @@ import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 import tompkins.studio.Background;
 
-/** What is beyond the objects of the scene: its background, which depends on directions only. */
-record BackgroundTracer(Background background) implements Beyond {
+/** The light of rays that leave all objects of the scene: its background, which depends on directions only. */
+record BackgroundTracer(Background background) implements EscapedLight {
 
     @Override
     public Colour colour(Ray ray) {
-        return background.colour(ray.dx, ray.dy, ray.dz);
+        return background.colour(ray.dx, ray.dy, ray.dz, Math.abs(ray.spread));
     }
 
     @Override
     public Colour colour(RayPacket rays, int place) {
-        return background.colour(rays.dx[place], rays.dy[place], rays.dz[place]);
+        return background.colour(rays.dx[place], rays.dy[place], rays.dz[place], Math.abs(rays.spread[place]));
     }
 }

@@ -10,8 +10,12 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
+import tompkins.ray.Medium;
 import tompkins.ray.Ray;
+import tompkins.spacetime.Event;
 import tompkins.surface.Refractive;
+import tompkins.world.FrameRoutes;
+import tompkins.world.World;
 
 /**
  * The medium around the lens: a camera may stand in glass or under water that moves with it. The medium is found by
@@ -26,10 +30,24 @@ final class LensMedium {
     private LensMedium() {}
 
     /**
-     * The slowness of light at a place among the primitives of the camera frame: the index of what is there, 1 in
-     * vacuum.
+     * The medium at an event of the camera frame: of what moves with the camera, or else of the scene; null in vacuum.
      */
-    static double slowness(List<Primitive> primitives, Vector3dc place) {
+    static Medium around(Event lens, List<Primitive> cameraFrame, World world, FrameRoutes routes) {
+        double index = index(cameraFrame, lens.position());
+        int frame = routes.camera();
+        for (int i = 0; i < world.frameCount() && index == 1; i++) {
+            if (!world.refractive(i).isEmpty()) {
+                frame = i;
+                index = index(
+                        world.refractive(i),
+                        routes.route(routes.camera(), i).transform(lens).position());
+            }
+        }
+        return index == 1 ? null : new Medium(index, frame, null);
+    }
+
+    /** The index of what is at a place among primitives: 1 in vacuum. */
+    private static double index(List<Primitive> primitives, Vector3dc place) {
         // a body may have many primitives, like a mesh
         Map<List<Object>, List<Primitive>> bodies = primitives.stream()
                 .filter(primitive -> primitive.surface() instanceof Refractive)
@@ -39,18 +57,17 @@ final class LensMedium {
                                 : List.of(primitive.surface(), primitive.description()),
                         LinkedHashMap::new,
                         Collectors.toList()));
-        double slowness = 1;
+        double index = 1;
         for (List<Primitive> body : bodies.values()) {
             Primitive first = body.get(0);
-            double index = ((Refractive) first.surface()).indexRatio();
             Collection<Integer> ahead = crossings(body, place, LINE);
             Collection<Integer> behind = crossings(body, place, LINE.negate(new Vector3d()));
             int depth = first.bounds() == null
                     ? Math.max(mostLeft(ahead), mostLeft(behind))
                     : left(ahead) == left(behind) ? left(ahead) : 0;
-            slowness *= Math.pow(index, depth);
+            index *= Math.pow(((Refractive) first.surface()).indexRatio(), depth);
         }
-        return slowness;
+        return index;
     }
 
     /**

@@ -17,49 +17,61 @@ final class LightShift {
     /** Far brighter than a picture can show, and still a number when it is summed. */
     private static final double BRIGHTEST = 0x1p80;
 
+    /** What rounding leaves of a ratio of 1. */
+    private static final double ROUNDING = 1e-12;
+
     private final ColourLaw law;
     private final Metering metering;
     private final double middle;
     private final double gain;
 
-    /** The shift under a law, for a picture with the given Doppler factor in its middle. */
-    LightShift(ColourLaw law, Metering metering, double middle) {
+    /**
+     * The shift under a law.
+     *
+     * @param middle the Doppler factor of the scene in the middle of the picture
+     * @param directionLength that of the ray there, in the scene frame
+     */
+    LightShift(ColourLaw law, Metering metering, double middle, double directionLength) {
         this.law = law;
         this.metering = metering;
         this.middle = middle;
-        gain = metering == Metering.NONE ? 1 : Math.min(MOST_GAIN, 1 / law.brightness(middle));
+        double white = law.brightness(Math.max(0, middle)) * brightness(middle, directionLength);
+        gain = metering == Metering.NONE ? 1 : Math.min(MOST_GAIN, 1 / white);
     }
 
     /**
-     * The colour in the camera frame.
+     * The colour that light has for the camera. If the camera outruns the light of a medium, or what it sees does,
+     * there may be no Doppler factor above 0; then colours stay as they are.
      *
-     * @param light the colour in the scene frame
-     * @param dopplerFactor frequency in the camera frame divided by that in the scene frame
-     */
-    Colour seen(Colour light, double dopplerFactor) {
-        Colour seen = law.seen(light, dopplerFactor);
-        return new Colour(limited(seen.red()), limited(seen.green()), limited(seen.blue()));
-    }
-
-    /**
-     * The colour in the camera frame of light that a lamp has sent to a surface. If the camera outruns the light of a
-     * medium there may be no factor above 0; then colours stay as they are.
+     * <p>Radiance goes with the fourth power of the length of the tangent of a ray in the frames of two observers. In
+     * vacuum that is the fourth power of the Doppler factor, and what the law has made of it; in a medium that moves it
+     * is another number.
      *
-     * @param light the colour, as if lamp and surface had one frame
-     * @param lampFactor frequency in the frame of the surface divided by that in the frame of the lamp
-     * @param dopplerFactor frequency in the camera frame divided by that in the frame of the surface
+     * @param light the colour where it was sent out, as if its lamp had the same frame
+     * @param lampFactor frequency in that frame divided by that in the frame of the lamp that it comes from
+     * @param dopplerFactor frequency in the camera frame divided by that in that frame
+     * @param directionLength that of the ray along which it is seen
      */
-    Colour seen(Colour light, double lampFactor, double dopplerFactor) {
+    Colour seen(Colour light, double lampFactor, double dopplerFactor, double directionLength) {
         if (!(dopplerFactor > 0)) {
             return light;
         }
         Colour seen = lampFactor == 1 ? law.seen(light, dopplerFactor) : law.seen(light, lampFactor, dopplerFactor);
-        return new Colour(limited(seen.red()), limited(seen.green()), limited(seen.blue()));
+        double correction = gain * brightness(dopplerFactor, directionLength);
+        return new Colour(
+                limited(seen.red() * correction),
+                limited(seen.green() * correction),
+                limited(seen.blue() * correction));
     }
 
-    private double limited(double channel) {
-        double metered = channel * gain;
-        return metered > BRIGHTEST ? BRIGHTEST : metered;
+    /** By how much light in a medium is brighter than it were in vacuum with the same Doppler factor. */
+    private static double brightness(double dopplerFactor, double directionLength) {
+        double ratio = 1 / (dopplerFactor * directionLength);
+        return Math.abs(ratio - 1) < ROUNDING ? 1 : ratio * ratio * ratio * ratio;
+    }
+
+    private static double limited(double channel) {
+        return channel > BRIGHTEST ? BRIGHTEST : channel;
     }
 
     /** The law. */

@@ -1,100 +1,122 @@
 package tompkins.trace;
 
+import java.util.List;
+import java.util.Locale;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.property.NumberText;
+import tompkins.ray.Medium;
+import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
-import tompkins.spacetime.Event;
+import tompkins.spacetime.LightInMedium;
 import tompkins.spacetime.TransformationLaw;
-import tompkins.world.FrameCrossing;
 import tompkins.world.FrameRoutes;
-import tompkins.world.World;
 
 /**
- * A medium of the scene in which the lens is, seen by a camera that moves through it. The tangent (d, -s) of a ray has,
- * in the rest frame of the medium, the slowness of the medium; this gives s for each direction.
+ * A medium of the scene in which the lens is, seen by a camera that moves through it. Rays are carried in its rest
+ * frame, because at high speed (d, -s) in the camera frame has lost what tells one ray from another: s differs from 1
+ * by less than a double shows.
  *
- * <p>Under the Lorentz transformation the time of the tangent in the medium is {@code q = G s - U.d}, and {@code s^2 -
- * 1 = (1 - 1/n^2) q^2}, because the length of a 4-vector is the same in all frames. In a Galilean world {@code n |d - w
- * s| = s}. Both are quadratic equations. Where the camera outruns the light of the medium there may be no solution: no
+ * <p>In a Galilean world the slowness s of a ray in the camera frame is a solution of {@code n |d - w s| = s}, with the
+ * velocity w of the camera in the medium. Where the camera outruns the light of the medium there may be no solution: no
  * light comes from there.
  */
 final class MovingMedium {
 
-    private final double index;
-    private final boolean galilean;
+    private static final Vector3dc NOWHERE = new Vector3d(Double.NaN);
 
-    // time in the medium's frame per unit of time and length in the camera frame, and velocity of the camera there
-    private final double perTime;
-    private final Event perLength;
-    private final Event velocity;
+    private final Medium medium;
+    private final FrameRoutes routes;
 
-    private MovingMedium(double index, TransformationLaw law, FrameCrossing crossing, FrameRoutes routes, int frame) {
-        this.index = index;
-        galilean = law == TransformationLaw.GALILEAN;
-        Event zero = inMedium(Event.ORIGIN, crossing, routes, frame);
-        velocity = inMedium(new Event(0, 0, 0, 1), crossing, routes, frame).minus(zero);
-        perTime = velocity.time();
-        perLength = new Event(
-                inMedium(new Event(1, 0, 0, 0), crossing, routes, frame).time() - zero.time(),
-                inMedium(new Event(0, 1, 0, 0), crossing, routes, frame).time() - zero.time(),
-                inMedium(new Event(0, 0, 1, 0), crossing, routes, frame).time() - zero.time(),
-                0);
-    }
-
-    private static Event inMedium(Event event, FrameCrossing crossing, FrameRoutes routes, int frame) {
-        Event inScene = crossing.cross(event);
-        return frame == 0 ? inScene : routes.transform(0, frame, inScene);
-    }
+    /** Null in a Galilean world. */
+    private final LightInMedium light;
 
     /**
-     * The medium around the lens.
+     * A medium.
      *
-     * @param lens an event at the lens, in the camera frame
-     * @param routes the ways between the frames; null if there is only one
-     * @return the medium, or null if the lens is in vacuum
+     * @param medium where the lens is
+     * @param law Lorentz or Galilean
+     * @param routes the ways between the frames
      */
-    static MovingMedium around(
-            Event lens, World world, TransformationLaw law, FrameCrossing crossing, FrameRoutes routes) {
-        for (int frame = 0; frame < world.frameCount(); frame++) {
-            if (!world.refractive(frame).isEmpty()) {
-                double index = LensMedium.slowness(
-                        world.refractive(frame),
-                        inMedium(lens, crossing, routes, frame).position());
-                if (index != 1) {
-                    return new MovingMedium(index, law, crossing, routes, frame);
-                }
-            }
-        }
-        return null;
+    MovingMedium(Medium medium, TransformationLaw law, FrameRoutes routes) {
+        this.medium = medium;
+        this.routes = routes;
+        light = law == TransformationLaw.GALILEAN
+                ? null
+                : new LightInMedium(medium.index(), routes.motion(medium.frame(), routes.camera()));
     }
 
-    /** Gives rays that have just left the camera their slowness, or no direction where no light comes from. */
-    void fill(RayPacket rays) {
+    /** Lets rays begin that have just left the camera; they get no direction where no light comes from. */
+    void begin(RayPacket rays) {
+        Vector3dc velocity =
+                routes.route(routes.camera(), medium.frame()).worldLine().position();
         for (int i = 0; i < rays.count(); i++) {
-            rays.slowness[i] = slowness(rays.dx[i], rays.dy[i], rays.dz[i]);
+            rays.slowness[i] = light == null
+                    ? galileanSlowness(velocity.dot(rays.dx[i], rays.dy[i], rays.dz[i]), velocity.lengthSquared())
+                    : light.slowness(rays.dx[i], rays.dy[i], rays.dz[i]);
             if (Double.isNaN(rays.slowness[i])) {
                 rays.dx[i] = Double.NaN;
             }
         }
+        rays.in(light == null ? null : medium);
     }
 
-    /** The slowness in the camera frame of light that is traced in a unit direction; NaN if there is none. */
-    double slowness(double dx, double dy, double dz) {
-        double a;
-        double b;
-        double c;
-        if (galilean) {
-            double squares = index * index;
-            double along = velocity.x() * dx + velocity.y() * dy + velocity.z() * dz;
-            a = squares * velocity.position().lengthSquared() - 1;
-            b = squares * along;
-            c = squares;
-        } else {
-            double share = (1 - 1 / index) * (1 + 1 / index);
-            double along = perLength.x() * dx + perLength.y() * dy + perLength.z() * dz;
-            a = share * perTime * perTime - 1;
-            b = share * perTime * along;
-            c = share * along * along + 1;
+    private double galileanSlowness(double along, double squaredSpeed) {
+        double squares = medium.index() * medium.index();
+        double a = squares * squaredSpeed - 1;
+        double b = squares * along;
+        double divisor = b + Math.sqrt(b * b - a * squares);
+        return divisor > 0 ? squares / divisor : Double.NaN;
+    }
+
+    /** Whether a ray that leaves the camera frame is in this medium, so that it goes on in its rest frame. */
+    boolean holds(Medium other) {
+        return other == medium;
+    }
+
+    /** Makes {@code memory} the ray of the camera frame in the rest frame of the medium. */
+    Ray enter(Ray ray, Ray memory) {
+        int frame = medium.frame();
+        Ray start = routes.route(ray.frame, frame).transform(ray, memory);
+        LightInMedium.Seen met = light.met(ray.dx, ray.dy, ray.dz);
+        Vector3dc direction = met == null ? NOWHERE : met.direction();
+        return memory.setInFrame(
+                        ray,
+                        start.x,
+                        start.y,
+                        start.z,
+                        direction.x(),
+                        direction.y(),
+                        direction.z(),
+                        start.time,
+                        medium.index(),
+                        met == null ? 1 : 1 / met.frequency(),
+                        met == null ? 1 : met.length())
+                .inFrame(frame);
+    }
+
+    /** The light that the camera overtakes in the same direction of its frame; null if there is none. */
+    LightInMedium.Seen overtaken(Vector3dc look) {
+        return light == null ? null : light.overtaken(look);
+    }
+
+    /** What this does to a picture, in sentences; empty if the camera rests in it. */
+    List<String> sentences() {
+        if (light == null || light.isAtRest()) {
+            return List.of();
         }
-        double divisor = b + Math.sqrt(b * b - a * c);
-        return divisor > 0 ? c / divisor : Double.NaN;
+        String moves = format(
+                "The camera moves through a medium of index %s: a direction of the picture is that of a ray there, not of"
+                        + " the normal of its waves; the frequency is that of the waves.",
+                NumberText.plain(medium.index(), 4));
+        String outruns = format(
+                "The camera is faster than light in the medium (1/n = %s): it shows the light that it meets; the light"
+                        + " that it overtakes, from behind, is left out. Beside a cone around its motion it sees nothing.",
+                NumberText.plain(1 / medium.index(), 4));
+        return light.isOutrun() ? List.of(moves, outruns) : List.of(moves);
+    }
+
+    private static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
     }
 }

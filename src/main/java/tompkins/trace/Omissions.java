@@ -7,15 +7,17 @@ import java.util.function.Predicate;
 import tompkins.camera.Camera;
 import tompkins.camera.CameraRays;
 import tompkins.camera.ThinLensCamera;
+import tompkins.light.AmbientLight;
 import tompkins.light.PointLight;
 import tompkins.ray.RayCounts;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.studio.Studio;
 import tompkins.surface.ColourFilter;
+import tompkins.surface.ConfocalLensletArray;
 import tompkins.surface.GalileoWindow;
+import tompkins.surface.IdealLens;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.Mirror;
-import tompkins.surface.Refractive;
 import tompkins.surface.Surface;
 
 /** Says in sentences which parts of nature a picture leaves out, if that could be seen in it. */
@@ -61,11 +63,11 @@ final class Omissions {
     List<String> sentences() {
         List<String> sentences = new ArrayList<>();
         addWindows(sentences);
+        addLenses(sentences);
         addFocus(sentences);
         addShutter(sentences);
         if (hasImagePoints && !beforeLens.isEmpty()) {
-            sentences.add("Image points are worked out as if nothing stood before the lens:"
-                    + " they ignore the objects that move with the camera.");
+            sentences.add("Image points ignore the objects that move with the camera.");
         }
         addLight(sentences);
         return sentences;
@@ -78,7 +80,7 @@ final class Omissions {
         }
         boolean manyTimes = !plan.isAtRest() && !(camera.shutter() instanceof AperturePlaneShutter);
         if (camera.hasWideAperture() || manyTimes) {
-            sentences.add("Windows give light the right directions, but not the right places: "
+            sentences.add("Windows give light the right directions, but not the right positions: "
                     + (camera.hasWideAperture()
                             ? "through a wide aperture"
                             : "with a shutter that opens at different times for different rays")
@@ -89,11 +91,19 @@ final class Omissions {
         }
     }
 
+    private void addLenses(List<String> sentences) {
+        Predicate<Surface> isLens = part -> part instanceof ConfocalLensletArray || part instanceof IdealLens;
+        if (has(inScene, isLens) || has(beforeLens, isLens)) {
+            sentences.add("Lenslets and ideal lenses turn light and do nothing else to it: no wave optics stands behind"
+                    + " them, and no light is delayed, although a real lens delays what passes its middle.");
+        }
+    }
+
     private void addFocus(List<String> sentences) {
         if (!isFocused()) {
             return;
         }
-        if (has(beforeLens, Omissions::turnsRays)) {
+        if (has(beforeLens, Surface::turnsRays)) {
             sentences.add("The focus ignores windows, glass and mirrors before the lens:"
                     + " it lies where the rays would meet it without them.");
         }
@@ -146,21 +156,19 @@ final class Omissions {
         if (isLit && hasLamps) {
             sentences.add("Lamps do not get fainter with distance.");
             Predicate<Surface> isClear =
-                    part -> turnsRays(part) && !(part instanceof Mirror) || part instanceof ColourFilter;
+                    part -> part.turnsRays() && !(part instanceof Mirror) || part instanceof ColourFilter;
             if (has(inScene, isClear) || has(beforeLens, isClear)) {
                 sentences.add("Filters, glass and windows throw no shadow and do not tint the light of lamps.");
             }
         }
+        boolean hasAmbientLight = studio.lights().stream().anyMatch(AmbientLight.class::isInstance);
+        if (isLit && hasAmbientLight && studio.shiftsColours() && studio.hasMotion()) {
+            sentences.add(
+                    "Ambient light is the same in every frame, as if moving objects brought their surroundings along.");
+        }
         if (camera instanceof ThinLensCamera) {
             sentences.add("The picture does not get darker towards its edges: no cos^4 law, which real lenses follow.");
         }
-    }
-
-    private static boolean turnsRays(Surface surface) {
-        return surface instanceof LorentzWindow
-                || surface instanceof GalileoWindow
-                || surface instanceof Refractive
-                || surface instanceof Mirror;
     }
 
     private static boolean has(Set<Surface> surfaces, Predicate<Surface> property) {

@@ -4,7 +4,7 @@ import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
-/** Watches the life of a ray. An observer must not keep what it is given: its memory is used again. */
+/** Watches the path of a ray. An observer must not keep what it is given: its memory is used again. */
 interface PathObserver {
 
     /** What follows, until {@link #returns()}, is the life of a weaker branch of a ray that was split. */
@@ -23,13 +23,9 @@ interface PathObserver {
      * The ray, or one that came from it, hits something.
      *
      * @param frame whether this is in the camera frame, or in the scene
-     * @param index the number of the frame of the ray and the hit, 0 for the camera frame or the scene frame itself
      * @param primitive what was hit
-     * @param event the event of the hit in the frame in which the ray began, where the speed of the object causes less
-     *     rounding
-     * @param eventIndex the number of that frame
      */
-    void hits(Frame frame, int index, Ray ray, Hit hit, Primitive primitive, Hit event, int eventIndex);
+    void hits(Frame frame, Ray ray, Hit hit, Primitive primitive);
 
     /** The ray, or one that came from it, goes on and meets nothing else in a frame. */
     void leaves(Frame frame, Ray ray);

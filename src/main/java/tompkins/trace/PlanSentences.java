@@ -9,12 +9,17 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import tompkins.camera.CameraRays;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.ColourLaw;
 import tompkins.light.Metering;
+import tompkins.primitive.BoxPrimitive;
+import tompkins.primitive.FlatPrimitive;
+import tompkins.primitive.PlanePrimitive;
+import tompkins.primitive.Primitive;
 import tompkins.property.NumberText;
 import tompkins.ray.Ray;
 import tompkins.search.ObjectTree;
@@ -25,6 +30,7 @@ import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
+import tompkins.surface.IdealLens;
 import tompkins.surface.Surface;
 import tompkins.world.World;
 
@@ -33,6 +39,9 @@ final class PlanSentences {
 
     /** The most frames whose content is listed, so that the sentence stays short. */
     private static final int MOST_TOLD = 8;
+
+    /** Above this Lorentz factor of a point that turns the user is warned. */
+    private static final double MOST_GAMMA = 1000;
 
     private final RenderPlan plan;
     private final Studio studio;
@@ -68,13 +77,18 @@ final class PlanSentences {
         sentences.add(motion());
         sentences.add(lens());
         if (!isMeasured) {
+            sentences.addAll(plan.mediumSentences());
+        }
+        if (!isMeasured) {
             sentences.add(shutter());
         }
         rolling().ifPresent(sentences::add);
         exposure().ifPresent(sentences::add);
+        sentences.addAll(new Flashes(plan, world.lights()).sentences());
         sentences.add(colours());
         sentences.add(cameraObjects());
         sentences.add(search());
+        rotation().ifPresent(sentences::add);
         sentences.add(recursion(Stream.of(inScene, beforeLens).flatMap(Set::stream)));
         sentences.addAll(new Omissions(plan, cameraRays, inScene, beforeLens, hasImagePoints).sentences());
         warnings().forEach(warning -> sentences.add("Warning: " + warning + "."));
@@ -89,7 +103,7 @@ final class PlanSentences {
                 ? "at the time " + NumberText.of(studio.camera().shutter().openingTime()) + " of the camera's frame"
                 : "in the camera's frame, for each ray at the time that the shutter gives";
         return "Measured, not a photograph: it shows where things are " + time
-                + ", as rulers and clocks find them there; light needs no time on its way to the camera, but travels as usual"
+                + ", as rulers and clocks find them there. Light needs no time to the camera, but travels as usual"
                 + " from the lamps, and after mirrors and glass.";
     }
 
@@ -102,10 +116,23 @@ final class PlanSentences {
                 .max(Comparator.comparingDouble(FrameMotion::gamma))
                 .flatMap(studio.transformation()::warning)
                 .ifPresent(warnings::add);
+        double fastest = rotationSpeeds().max().orElse(0);
+        if (studio.transformation() == TransformationLaw.LORENTZ && gamma(fastest) > MOST_GAMMA) {
+            warnings.add(format(
+                    "something turns with a gamma of %s at its edge, above %s; its hits may be wrong there",
+                    NumberText.of(NumberText.rounded(gamma(fastest), 3)), NumberText.of(MOST_GAMMA)));
+        }
         if (shift != null && shift.isTooFaint()) {
             warnings.add(
                     "the light of the scene is too faint to be seen in the middle of the picture, which stays dark");
         }
+        warnings.addAll(new Flashes(plan, world.lights()).warnings());
+        Stream.concat(IntStream.range(0, world.frameCount()).mapToObj(world::objects), Stream.of(cameraFrame))
+                .flatMap(objects -> objects.primitives().stream())
+                .filter(PlanSentences::isRoundLens)
+                .findFirst()
+                .ifPresent(lens -> warnings.add("an IdealLens is for flat objects; \"" + lens.description()
+                        + "\" is round, and what is seen through it means nothing"));
         if (missesFocus()) {
             warnings.add("the focus has no surface, so that "
                     + (studio.camera().shutter().needsFocus()
@@ -113,6 +140,13 @@ final class PlanSentences {
                             : "everything is focused at infinity"));
         }
         return warnings;
+    }
+
+    private static boolean isRoundLens(Primitive primitive) {
+        return !(primitive instanceof FlatPrimitive
+                        || primitive instanceof PlanePrimitive
+                        || primitive instanceof BoxPrimitive)
+                && primitive.surface().parts().anyMatch(IdealLens.class::isInstance);
     }
 
     /** Whether the picture needs a focus, and there is none, as in an empty group. */
@@ -169,7 +203,7 @@ final class PlanSentences {
                             + " change (aberration), not the point of view."
                     : format("All light%s crosses the lens at the same time.", together ? "" : " of a line");
         }
-        return "The time at the lens is worked out for each ray: different pixels may see the scene from different places.";
+        return "Each ray crosses the lens at its own time, so pixels can have different viewpoints in the scene.";
     }
 
     private Optional<String> rolling() {
@@ -179,7 +213,7 @@ final class PlanSentences {
         }
         int lines = rolling.direction().runsOverRows() ? plan.height() : plan.width();
         return Optional.of(format(
-                "The shutter rolls %s: each of %d lines opens %s after the one before it, which costs nothing.",
+                "The shutter rolls %s: each of %d lines opens %s after the one before it, which is free.",
                 rolling.direction().name().toLowerCase(Locale.ROOT),
                 lines,
                 NumberText.plain(rolling.sweep() / lines, 3)));
@@ -191,8 +225,8 @@ final class PlanSentences {
         }
         MotionBlur blur = new MotionBlur(plan);
         return Optional.of(format(
-                "The shutter stays open for %s: what is seen in the middle of the picture moves %s meanwhile, in the worst"
-                        + " corner %s. Each sample has a moment of its own, which costs nothing; blur takes more samples.",
+                "The shutter stays open for %s: objects in the middle of the picture move %s meanwhile, in a corner %s."
+                        + " This is free; smooth blur needs more samples.",
                 NumberText.of(studio.camera().exposureTime()),
                 pixels(blur.inTheMiddle()),
                 pixels(blur.inTheWorstCorner())));
@@ -207,8 +241,8 @@ final class PlanSentences {
         return count == 0
                 ? "Nothing moves with the camera: only the scene is searched."
                 : format(
-                        "%d primitive%s with the camera and %s searched first: nothing in the scene can hide %s.",
-                        count, count == 1 ? " moves" : "s move", count == 1 ? "is" : "are", count == 1 ? "it" : "them");
+                        "%d primitive%s with the camera and %s drawn in front of everything in the scene.",
+                        count, count == 1 ? " moves" : "s move", count == 1 ? "is" : "are");
     }
 
     private String search() {
@@ -235,6 +269,32 @@ final class PlanSentences {
         return format(
                 "%d inertial frames: each ray is searched for in every one that holds objects: %s%s.",
                 world.frameCount(), frames, others == 0 ? "" : "; and " + others + " more");
+    }
+
+    private DoubleStream rotationSpeeds() {
+        return IntStream.range(0, world.frameCount())
+                .mapToObj(frame -> world.objects(frame).rotationSpeeds())
+                .flatMap(List::stream)
+                .mapToDouble(Double::doubleValue);
+    }
+
+    private Optional<String> rotation() {
+        long groups = rotationSpeeds().count();
+        double fastest = rotationSpeeds().max().orElse(0);
+        return groups == 0
+                ? Optional.empty()
+                : Optional.of(format(
+                        "%s: rays are curves among what turns, and no hit is missed; the fastest point runs with %s c"
+                                + " round its axis%s.",
+                        groups == 1 ? "One group of objects turns" : groups + " groups of objects turn",
+                        NumberText.plain(fastest, 4),
+                        studio.transformation() == TransformationLaw.LORENTZ
+                                ? ", gamma " + NumberText.plain(gamma(fastest), 4)
+                                : ""));
+    }
+
+    private static double gamma(double speed) {
+        return 1 / Math.sqrt((1 - speed) * (1 + speed));
     }
 
     private String content(int frame) {
@@ -299,7 +359,7 @@ final class PlanSentences {
         }
         return studio.transformation() == TransformationLaw.LORENTZ
                 ? "; what is measured has no Doppler factor."
-                : "; these are worked out under the Lorentz transformation only.";
+                : "; they change under the Lorentz transformation only.";
     }
 
     private static String format(String pattern, Object... values) {

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import tompkins.camera.SamplePlaces;
+import tompkins.camera.SamplePositions;
 import tompkins.primitive.Described;
 import tompkins.primitive.Primitive;
 import tompkins.primitive.RestFrame;
@@ -14,6 +14,8 @@ import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
+import tompkins.spacetime.LightInMedium;
+import tompkins.spacetime.PointFrame;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.surface.Surface;
 
@@ -25,12 +27,19 @@ import tompkins.surface.Surface;
  * @param sceneStart the event at which its main branch enters the scene frame, or null if it never does; where a ray
  *     splits, the main branch goes on with most of the light
  * @param sceneDirection unit direction in the scene frame, or null
- * @param frequencyRatio frequency of the light that the camera sees divided by that in the scene frame; 1 without
+ * @param sceneDopplerFactor frequency of the light that the camera sees divided by that in the scene frame; 1 without
  *     crossing, and no number where the scene is measured without light
+ * @param sceneDirectionLength length, in the scene frame, of the direction that has length 1 in the camera frame: the
+ *     scene is brighter to the camera by the inverse of its fourth power, which in vacuum is that of the ratio of the
+ *     frequencies
  * @param hits everything that was hit, in the order of tracing: where a ray splits, first all of its weaker branch
  * @param lastDirection unit direction in the scene frame in which the main branch goes on after all hits and meets
  *     nothing more, or null if it ends at its last hit
  * @param lastSlowness slowness of light in the scene frame on that last way; 1 if there is none
+ * @param lastDopplerFactor frequency of the light that the camera sees divided by that in the scene frame on that last
+ *     way, behind all mirrors; no number if there is none
+ * @param overtaken the light in the same direction of the camera that the camera overtakes, in the rest frame of the
+ *     medium around it, if it is faster than light there; the ray is that of light that it meets. Null if there is none
  * @param colour the colour of the sample, before exposure
  */
 public record RayLife(
@@ -38,10 +47,13 @@ public record RayLife(
         Vector3dc cameraDirection,
         Event sceneStart,
         Vector3dc sceneDirection,
-        double frequencyRatio,
+        double sceneDopplerFactor,
+        double sceneDirectionLength,
         List<Encounter> hits,
         Vector3dc lastDirection,
         double lastSlowness,
+        double lastDopplerFactor,
+        LightInMedium.Seen overtaken,
         Colour colour) {
 
     /**
@@ -50,11 +62,12 @@ public record RayLife(
      * @param object the object, as the scene file describes it
      * @param frame the frame of place, time and distance
      * @param event where and when
-     * @param distance distance from the start of the ray that hit
+     * @param distance distance from the start of the ray that hit, in that frame
      * @param share the largest share of the sample's light that the ray that hit can still bring
      * @param branch 0 on the main branch, 1 on a weaker one that left it, 2 on a weaker one of that, and so on
      * @param surface the surface
      * @param rest the same hit in the frame in which the object rests
+     * @param flashes what each flash lamp of the scene does there
      */
     public record Encounter(
             Described object,
@@ -64,11 +77,12 @@ public record RayLife(
             double share,
             int branch,
             Surface surface,
-            Rest rest) {
+            Rest rest,
+            List<FlashSight> flashes) {
 
         /** Whether the object moves by itself, so that it rests in a frame of its own. */
         public boolean movesByItself() {
-            return rest.motion() != null;
+            return rest.motion() != null || rest.velocity() != null;
         }
 
         /** Where and when in the scene frame. */
@@ -83,14 +97,17 @@ public record RayLife(
     }
 
     /**
-     * A hit in the frame in which the object rests and is described.
+     * A hit in the frame in which the object rests and is described; on an object that turns, in the one in which the
+     * point that is hit rests for a moment.
      *
      * @param motion how that frame moves in the scene; null if the object rests in the frame of the hit
-     * @param event where, and at what proper time of the object
+     * @param event where, and at what proper time of the object; of what turns, where the point is described
      * @param clockReading what a clock of the object shows there
      * @param dopplerFactor frequency in the camera frame divided by that in this frame; no number if there is none
      * @param normal unit normal of the surface, out of the object or to the side named as front, along the axes of this
      *     frame
+     * @param velocity with which the point runs that is hit, in the frame in which its axis rests; null if it does not
+     *     turn
      * @param u first coordinate on the surface, as the object runs it; no number where the surface has no use for it
      * @param v second coordinate; no number where the surface has no use for it
      */
@@ -100,6 +117,7 @@ public record RayLife(
             double clockReading,
             double dopplerFactor,
             Vector3dc normal,
+            Vector3dc velocity,
             double u,
             double v) {}
 
@@ -114,6 +132,15 @@ public record RayLife(
         return main.isEmpty() || reachesBackground() ? null : main.get(main.size() - 1);
     }
 
+    /**
+     * The frequency that the camera sees divided by that with which the light was sent out: in the rest frame of the
+     * object at the end of the main branch, or in the scene frame if that is the background. No number if no light
+     * comes.
+     */
+    public double dopplerFactor() {
+        return end() == null ? lastDopplerFactor : end().rest().dopplerFactor();
+    }
+
     /** What the main branch hit, in the order of tracing. */
     public List<Encounter> mainHits() {
         return hits.stream().filter(hit -> hit.branch == 0).toList();
@@ -121,7 +148,7 @@ public record RayLife(
 
     /** Follows one sample in the middle of the exposure time; null if it never crosses the shutter. */
     public static RayLife of(RenderPlan plan, double x, double y, double lensX, double lensY) {
-        return of(plan, x, y, lensX, lensY, SamplePlaces.MIDDLE);
+        return of(plan, x, y, lensX, lensY, SamplePositions.MIDDLE);
     }
 
     /**
@@ -143,18 +170,22 @@ public record RayLife(
     private static final class Recorder implements PathObserver {
 
         private final RenderPlan plan;
+        private final FlashWatch flashes;
         private final List<Encounter> hits = new ArrayList<>();
         private Event start;
         private Vector3d startDirection;
         private Event crossing;
         private Vector3d crossingDirection;
-        private double frequencyRatio = 1;
+        private double sceneDopplerFactor = 1;
+        private double sceneDirectionLength = 1;
         private Vector3d lastDirection;
         private double lastSlowness = 1;
+        private double lastDopplerFactor = Double.NaN;
         private int branch;
 
         Recorder(RenderPlan plan) {
             this.plan = plan;
+            flashes = plan.flashWatch();
         }
 
         @Override
@@ -178,22 +209,27 @@ public record RayLife(
             if (branch == 0) {
                 crossing = plan.inScene(0, start(ray));
                 crossingDirection = new Vector3d(ray.dx, ray.dy, ray.dz);
-                frequencyRatio = ratio(ray);
+                sceneDopplerFactor = ratio(ray);
+                sceneDirectionLength = ray.directionLength;
             }
         }
 
         @Override
-        public void hits(Frame frame, int index, Ray ray, Hit hit, Primitive primitive, Hit event, int eventIndex) {
+        public void hits(Frame frame, Ray ray, Hit hit, Primitive primitive) {
             Event traced = new Event(hit.x, hit.y, hit.z, hit.time);
             RestFrame rest = primitive.restFrame();
+            PointFrame point = hit.runs ? new PointFrame(hit, plan.studio().transformation()) : null;
+            Hit event = hit.event == null ? hit : hit.event;
             Event met = frame == Frame.CAMERA
                     ? traced
-                    : plan.inScene(eventIndex, new Event(event.x, event.y, event.z, event.time));
+                    : plan.inScene(event.frame, new Event(event.x, event.y, event.z, event.time));
             hits.add(new Encounter(
                     primitive.object(),
                     frame,
                     met,
-                    index == 0 ? hit.distance : distance(plan.inScene(index, start(ray)), met),
+                    frame == Frame.CAMERA || ray.frame == 0
+                            ? hit.distance
+                            : distance(plan.inScene(ray.frame, start(ray)), met),
                     ray.throughput,
                     branch,
                     primitive.surface(),
@@ -201,10 +237,12 @@ public record RayLife(
                             rest.motion(),
                             rest.own(traced),
                             hit.clockReading(),
-                            ratio(ray),
-                            new Vector3d(hit.normalX, hit.normalY, hit.normalZ),
+                            ratio(point == null ? ray : point.enter(ray)),
+                            point == null ? new Vector3d(hit.normalX, hit.normalY, hit.normalZ) : point.normal(),
+                            point == null ? null : new Vector3d(hit.velocityX, hit.velocityY, hit.velocityZ),
                             hit.coordinates == null ? Double.NaN : hit.coordinates.u(),
-                            hit.coordinates == null ? Double.NaN : hit.coordinates.v())));
+                            hit.coordinates == null ? Double.NaN : hit.coordinates.v()),
+                    flashes == null ? List.of() : flashes.at(frame, ray, hit, ray.depth == 0)));
         }
 
         private static Event start(Ray ray) {
@@ -225,6 +263,7 @@ public record RayLife(
             if (branch == 0 && frame == Frame.SCENE) {
                 lastDirection = new Vector3d(ray.dx, ray.dy, ray.dz);
                 lastSlowness = ray.slowness;
+                lastDopplerFactor = ratio(ray);
             }
         }
 
@@ -234,10 +273,13 @@ public record RayLife(
                     startDirection,
                     crossing,
                     crossingDirection,
-                    frequencyRatio,
+                    sceneDopplerFactor,
+                    sceneDirectionLength,
                     List.copyOf(hits),
                     lastDirection,
                     lastSlowness,
+                    lastDopplerFactor,
+                    plan.overtaken(startDirection),
                     colour);
         }
     }

@@ -1,267 +1,178 @@
 package tompkins.trace;
 
 import java.util.List;
+import org.joml.Vector3dc;
 import tompkins.light.Illumination;
 import tompkins.light.LightSource;
-import tompkins.light.Lighting;
-import tompkins.light.Sightline;
+import tompkins.primitive.Primitive;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
+import tompkins.ray.Medium;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
-import tompkins.search.EntryNodes;
-import tompkins.search.LampShadows;
-import tompkins.search.NearestHit;
-import tompkins.search.ObjectTree;
-import tompkins.search.PacketSearch;
-import tompkins.search.TreeParts;
 import tompkins.surface.Response;
-import tompkins.surface.Surface;
 import tompkins.surface.Tracer;
+import tompkins.world.FrameRoutes;
 
 /**
- * Follows rays among the objects of one frame, and among everything that moves in it: the nearest hit decides, and what
- * leaves the objects goes beyond them. One for each thread.
+ * Follows rays among what surrounds them: the nearest hit decides, and what leaves the objects has escaped. One for
+ * each thread.
  */
-final class RayTracer implements Tracer, Lighting {
+final class RayTracer implements Tracer {
 
     private final Frame place;
-    private final ObjectTree objects;
+    private final Surroundings surroundings;
+    private final List<LightSource> lights;
     private final Illumination illumination;
-    private final RestingLamps restingLamps;
-
-    /** The frames that move in this one, or null if there are none. */
-    private final MovingWorld movingWorld;
-
-    private final Beyond beyond;
+    private final FrameRoutes routes;
+    private final EscapedLight escaped;
     private final int maximumDepth;
     private final RayCounts counts;
     private final PathObserver observer;
-    private final NearestHit nearest;
     private final Hit hitMemory = Hit.blank();
     private final Ray startMemory = Ray.blank();
-
-    /** The number of the frame of the present hit; 0 is that of this tracer. */
-    private int frame;
-
-    /** The event of that hit, in the frame in which its ray has begun, if something moves. */
-    private Hit event = Hit.blank();
-
-    private int eventFrame;
-
-    /** The factor of the light of that hit on its way to the camera, if light is shifted as it leaves a hit. */
-    private Colour way = Colour.WHITE;
 
     /**
      * A tracer.
      *
-     * @param lampShadows what each of the lights sees of the objects, or null for those of which that is not prepared
-     * @param movingWorld what moves in the frame; null if nothing does
+     * @param routes the ways between frames, if rays must know in which medium they are; null otherwise
+     * @param escaped the light of rays that leave the surroundings
      * @param observer watches the rays; may be null
      */
     RayTracer(
             Frame place,
-            ObjectTree objects,
+            Surroundings surroundings,
             List<LightSource> lights,
-            LampShadows[] lampShadows,
-            MovingWorld movingWorld,
-            Beyond beyond,
+            FrameRoutes routes,
+            EscapedLight escaped,
             int maximumDepth,
             RayCounts counts,
-            NearestHit nearest,
             PathObserver observer) {
         this.place = place;
-        this.objects = objects;
-        illumination = new Illumination(lights, this);
-        restingLamps = new RestingLamps(objects, lights, lampShadows, counts, nearest);
-        this.movingWorld = movingWorld;
-        this.beyond = beyond;
+        this.surroundings = surroundings;
+        this.lights = lights;
+        illumination = new Illumination(lights, surroundings);
+        this.routes = routes;
+        this.escaped = escaped;
         this.maximumDepth = maximumDepth;
         this.counts = counts;
-        this.nearest = nearest;
         this.observer = observer;
     }
 
-    /** Begins a packet: forgets what was seen before, so that the work for a packet depends on nothing else. */
-    void beginBlock() {
-        restingLamps.forget();
-        nearest.forgetLeaf();
-        if (movingWorld != null) {
-            movingWorld.beginBlock();
-        }
+    /** Begins a packet of rays that enter this frame. */
+    void begin(RayPacket rays) {
+        surroundings.begin(rays);
     }
 
-    /** What moves in the frame; null if nothing does. */
-    MovingWorld movingWorld() {
-        return movingWorld;
+    /** Whether light is shifted where it leaves a hit, by the frequency in the frame of the hit. */
+    boolean shifts() {
+        return surroundings.shifts();
+    }
+
+    /** The light that comes back along a ray of the packet. */
+    Colour packetColour(RayPacket rays, int place) {
+        counts.rays++;
+        if (surroundings.nearest(place)) {
+            return withEscaped(follow(surroundings.met(), true, hitMemory));
+        }
+        return surroundings.shifts() ? fromEscaped(rays.copy(place, startMemory)) : escaped.colour(rays, place);
+    }
+
+    /**
+     * Follows a ray of the packet until it ends or leaves the objects of this frame.
+     *
+     * @return what it has brought; the ray that leaves is memory that is used again
+     */
+    TracedPath follow(RayPacket rays, int place) {
+        counts.rays++;
+        boolean hits = surroundings.nearest(place);
+        return follow(hits ? surroundings.met() : rays.copy(place, startMemory), hits, hitMemory);
     }
 
     @Override
     public Colour colour(Ray branch) {
-        int before = frame;
-        Colour wayBefore = way;
-        Hit eventBefore = event;
-        int eventFrameBefore = eventFrame;
-        if (movingWorld != null) {
-            event = Hit.blank();
+        if (observer == null) {
+            return colourOf(branch);
         }
-        if (observer != null) {
-            observer.branches();
-        }
-        Colour colour = colourOf(branch, before);
-        if (observer != null) {
-            observer.returns();
-        }
-        frame = before;
-        way = wayBefore;
-        event = eventBefore;
-        eventFrame = eventFrameBefore;
+        observer.branches();
+        Colour colour = colourOf(branch);
+        observer.returns();
         return colour;
     }
 
-    /** The light that comes back along a ray that enters this frame. */
+    /** The light that comes back along a ray. */
     Colour colourOf(Ray start) {
-        way = Colour.WHITE;
-        return colourOf(start, 0);
-    }
-
-    private Colour colourOf(Ray start, int startFrame) {
         if (isGivenUp(start)) {
             return Colour.BLACK;
         }
         counts.rays++;
-        frame = startFrame;
-        return withBeyond(follow(start, search(start), Hit.blank()));
+        boolean hits = surroundings.nearest(start);
+        return withEscaped(follow(hits ? surroundings.met(start) : start, hits, Hit.blank()));
     }
 
-    private boolean search(Ray ray) {
-        return movingWorld == null
-                ? objects.nearest(ray, nearest)
-                : movingWorld.search().nearest(ray, frame);
-    }
-
-    /**
-     * Follows a ray of a packet until it ends or leaves the objects of this frame.
-     *
-     * @return what it has brought; the ray that leaves is memory that is used again
-     */
-    Followed follow(RayPacket rays, int index) {
-        counts.rays++;
-        frame = 0;
-        Ray start = rays.copy(index, startMemory);
-        return follow(start, search(start), hitMemory);
-    }
-
-    /** The light that comes back along the ray at a place of the packet for which the search was made. */
-    Colour packetColour(RayPacket rays, int index, PacketSearch search) {
-        counts.rays++;
-        if (!search.mayMeet(index)) {
-            return beyond.colour(rays, index);
-        }
-        Ray start = rays.copy(index, startMemory);
-        return withBeyond(follow(start, search.nearest(start, index, nearest), hitMemory));
-    }
-
-    /** The light that comes back along one of the rays for which the nodes were found. */
-    Colour entryColour(RayPacket rays, int index, EntryNodes entries) {
-        counts.rays++;
-        Ray start = rays.copy(index, startMemory);
-        return withBeyond(follow(start, objects.nearest(start, entries, nearest), hitMemory));
-    }
-
-    /** The light that comes back along a ray of the packet for which all frames are searched. */
-    Colour movingColour(RayPacket rays, int index) {
-        counts.rays++;
-        frame = 0;
-        way = Colour.WHITE;
-        if (!movingWorld.search().nearest(index)) {
-            Colour far = beyond.colour(rays, index);
-            return shifts() ? movingWorld.seen(far, rays.frequency[index], 1) : far;
-        }
-        return withBeyond(follow(movingWorld.search().ray(), true, hitMemory));
-    }
-
-    /** The light that comes back along a ray of a packet, which is searched for alone. */
-    Colour singleColour(RayPacket rays, int index) {
-        return withBeyond(follow(rays, index));
-    }
-
-    /** Looks for the nodes through which some rays enter the tree; false if each must search from its root. */
-    boolean find(EntryNodes entries, TreeParts parts, RayPacket rays, int from, int to) {
-        return entries.find(objects, parts, rays, from, to);
-    }
-
-    /** Looks for what the rays of a packet meet; null if it was found, otherwise where each ray must search. */
-    TreeParts find(PacketSearch search, RayPacket rays) {
-        return search.find(objects, rays, nearest);
-    }
-
-    /** The colour of a ray that was followed, with what comes from beyond the objects. */
-    private Colour withBeyond(Followed path) {
-        Ray left = path.left();
+    /** The colour of a ray that was followed, with what comes from behind the objects. */
+    private Colour withEscaped(TracedPath path) {
+        Ray left = path.escaped();
         if (left == null) {
             return path.light();
         }
-        Colour far = path.factor().times(beyond.colour(left));
-        return path.light().plus(shifts() ? movingWorld.seen(far, left.frequency, 1) : far);
+        return path.light()
+                .plus(
+                        surroundings.shifts()
+                                ? fromEscaped(left)
+                                : path.throughput().times(escaped.colour(left)));
+    }
+
+    private Colour fromEscaped(Ray left) {
+        return surroundings.seen(escaped.colour(left), left, 1);
     }
 
     /**
-     * Follows a ray whose nearest hit has just been searched. The memory is for its hits, each of which is dealt with
-     * before the next.
+     * Follows a ray whose nearest hit has just been searched for. The memory is for its hits, each of which is dealt
+     * with before the next.
      */
-    private Followed follow(Ray start, boolean startHits, Hit memory) {
+    private TracedPath follow(Ray start, boolean startHits, Hit memory) {
         Ray ray = start;
         boolean hits = startHits;
         Colour light = Colour.BLACK;
-        // the surface that asked for a branch weakens its light, unless that is shifted where it begins
-        Colour share = shifts() ? way : Colour.WHITE;
+        Colour weight = start.weight;
         if (hits && place == Frame.SCENE) {
             counts.sceneHits++;
         }
         boolean first = true;
         while (hits) {
-            if (movingWorld != null) {
-                ray = movingWorld.search().ray();
-                frame = movingWorld.search().frame();
-                movingWorld.search().event(event);
-                eventFrame = movingWorld.search().startFrame();
-                way = share;
-            }
-            Hit hit = nearest.hit(ray, memory);
-            Surface surface = nearest.primitive().surface();
-            if (observer != null) {
-                observer.hits(
-                        place,
-                        frame,
-                        ray,
-                        hit,
-                        nearest.primitive(),
-                        movingWorld == null ? hit : event,
-                        movingWorld == null ? frame : eventFrame);
-            }
-            Response response = surface.respond(ray, hit, this);
-            light = first
-                    ? response.light()
-                    : light.plus(shifts() ? response.light() : response.light().times(share));
+            Response response = respond(ray, surroundings.hit(ray, memory));
+            Colour own = response.light();
+            light = first ? own : light.plus(surroundings.shifts() ? own : own.times(weight));
             first = false;
-            ray = response.next();
-            if (ray == null || isGivenUp(ray)) {
-                return new Followed(light, share, null);
+            Ray next = response.next();
+            if (next == null || isGivenUp(next)) {
+                return new TracedPath(light, weight, null);
             }
-            share = share.times(response.factor());
+            weight = weight.times(response.factor());
+            ray = surroundings.goesOn(next, weight);
             counts.rays++;
-            hits = search(ray);
+            hits = surroundings.nearest(ray);
+            if (hits) {
+                ray = surroundings.met(ray);
+            }
         }
-        if (movingWorld != null && frame != 0) {
-            ray = movingWorld.inScene(frame, ray);
-            frame = 0;
-        }
+        ray = surroundings.leaving(ray);
         if (observer != null) {
             observer.leaves(place, ray);
         }
-        return new Followed(light, share, ray);
+        return new TracedPath(light, weight, ray);
+    }
+
+    private Response respond(Ray ray, Hit hit) {
+        Primitive primitive = (Primitive) hit.boundary;
+        if (observer != null) {
+            observer.hits(place, ray, hit, primitive);
+        }
+        return hit.runs
+                ? new PointTracer(this, surroundings, lights, hit).respond(primitive.surface(), ray)
+                : primitive.surface().respond(ray, hit, this);
     }
 
     private boolean isGivenUp(Ray ray) {
@@ -277,34 +188,17 @@ final class RayTracer implements Tracer, Lighting {
     }
 
     @Override
-    public boolean find(int source, Hit hit, Sightline sight) {
-        if (movingWorld != null) {
-            return movingWorld.lampWays().find(source, frame, hit, eventFrame, event, sight);
-        }
-        restingLamps.find(source, hit, sight);
-        return true;
-    }
-
-    @Override
-    public boolean isClear(int source, Hit from, Sightline sight) {
-        if (movingWorld != null) {
-            return movingWorld.lampWays().isClear(source, frame, from, eventFrame, event, sight);
-        }
-        return restingLamps.isClear(source, from, sight);
-    }
-
-    @Override
-    public boolean shifts() {
-        return movingWorld != null && movingWorld.shifts();
-    }
-
-    @Override
-    public Colour seen(Colour light, Ray ray, double dopplerFactor) {
-        return movingWorld.seen(light.times(way), ray.frequency, dopplerFactor);
-    }
-
-    @Override
     public Illumination illumination() {
         return illumination;
+    }
+
+    @Override
+    public boolean keepsMedia() {
+        return routes != null;
+    }
+
+    @Override
+    public Vector3dc velocity(Medium medium, int frame) {
+        return routes.motion(frame, medium.frame()).inFirst();
     }
 }

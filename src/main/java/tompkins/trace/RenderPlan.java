@@ -2,32 +2,39 @@ package tompkins.trace;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.Camera;
 import tompkins.camera.CameraRays;
 import tompkins.camera.PixelSampler;
-import tompkins.camera.SamplePlaces;
+import tompkins.camera.SamplePositions;
+import tompkins.camera.Sampler;
 import tompkins.light.LightSource;
+import tompkins.light.Pulse;
 import tompkins.math.Vectors;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Placement;
+import tompkins.ray.Medium;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.search.LampShadows;
-import tompkins.search.NearestHit;
 import tompkins.search.ObjectTree;
 import tompkins.shutter.LensRay;
 import tompkins.spacetime.Event;
+import tompkins.spacetime.FrameTree;
 import tompkins.spacetime.IdentityTransformation;
+import tompkins.spacetime.LightInMedium;
 import tompkins.spacetime.SpaceTimeTransformation;
+import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
-import tompkins.world.FrameCrossing;
+import tompkins.world.FlashTimes;
 import tompkins.world.FrameRoutes;
 import tompkins.world.InertialFrame;
+import tompkins.world.LitSpan;
 import tompkins.world.ObjectPreparation;
 import tompkins.world.World;
 
@@ -41,18 +48,20 @@ public final class RenderPlan {
     private final Studio studio;
     private final SpaceTimeTransformation sceneFromCamera;
     private final CameraRays cameraRays;
-    private final FrameCrossing crossing;
+    private final FrameTree frames;
     private final LightShift shift;
     private final World world;
-
-    /** Null if nothing moves in the scene. */
     private final FrameRoutes routes;
-
     private final ObjectTree cameraFrame;
-    private final double lensSlowness;
 
-    /** Null if the lens is in vacuum, or in a medium that moves with it. */
+    /** The medium around the lens, if it need not be known how it moves there; null otherwise, and in vacuum. */
+    private final Medium lensMedium;
+
+    /** That of the scene through which the lens moves; null if there is none. */
     private final MovingMedium sceneMedium;
+
+    /** Whether rays must know in which medium they are. */
+    private final boolean keepsMedia;
 
     private final List<LightSource> cameraLights;
 
@@ -61,24 +70,25 @@ public final class RenderPlan {
         sceneFromCamera = studio.sceneFromCamera();
         cameraRays = studio.camera()
                 .rays(studio.settings().width(), studio.settings().height(), sceneFromCamera);
-        crossing = new FrameCrossing(sceneFromCamera, studio.transformation(), lensEvent());
-        world = previous != null && previous.world.isOf(studio, crossing)
+        frames = FrameTree.near(lensEvent(), studio.transformation(), studio.velocity());
+        world = previous != null && previous.world.isOf(studio, frames)
                 ? previous.world
-                : new World(studio, crossing, this::imagePoint, plain);
-        routes = world.frameCount() > 1 ? world.routes(crossing) : null;
+                : new World(studio, frames, this::imagePoint, plain);
+        routes = world.routes(frames);
         PrimitiveCollector collector = new PrimitiveCollector();
         ObjectPreparation.add("cameraFrame", studio.cameraFrame(), collector, Placement.NONE);
         cameraFrame = new ObjectTree(collector.primitives(), plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE);
-        lensSlowness =
-                LensMedium.slowness(cameraFrame.primitives(), studio.camera().position());
-        sceneMedium = lensSlowness == 1
-                ? MovingMedium.around(lensEvent(), world, studio.transformation(), crossing, routes)
+        Medium around = LensMedium.around(lensEvent(), cameraFrame.primitives(), world, routes);
+        TransformationLaw law = studio.transformation();
+        boolean moves = (world.moves() || !isAtRest()) && law != TransformationLaw.NONE;
+        keepsMedia = moves && law == TransformationLaw.LORENTZ;
+        sceneMedium = moves && around != null && around.frame() != routes.camera()
+                ? new MovingMedium(around, law, routes)
                 : null;
+        lensMedium = sceneMedium == null ? around : null;
         cameraLights = World.atRest(studio.lights());
         // last, because it follows a ray by this plan
-        shift = studio.shiftsColours()
-                ? new LightShift(studio.colours(), studio.metering(), middleDopplerFactor())
-                : null;
+        shift = studio.shiftsColours() ? metered() : null;
     }
 
     /**
@@ -108,16 +118,17 @@ public final class RenderPlan {
         return new RenderPlan(studio, previous, false);
     }
 
-    /** The Doppler factor in the middle of the picture, behind windows and mirrors that move with the camera. */
-    private double middleDopplerFactor() {
+    /** The shift of light, metered in the middle of the picture, behind what moves with the camera. */
+    private LightShift metered() {
         RayLife middle = RayLife.of(this, width() / 2.0, height() / 2.0, 0, 0);
         if (middle != null && middle.sceneStart() != null) {
-            return middle.frequencyRatio();
+            return new LightShift(
+                    studio.colours(), studio.metering(), middle.sceneDopplerFactor(), middle.sceneDirectionLength());
         }
         // no light of the scene comes from there: as if nothing stood before the lens
         Vector3dc direction = chiefDirection(width() / 2.0, height() / 2.0);
-        Ray ray = Ray.from(0, 0, 0, direction.x(), direction.y(), direction.z(), 0);
-        return 1 / sceneFromCamera.transform(ray).frequency;
+        Ray ray = sceneFromCamera.transform(Ray.from(0, 0, 0, direction.x(), direction.y(), direction.z(), 0));
+        return new LightShift(studio.colours(), studio.metering(), 1 / ray.frequency, ray.directionLength);
     }
 
     /** The event at which light for the middle of the picture crosses the centre of the lens; time 0 if none does. */
@@ -138,7 +149,7 @@ public final class RenderPlan {
         }
         LensRay ray = cameraRays.chiefRay(Vectors.unit(fromLens));
         Camera camera = studio.camera();
-        double later = camera.exposureTime() * SamplePlaces.MIDDLE
+        double later = camera.exposureTime() * SamplePositions.MIDDLE
                 + camera.rollingShutter().sweep() / 2;
         double time = camera.shutter().transmissionTime(ray, sceneFromCamera) + later - fromLens.length();
         return sceneFromCamera.transform(new Event(point.x(), point.y(), point.z(), time));
@@ -174,10 +185,16 @@ public final class RenderPlan {
         return world.frames();
     }
 
-    /** Whether nothing changes with time: everything rests in one frame, and there are no clocks. */
+    /** Whether a lamp flashes. */
+    private boolean hasFlashes() {
+        return world.lights().stream().anyMatch(light -> light.flash() instanceof Pulse);
+    }
+
+    /** Whether nothing changes with time: everything rests in one frame, with neither clocks nor flashes. */
     public boolean isStill() {
         return isAtRest()
-                && world.frameCount() == 1
+                && !world.moves()
+                && !hasFlashes()
                 && Stream.of(world.objects(0), cameraFrame)
                         .flatMap(objects -> objects.primitives().stream())
                         .noneMatch(primitive -> primitive.surface().showsTime());
@@ -194,7 +211,7 @@ public final class RenderPlan {
     }
 
     /** The places of the samples, for one thread. */
-    PixelSampler sampler() {
+    private Sampler sampler() {
         return new PixelSampler(studio.settings().seed(), studio.camera().hasWideAperture(), blursInTime());
     }
 
@@ -223,44 +240,48 @@ public final class RenderPlan {
 
     /** A tracer for one thread, which adds to the given counts. */
     public SampleTracer tracer(RayCounts counts) {
-        return tracer(counts, null);
+        return tracer(counts, sampler(), null);
+    }
+
+    /** As {@link #tracer(RayCounts)}, with samples at other places. */
+    public SampleTracer tracer(RayCounts counts, Sampler sampler) {
+        return tracer(counts, sampler, null);
     }
 
     /** As {@link #tracer(RayCounts)}, watched by an observer. */
     SampleTracer tracer(RayCounts counts, PathObserver observer) {
+        return tracer(counts, sampler(), observer);
+    }
+
+    private SampleTracer tracer(RayCounts counts, Sampler sampler, PathObserver observer) {
         int depth = studio.settings().maximumDepth();
-        LampShadows[] lampShadows = new LampShadows[world.lights().size()];
-        Arrays.setAll(lampShadows, world::lampShadows);
-        NearestHit nearest = new NearestHit(counts);
+        boolean moving = needsFrames();
         RayTracer sceneTracer = new RayTracer(
                 Frame.SCENE,
-                world.objects(0),
+                scene(counts),
                 world.lights(),
-                lampShadows,
-                routes == null ? null : new MovingWorld(world, routes, studio.transformation(), shift, nearest, counts),
+                moving && keepsMedia ? routes : null,
                 new BackgroundTracer(studio.background()),
                 depth,
                 counts,
-                nearest,
                 observer);
-        SceneEntry entry = new SceneEntry(crossing, sceneTracer, shift, observer);
+        SceneEntry entry = new SceneEntry(routes, sceneMedium, sceneTracer, shift, observer);
         RayTracer cameraTracer = cameraFrame.size() == 0
                 ? null
                 : new RayTracer(
                         Frame.CAMERA,
-                        cameraFrame,
+                        beforeLens(counts),
                         cameraLights,
-                        new LampShadows[cameraLights.size()],
-                        null,
+                        keepsMedia ? routes : null,
                         entry,
                         depth,
                         counts,
-                        new NearestHit(counts),
                         observer);
         return new SampleTracer(
-                sampler(),
+                sampler,
                 cameraRays,
-                lensSlowness,
+                routes.camera(),
+                lensMedium,
                 sceneMedium,
                 studio.view() == View.MEASURED,
                 cameraTracer,
@@ -269,10 +290,55 @@ public final class RenderPlan {
                 observer);
     }
 
+    /** Whether rays must be searched for frame by frame, or light from lamps needs to know of the camera's motion. */
+    private boolean needsFrames() {
+        // in a Galilean world the time that light takes from a lamp depends on that motion
+        boolean hasCarrier = studio.transformation() == TransformationLaw.GALILEAN && !isAtRest();
+        return world.moves() || keepsMedia && lensMedium != null || hasCarrier && hasFlashes();
+    }
+
+    private Surroundings beforeLens(RayCounts counts) {
+        int lamps = cameraLights.size();
+        return new RestingSurroundings(cameraFrame, cameraLights, new double[lamps], new LampShadows[lamps], counts);
+    }
+
+    private Surroundings scene(RayCounts counts) {
+        if (needsFrames()) {
+            return new MovingSurroundings(world, routes, studio.transformation(), shift, counts);
+        }
+        LampShadows[] lampShadows = new LampShadows[world.lights().size()];
+        Arrays.setAll(lampShadows, world::lampShadows);
+        return new RestingSurroundings(world.objects(0), world.lights(), world.lampZeros(), lampShadows, counts);
+    }
+
+    /** Finds what flash lamps do at hits, for one thread; null if no lamp flashes. */
+    FlashWatch flashWatch() {
+        RayCounts counts = new RayCounts();
+        return hasFlashes()
+                ? new FlashWatch(
+                        world.lights(),
+                        scene(counts),
+                        beforeLens(counts),
+                        new FlashTimes(world, routes, studio.transformation()))
+                : null;
+    }
+
+    /** What the medium around the lens does to the picture. */
+    List<String> mediumSentences() {
+        return sceneMedium == null ? List.of() : sceneMedium.sentences();
+    }
+
+    /**
+     * The light that the camera overtakes in a unit direction of its frame, in the rest frame of the medium around the
+     * lens; null if there is none.
+     */
+    LightInMedium.Seen overtaken(Vector3dc direction) {
+        return sceneMedium == null || studio.view() == View.MEASURED ? null : sceneMedium.overtaken(direction);
+    }
+
     /** An event of a frame of the scene, in the coordinates of the scene itself. */
     Event inScene(int frame, Event event) {
-        Event traced = frame == 0 ? event : routes.transform(frame, 0, event);
-        return traced.plus(crossing.origin());
+        return routes.route(frame, 0).transform(event).plus(frames.origin(null));
     }
 
     /**
@@ -291,6 +357,14 @@ public final class RenderPlan {
     /** Whether the motion shifts so much light out of sight that the middle of the picture stays dark. */
     public boolean isTooFaint() {
         return shift != null && shift.isTooFaint();
+    }
+
+    /**
+     * The opening times from the first at which a flash lights something in the picture to one at which most of it is
+     * dark again, judged by what is seen now; none if nothing is ever lit.
+     */
+    public Optional<LitSpan> litTimes() {
+        return new Flashes(this, world.lights()).litTimes();
     }
 
     private PlanSentences inSentences() {

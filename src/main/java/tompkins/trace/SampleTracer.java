@@ -3,15 +3,13 @@ package tompkins.trace;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import tompkins.camera.CameraRays;
-import tompkins.camera.PixelSampler;
-import tompkins.camera.SamplePlaces;
+import tompkins.camera.SamplePositions;
+import tompkins.camera.Sampler;
 import tompkins.ray.Colour;
+import tompkins.ray.Medium;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
-import tompkins.search.EntryNodes;
-import tompkins.search.PacketSearch;
-import tompkins.search.TreeParts;
 
 /** Takes samples of a picture. One for each thread. */
 public final class SampleTracer {
@@ -23,9 +21,10 @@ public final class SampleTracer {
     private static final int[] MORTON_COLUMNS =
             IntStream.range(0, RayPacket.MOST).map(SampleTracer::mortonColumn).toArray();
 
-    private final PixelSampler sampler;
+    private final Sampler sampler;
     private final CameraRays cameraRays;
-    private final double lensSlowness;
+    private final int cameraFrame;
+    private final Medium lensMedium;
     private final MovingMedium sceneMedium;
     private final boolean measures;
     private final RayTracer cameraTracer;
@@ -33,7 +32,7 @@ public final class SampleTracer {
     private final RayCounts counts;
     private final PathObserver observer;
 
-    private final SamplePlaces places = new SamplePlaces(RayPacket.MOST);
+    private final SamplePositions places = new SamplePositions(RayPacket.MOST);
     private final RayPacket rays = new RayPacket(RayPacket.MOST);
     private final Colour[] colours = new Colour[RayPacket.MOST];
 
@@ -42,8 +41,6 @@ public final class SampleTracer {
 
     private final Colour[] sums = new Colour[RayPacket.MOST];
     private final Colour[] factors = new Colour[RayPacket.MOST];
-    private final PacketSearch search = new PacketSearch();
-    private final EntryNodes entries = new EntryNodes();
     private double narrowing = 1;
     private int column;
     private int row;
@@ -51,16 +48,18 @@ public final class SampleTracer {
     /**
      * A tracer.
      *
-     * @param lensSlowness slowness of light in a medium that moves with the lens
-     * @param sceneMedium a medium of the scene in which the lens is; may be null
+     * @param cameraFrame the number of the camera frame
+     * @param lensMedium a medium in which the lens rests; may be null
+     * @param sceneMedium a medium of the scene through which the lens moves; may be null
      * @param measures whether to measure where things are, instead of following light
      * @param cameraTracer the tracer of the camera frame, or null if no objects move with the camera
      * @param observer watches the rays; may be null
      */
     SampleTracer(
-            PixelSampler sampler,
+            Sampler sampler,
             CameraRays cameraRays,
-            double lensSlowness,
+            int cameraFrame,
+            Medium lensMedium,
             MovingMedium sceneMedium,
             boolean measures,
             RayTracer cameraTracer,
@@ -69,7 +68,8 @@ public final class SampleTracer {
             PathObserver observer) {
         this.sampler = sampler;
         this.cameraRays = cameraRays;
-        this.lensSlowness = lensSlowness;
+        this.cameraFrame = cameraFrame;
+        this.lensMedium = lensMedium;
         this.sceneMedium = sceneMedium;
         this.measures = measures;
         this.cameraTracer = cameraTracer;
@@ -116,12 +116,17 @@ public final class SampleTracer {
 
     private void start() {
         cameraRays.make(places, rays, counts);
+        rays.inFrame(cameraFrame);
+        if (observer != null && rays.count() > 0) {
+            observer.starts(rays.ray(0));
+        }
         if (measures) {
             rays.measure();
-        } else if (lensSlowness != 1) {
-            rays.startIn(lensSlowness);
+        } else if (lensMedium != null) {
+            rays.startIn(lensMedium.index());
+            rays.in(sceneEntry.sceneTracer().keepsMedia() ? lensMedium : null);
         } else if (sceneMedium != null) {
-            sceneMedium.fill(rays);
+            sceneMedium.begin(rays);
         }
         if (narrowing != 1) {
             rays.narrow(narrowing);
@@ -135,9 +140,6 @@ public final class SampleTracer {
             return Colour.BLACK;
         }
         Ray ray = rays.ray(0);
-        if (observer != null) {
-            observer.starts(ray);
-        }
         return finite(cameraTracer == null ? sceneEntry.colour(ray) : cameraTracer.colourOf(ray));
     }
 
@@ -157,10 +159,6 @@ public final class SampleTracer {
     public void sampleBlock(int left, int top, int width, int height, int stride, int sample, SampleSink taker) {
         column = left;
         row = top;
-        sceneEntry.sceneTracer().beginBlock();
-        if (cameraTracer != null) {
-            cameraTracer.beginBlock();
-        }
         choosePlaces(left, top, width, height, stride, sample, taker);
         start();
         boolean raysMissing = rays.count() < places.count();
@@ -174,8 +172,13 @@ public final class SampleTracer {
         if (cameraTracer != null) {
             followInCameraFrame(taker);
         }
-        sceneEntry.cross(rays);
-        followInScene(taker);
+        if (rays.isInOneMedium()) {
+            followInScene(taker);
+        } else {
+            for (int i = 0; i < rays.count() && goesTo(i, taker); i++) {
+                takeFromScene(i, sceneEntry.colour(rays.ray(i)));
+            }
+        }
         int taken = 0;
         // all together, so that the pixels' memory is fetched at once
         for (int i = 0; i < places.count(); i++) {
@@ -190,14 +193,15 @@ public final class SampleTracer {
     /** Keeps the rays that leave what moves with the camera. */
     private void followInCameraFrame(SampleSink taker) {
         int leaving = 0;
+        cameraTracer.begin(rays);
         for (int i = 0; i < rays.count() && goesTo(i, taker); i++) {
-            Followed path = cameraTracer.follow(rays, i);
-            if (path.left() == null) {
+            TracedPath path = cameraTracer.follow(rays, i);
+            if (path.escaped() == null) {
                 take(i, path.light());
             } else {
                 sums[leaving] = path.light();
-                factors[leaving] = path.factor();
-                rays.move(i, leaving, path.left());
+                factors[leaving] = path.throughput();
+                rays.move(i, leaving, path.escaped());
                 leaving++;
             }
         }
@@ -206,36 +210,13 @@ public final class SampleTracer {
 
     private void followInScene(SampleSink taker) {
         RayTracer tracer = sceneEntry.sceneTracer();
-        int count = rays.count();
-        if (tracer.movingWorld() != null) {
-            tracer.movingWorld().search().begin(rays);
-            for (int i = 0; i < count && goesTo(i, taker); i++) {
-                takeFromScene(i, Double.isNaN(rays.dx[i]) ? Colour.BLACK : tracer.movingColour(rays, i));
-            }
-            return;
+        sceneEntry.enter(rays);
+        tracer.begin(rays);
+        for (int i = 0; i < rays.count() && goesTo(i, taker); i++) {
+            // light without a direction is at rest in the scene, and has come from nowhere
+            Colour light = Double.isNaN(rays.dx[i]) ? Colour.BLACK : tracer.packetColour(rays, i);
+            takeFromScene(i, sceneEntry.inCameraFrame(light, rays.frequency[i], rays.directionLength[i]));
         }
-        TreeParts parts = tracer.find(search, rays);
-        if (parts == null) {
-            for (int i = 0; i < count && goesTo(i, taker); i++) {
-                takeFromScene(i, tracer.packetColour(rays, i, search));
-            }
-            return;
-        }
-        boolean found = false;
-        for (int i = 0; i < count && goesTo(i, taker); i++) {
-            if (i % EntryNodes.RAYS == 0) {
-                found = tracer.find(entries, parts, rays, i, Math.min(count, i + EntryNodes.RAYS));
-            }
-            takeFromScene(i, found ? tracer.entryColour(rays, i, entries) : colourWithoutHelp(i, tracer));
-        }
-    }
-
-    /**
-     * The colour of a ray for which nothing was found in advance: a ray without a direction, whose light stands still
-     * in the scene, prevents that for all rays near it.
-     */
-    private Colour colourWithoutHelp(int index, RayTracer tracer) {
-        return Double.isNaN(rays.dx[index]) ? Colour.BLACK : tracer.singleColour(rays, index);
     }
 
     private void choosePlaces(int left, int top, int width, int height, int stride, int sample, SampleSink taker) {
@@ -262,8 +243,7 @@ public final class SampleTracer {
         return !taker.isStopped();
     }
 
-    private void takeFromScene(int index, Colour light) {
-        Colour colour = sceneEntry.inCameraFrame(light, rays.frequency[index]);
+    private void takeFromScene(int index, Colour colour) {
         take(index, cameraTracer == null ? colour : sums[index].plus(factors[index].times(colour)));
     }
 

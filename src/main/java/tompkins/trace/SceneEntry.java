@@ -3,12 +3,13 @@ package tompkins.trace;
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
-import tompkins.world.FrameCrossing;
+import tompkins.world.FrameRoutes;
 
-/** What is beyond the objects of the camera frame: the scene, after the change of frame. */
-final class SceneEntry implements Beyond {
+/** The light of rays that leave the objects of the camera frame: that of the scene, after the change of frame. */
+final class SceneEntry implements EscapedLight {
 
-    private final FrameCrossing crossing;
+    private final FrameRoutes routes;
+    private final MovingMedium medium;
     private final RayTracer sceneTracer;
     private final LightShift shift;
     private final PathObserver observer;
@@ -16,12 +17,15 @@ final class SceneEntry implements Beyond {
     /**
      * The way into the scene.
      *
-     * @param crossing the change of frame
+     * @param routes the ways between the frames
+     * @param medium a medium of the scene in which the lens is; may be null
      * @param shift what becomes of the light, or null if it stays as it is
      * @param observer watches the rays; may be null
      */
-    SceneEntry(FrameCrossing crossing, RayTracer sceneTracer, LightShift shift, PathObserver observer) {
-        this.crossing = crossing;
+    SceneEntry(
+            FrameRoutes routes, MovingMedium medium, RayTracer sceneTracer, LightShift shift, PathObserver observer) {
+        this.routes = routes;
+        this.medium = medium;
         this.sceneTracer = sceneTracer;
         this.shift = shift;
         this.observer = observer;
@@ -29,29 +33,51 @@ final class SceneEntry implements Beyond {
 
     @Override
     public Colour colour(Ray ray) {
-        Ray crossed = crossing.cross(ray);
-        if (Double.isNaN(crossed.dx)) {
-            // light that stands still in the scene has come from nowhere
+        Ray entered = enter(ray, Ray.blank());
+        if (Double.isNaN(entered.dx)) {
+            // light at rest in the scene has come from nowhere
             return Colour.BLACK;
         }
         if (observer != null) {
-            observer.crosses(crossed);
+            observer.crosses(routes.transform(entered, 0, Ray.blank()));
         }
-        return inCameraFrame(sceneTracer.colourOf(crossed), crossed.frequency);
+        return inCameraFrame(sceneTracer.colourOf(entered), entered.frequency, entered.directionLength);
+    }
+
+    /**
+     * Makes {@code memory} the ray where it enters the scene: in the scene frame, or in that of the medium in which it
+     * is.
+     */
+    private Ray enter(Ray ray, Ray memory) {
+        if (ray.medium == null) {
+            return routes.transform(ray, 0, memory);
+        }
+        Ray entered = medium != null && medium.holds(ray.medium) ? medium.enter(ray, memory) : memory.set(ray);
+        return sceneTracer.keepsMedia() ? entered : entered.in(null);
     }
 
     /**
      * The colour in the camera frame of light from the scene.
      *
      * @param frequency that of its ray: in the scene frame divided by that in the camera frame
+     * @param directionLength that of its ray
      */
-    Colour inCameraFrame(Colour light, double frequency) {
-        return shift == null || sceneTracer.shifts() ? light : shift.seen(light, 1 / frequency);
+    Colour inCameraFrame(Colour light, double frequency, double directionLength) {
+        return shift == null || sceneTracer.shifts() ? light : shift.seen(light, 1, 1 / frequency, directionLength);
     }
 
-    /** Takes each ray of a packet into the scene frame; the observer is not told. */
-    void cross(RayPacket rays) {
-        crossing.cross(rays);
+    /** Lets each ray of a packet enter the scene, all in one medium or in none; the observer is not told. */
+    void enter(RayPacket rays) {
+        if (rays.medium(0) == null) {
+            routes.transform(rays, 0);
+            return;
+        }
+        Ray start = Ray.blank();
+        Ray memory = Ray.blank();
+        for (int i = 0; i < rays.count(); i++) {
+            rays.set(i, enter(rays.copy(i, start), memory));
+        }
+        rays.inFrame(memory.frame);
     }
 
     /** The tracer of the scene frame. */

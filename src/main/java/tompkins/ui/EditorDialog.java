@@ -46,6 +46,11 @@ final class EditorDialog {
         dialog.toFront();
     }
 
+    /** Whether it is on the screen. */
+    boolean isOpen() {
+        return dialog != null && dialog.isVisible();
+    }
+
     private void make() {
         editor = new SceneEditor(model);
         dialog = new JDialog(owner, Texts.get("tree.title"));

@@ -1,9 +1,12 @@
 package tompkins.ui;
 
+import java.awt.Frame;
 import java.awt.GraphicsDevice;
+import java.awt.Point;
 import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
+import javax.swing.Timer;
 
 /**
  * Shows the picture on the whole screen, for the lecture room: no frame, no menus, no panel, no line at the bottom. The
@@ -11,9 +14,12 @@ import javax.swing.JFrame;
  */
 final class FullScreen {
 
+    /** The time that a window manager takes, and nobody needs for an answer. */
+    private static final int SETTLED_MILLISECONDS = 300;
+
     private final JFrame frame;
     private final List<JComponent> hidden;
-    private final SideRoom side;
+    private final FoldingPanel side;
 
     /** Whether the panel comes back with the window. */
     private boolean withPanel;
@@ -21,16 +27,23 @@ final class FullScreen {
     /** The screen that the window covers; null if it does not. */
     private GraphicsDevice covered;
 
+    /** Where the window was before. */
+    private Point place;
+
+    /** Some window managers put the window back and leave Java in the belief that it is elsewhere; then menus are. */
+    private final Timer settling = new Timer(SETTLED_MILLISECONDS, event -> putBack());
+
     /**
      * A full screen that is off.
      *
      * @param side the panel, which is hidden unless the user asks for it
      * @param hidden what is always hidden
      */
-    FullScreen(JFrame frame, SideRoom side, List<JComponent> hidden) {
+    FullScreen(JFrame frame, FoldingPanel side, List<JComponent> hidden) {
         this.frame = frame;
         this.side = side;
         this.hidden = hidden;
+        settling.setRepeats(false);
     }
 
     /** Whether the window covers its screen. */
@@ -46,6 +59,10 @@ final class FullScreen {
             withPanel = side.isWanted();
             side.setShown(false);
             hidden.forEach(component -> component.setVisible(false));
+            if (!settling.isRunning()) {
+                place = frame.getLocation();
+            }
+            settling.stop();
             covered = frame.getGraphicsConfiguration().getDevice();
             covered.setFullScreenWindow(frame);
             frame.revalidate();
@@ -59,11 +76,20 @@ final class FullScreen {
         }
         covered.setFullScreenWindow(null);
         covered = null;
+        settling.restart();
         hidden.forEach(component -> component.setVisible(true));
         if (withPanel) {
             side.setShown(true);
         }
         frame.revalidate();
         return true;
+    }
+
+    private void putBack() {
+        if (frame.getExtendedState() == Frame.NORMAL && !frame.getLocation().equals(place)) {
+            // it is only told that it is there if it goes there
+            frame.setLocation(place.x + 1, place.y);
+            frame.setLocation(place);
+        }
     }
 }

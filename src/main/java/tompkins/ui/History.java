@@ -1,13 +1,13 @@
 package tompkins.ui;
 
-import java.awt.Window;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import tompkins.studio.Studio;
-import tompkins.ui.model.StudioModel;
+import tompkins.ui.photograph.WindowParts;
 import tompkins.ui.widget.EntryField;
+import tompkins.ui.widget.Texts;
 
 /**
  * Undo and redo as a person sees them: what was typed into a field but not taken yet is the last thing that was done,
@@ -15,45 +15,40 @@ import tompkins.ui.widget.EntryField;
  */
 final class History {
 
-    private final StudioModel model;
-    private final Window window;
+    private final WindowParts window;
     private final Runnable pause;
-    private final Runnable otherScene;
 
     /**
      * The history.
      *
      * @param pause ends an animation, which would otherwise go on from what was taken back and lose what can be redone
-     * @param otherScene told that a step led to another scene
      */
-    History(StudioModel model, Window window, Runnable pause, Runnable otherScene) {
-        this.model = model;
+    History(WindowParts window, Runnable pause) {
         this.window = window;
         this.pause = pause;
-        this.otherScene = otherScene;
     }
 
     boolean canUndo() {
-        return model.canUndo() || !pending().isEmpty();
+        return window.model().canUndo() || !pending().isEmpty();
     }
 
     boolean canRedo() {
-        return model.canRedo();
+        return window.model().canRedo();
     }
 
     boolean canReset() {
-        return model.isModified() || !pending().isEmpty();
+        return window.model().isModified() || !pending().isEmpty();
     }
 
     /** Takes back what was typed last. If it is right it first becomes a step, so that it can be redone. */
     void undo() {
         Map<EntryField, String> typed =
                 pending().stream().collect(Collectors.toMap(Function.identity(), EntryField::displayed));
-        Studio before = model.studio();
+        Studio before = window.model().studio();
         takeEntries();
-        boolean isStep = typed.isEmpty() || model.studio() != before;
+        boolean isStep = typed.isEmpty() || window.model().studio() != before;
         if (isStep && pending().isEmpty()) {
-            step(model::undo);
+            step(window.model()::undo);
         }
         pending().forEach(EntryField::revert);
         if (!isStep) {
@@ -64,20 +59,24 @@ final class History {
 
     void redo() {
         takeEntries();
-        step(model::redo);
+        step(window.model()::redo);
     }
 
     private void takeEntries() {
         pause.run();
-        EntryField.takeAll(window);
+        EntryField.takeAll(window.frame());
     }
 
     private void step(Runnable move) {
-        Studio opened = model.opened();
+        Studio opened = window.model().opened();
         move.run();
-        if (model.opened() != opened) {
+        if (window.model().opened() != opened) {
             pending().forEach(EntryField::revert);
-            otherScene.run();
+            // which may not have been meant; the pin belongs to its scene
+            window.view().setPin(null);
+            window.status()
+                    .report(Texts.get(
+                            "history.otherScene", window.model().studio().title()));
         }
     }
 
@@ -85,10 +84,10 @@ final class History {
     void reset() {
         takeEntries();
         pending().forEach(EntryField::revert);
-        model.reset();
+        window.model().reset();
     }
 
     private List<EntryField> pending() {
-        return EntryField.in(window).filter(EntryField::isPending).toList();
+        return EntryField.in(window.frame()).filter(EntryField::isPending).toList();
     }
 }

@@ -18,44 +18,30 @@ import javax.swing.JRootPane;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 import tompkins.lesson.Lesson;
+import tompkins.measure.OverlayKind;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
-import tompkins.ui.panel.NumberProperty;
+import tompkins.ui.exchange.ClipboardActions;
+import tompkins.ui.exchange.SceneOpener;
+import tompkins.ui.exchange.SceneSaver;
+import tompkins.ui.help.HelpCommands;
+import tompkins.ui.lesson.LessonCourse;
+import tompkins.ui.model.Settings;
+import tompkins.ui.number.NumberProperty;
+import tompkins.ui.overlay.PictureOverlays;
+import tompkins.ui.photograph.Captions;
 import tompkins.ui.picture.CanvasZoom;
+import tompkins.ui.ride.Motion;
 import tompkins.ui.widget.FittingButton;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Naming;
+import tompkins.ui.widget.TabStrip;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Tips;
 
 /** The menus of the window. */
 final class Menus {
-
-    /** What the menus can do, besides scene files and history. */
-    interface Commands {
-
-        void savePhotograph();
-
-        void setLook(Look look);
-
-        void editScene();
-
-        /** Opens the editor where objects are added. */
-        void editNewScene();
-
-        void togglePanel();
-
-        void toggleFullScreen();
-
-        void toggleMeasuring();
-
-        void stop();
-
-        void close();
-
-        void copyAnimation();
-    }
 
     private final JMenuBar bar = new JMenuBar();
     private final JMenu examples = menu("menu.examples");
@@ -66,11 +52,13 @@ final class Menus {
     private final History history;
     private final Settings settings;
     private final Captions captions;
+    private final LessonCourse course;
+    private final TabStrip strip;
     private final Motion motion;
-    private final Signs signs;
+    private final PictureOverlays overlays;
     private final CanvasZoom zoom;
     private final HelpCommands help;
-    private final Commands commands;
+    private final TompkinsWindow window;
 
     Menus(
             SceneOpener opener,
@@ -79,22 +67,26 @@ final class Menus {
             History history,
             Settings settings,
             Captions captions,
+            LessonCourse course,
+            TabStrip strip,
             Motion motion,
-            Signs signs,
+            PictureOverlays overlays,
             CanvasZoom zoom,
             HelpCommands help,
-            Commands commands) {
+            TompkinsWindow window) {
         this.opener = opener;
         this.saver = saver;
         this.clipboard = clipboard;
         this.history = history;
         this.settings = settings;
         this.captions = captions;
+        this.course = course;
+        this.strip = strip;
         this.motion = motion;
-        this.signs = signs;
+        this.overlays = overlays;
         this.zoom = zoom;
         this.help = help;
-        this.commands = commands;
+        this.window = window;
         bar.add(fileMenu());
         bar.add(examples);
         examples.setEnabled(false);
@@ -122,20 +114,20 @@ final class Menus {
     }
 
     /** Lets the keys of the menus work in another window, too. */
-    void bindKeys(JRootPane window) {
-        itemsWithKeys()
-                .forEach(item -> Keys.bindUnlessMenuIsOpen(window, item.getAccelerator(), () -> item.doClick(0)));
-        bindOtherKeys(window);
+    void bindKeys(JRootPane pane) {
+        itemsWithKeys().forEach(item -> Keys.bindUnlessMenuIsOpen(pane, item.getAccelerator(), () -> item.doClick(0)));
+        bindOtherKeys(pane);
     }
 
-    /** Some items have several keys, but a menu shows only one. */
-    void bindOtherKeys(JRootPane window) {
-        Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl Y"), history::redo);
+    /** Keys without an item; some items have several keys, but a menu shows only one. */
+    void bindOtherKeys(JRootPane pane) {
+        Keys.bindEscape(pane, window::leave);
+        Keys.bindUnlessMenuIsOpen(pane, Keys.ofMenu("ctrl Y"), history::redo);
         // where + is on the key of =, with Shift or without
-        Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl EQUALS"), zoom::enlarge);
-        Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl shift EQUALS"), zoom::enlarge);
-        Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl ADD"), zoom::enlarge);
-        Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl SUBTRACT"), zoom::reduce);
+        Keys.bindUnlessMenuIsOpen(pane, Keys.ofMenu("ctrl EQUALS"), zoom::enlarge);
+        Keys.bindUnlessMenuIsOpen(pane, Keys.ofMenu("ctrl shift EQUALS"), zoom::enlarge);
+        Keys.bindUnlessMenuIsOpen(pane, Keys.ofMenu("ctrl ADD"), zoom::enlarge);
+        Keys.bindUnlessMenuIsOpen(pane, Keys.ofMenu("ctrl SUBTRACT"), zoom::reduce);
     }
 
     private static JMenu menu(String key) {
@@ -165,7 +157,7 @@ final class Menus {
 
     private JMenu fileMenu() {
         JMenu menu = menu("menu.file");
-        add(menu, "menu.new", "ctrl N", () -> opener.begin(commands::editNewScene));
+        add(menu, "menu.new", "ctrl N", () -> opener.begin(window::editNewScene));
         add(menu, "menu.open", "ctrl O", opener::open);
         JMenu recent = new JMenu(Texts.get("menu.recent"));
         recent.setName("menu.recent");
@@ -175,12 +167,12 @@ final class Menus {
         menu.addSeparator();
         add(menu, "menu.saveScene", "ctrl S", saver::save);
         add(menu, "menu.saveSceneAs", "ctrl shift S", saver::saveAs);
-        add(menu, "menu.savePhotograph", "ctrl shift E", commands::savePhotograph);
+        add(menu, "menu.savePhotograph", "ctrl shift E", window::savePhotograph);
         menu.addSeparator();
         add(menu, "menu.copyPicture", "ctrl shift C", clipboard::copyPicture);
         add(menu, "menu.copyCommand", "ctrl shift L", clipboard::copyCommandLine);
         menu.addSeparator();
-        add(menu, "menu.close", "ctrl Q", commands::close);
+        add(menu, "menu.close", "ctrl Q", window::close);
         return menu;
     }
 
@@ -201,22 +193,33 @@ final class Menus {
         Map<String, JMenu> topics = new LinkedHashMap<>();
         examples.removeAll();
         lessons.removeAll();
+        course.setLessons(scenes.stream()
+                .filter(scene -> scene.lesson() instanceof Lesson)
+                .toList());
         for (Studio scene : scenes) {
-            JMenu menu = scene.lesson() instanceof Lesson
-                    ? lessons
-                    : topics.computeIfAbsent(scene.topic(), name -> new JMenu(name));
-            add(menu, scene.title(), () -> opener.open(scene));
+            if (scene.lesson() instanceof Lesson) {
+                JMenuItem item = add(lessons, scene.title(), () -> opener.open(scene));
+                beforeShowing(
+                        lessons,
+                        () -> item.setText(course.isFinished(scene) ? "\u2713 " + scene.title() : scene.title()));
+            } else {
+                add(
+                        topics.computeIfAbsent(scene.topic(), topic -> new JMenu(topic)),
+                        scene.title(),
+                        () -> opener.open(scene));
+            }
         }
         topics.values().forEach(examples::add);
         examples.setEnabled(!topics.isEmpty());
         lessons.setEnabled(lessons.getItemCount() > 0);
     }
 
-    private static void add(JMenu topic, String title, Runnable action) {
+    private static JMenuItem add(JMenu topic, String title, Runnable action) {
         JMenuItem item = new JMenuItem(title);
         item.setName(title);
         item.addActionListener(event -> action.run());
         topic.add(item);
+        return item;
     }
 
     private JMenu editMenu() {
@@ -225,7 +228,7 @@ final class Menus {
         JMenuItem redo = add(menu, "menu.redo", "ctrl shift Z", history::redo);
         JMenuItem reset = add(menu, "menu.reset", "ctrl R", history::reset);
         menu.addSeparator();
-        add(menu, "menu.editScene", "ctrl E", commands::editScene);
+        add(menu, "menu.editScene", "ctrl E", window::editScene);
         Runnable update = () -> {
             undo.setEnabled(history.canUndo());
             redo.setEnabled(history.canRedo());
@@ -241,11 +244,12 @@ final class Menus {
         JMenu menu = menu("menu.play");
         add(menu, "menu.playSpeed", null, () -> motion.play(NumberProperty.speed(SpeedScale.BETA)));
         add(menu, "menu.playTime", null, () -> motion.play(NumberProperty.openingTime()));
+        add(menu, "menu.playLight", null, motion::playLight);
         menu.addSeparator();
         add(menu, "menu.playPause", "F9", motion::togglePlay);
-        add(menu, "menu.playPanel", "ctrl L", motion::togglePlayPanel);
+        add(menu, "menu.playPanel", "ctrl L", () -> strip.toggle(TabStrip.Tab.PLAY));
         menu.addSeparator();
-        add(menu, "menu.copyAnimation", null, commands::copyAnimation);
+        add(menu, "menu.copyAnimation", null, window::copyAnimation);
         menu.addSeparator();
         add(menu, "menu.ride", "F6", motion::toggleRide);
         add(menu, "menu.replay", null, motion::replayRide);
@@ -268,7 +272,7 @@ final class Menus {
         for (Look look : Look.values()) {
             JRadioButtonMenuItem item = new JRadioButtonMenuItem(Texts.get("look." + look), look == settings.look());
             item.setName("look." + look);
-            item.addActionListener(event -> commands.setLook(look));
+            item.addActionListener(event -> window.setLook(look));
             group.add(item);
             menu.add(item);
         }
@@ -280,30 +284,31 @@ final class Menus {
         add(menu, "menu.zoomToFit", "ctrl 0", zoom::fit);
         menu.addSeparator();
         add(menu, caption, "menu.caption", "F7", () -> captions.setShown(caption.isSelected()));
-        addSign(menu, "menu.arrow", Signs.Sign.ARROW);
-        addSign(menu, "menu.map", Signs.Sign.MAP);
+        addOverlay(menu, "menu.arrow", PictureOverlays.ARROW);
+        addOverlay(menu, "menu.map", PictureOverlays.MAP);
+        addOverlay(menu, "menu.rate", PictureOverlays.RATE);
         menu.add(overlayMenu());
-        add(menu, "menu.measure", "F4", commands::toggleMeasuring);
+        add(menu, "menu.measure", "F4", () -> strip.toggle(TabStrip.Tab.MEASURE));
         menu.addSeparator();
-        add(menu, "menu.fullScreen", "F11", commands::toggleFullScreen);
-        add(menu, "menu.panel", "F12", commands::togglePanel);
-        add(menu, "menu.stop", "ESCAPE", commands::stop);
+        add(menu, "menu.fullScreen", "F11", window::toggleFullScreen);
+        add(menu, "menu.panel", "F12", window::togglePanel);
+        add(menu, "menu.stop", "F3", window::toggleRendering);
         return menu;
     }
 
     private JMenu overlayMenu() {
         JMenu menu = new JMenu(Texts.get("menu.overlays"));
         menu.setName("menu.overlays");
-        Stream.of(Signs.Sign.values())
-                .filter(Signs.Sign::isOfScene)
-                .forEach(sign -> addSign(menu, "menu.overlay." + sign, sign));
+        for (OverlayKind kind : OverlayKind.values()) {
+            addOverlay(menu, "menu.overlay." + kind, PictureOverlays.name(kind));
+        }
         return menu;
     }
 
-    private void addSign(JMenu menu, String key, Signs.Sign sign) {
+    private void addOverlay(JMenu menu, String key, String name) {
         JCheckBoxMenuItem item = new JCheckBoxMenuItem();
-        item.setSelected(signs.isShown(sign));
-        add(menu, item, key, null, () -> signs.setShown(sign, item.isSelected()));
+        item.setSelected(overlays.isShown(name));
+        add(menu, item, key, null, () -> overlays.setShown(name, item.isSelected()));
     }
 
     private JMenu helpMenu() {
@@ -311,6 +316,7 @@ final class Menus {
         add(menu, "menu.tour", null, () -> help.showDocument("tour.md"));
         add(menu, "menu.manual", null, () -> help.showDocument("window.md"));
         add(menu, "menu.sceneFiles", null, () -> help.showDocument("scene-files.md"));
+        add(menu, "menu.documents", null, () -> help.showDocument("README.md"));
         menu.addSeparator();
         add(menu, "menu.keys", "F1", () -> help.showKeys(itemsWithKeys()));
         add(menu, "menu.cite", null, clipboard::offerCitation);

@@ -1,6 +1,7 @@
 package tompkins.ui;
 
 import java.awt.Dimension;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
@@ -8,30 +9,36 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
+import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import tompkins.camera.Camera;
 import tompkins.camera.FocusDistance;
+import tompkins.lesson.Lesson;
+import tompkins.measure.LessonStudio;
 import tompkins.property.NumberText;
 import tompkins.studio.StudioPath;
 import tompkins.trace.RenderPlan;
+import tompkins.ui.compare.ComparePanel;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.CameraPanel;
-import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.panel.LawPanel;
 import tompkins.ui.panel.LensPanel;
 import tompkins.ui.panel.PlanFold;
 import tompkins.ui.panel.QualityPanel;
-import tompkins.ui.panel.RaySection;
 import tompkins.ui.panel.ShutterPanel;
 import tompkins.ui.panel.VelocityPanel;
 import tompkins.ui.panel.WindowPanel;
+import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Picture;
-import tompkins.ui.picture.PixelProbe;
+import tompkins.ui.ray.PixelProbe;
+import tompkins.ui.ray.RaySection;
 import tompkins.ui.widget.Column;
+import tompkins.ui.widget.FoldedText;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Section;
@@ -49,7 +56,7 @@ final class SidePanel {
     private final JScrollPane scroll = scroll("panel", panel);
     private final Column rayPanel = new Column();
 
-    /** The pinned ray has a place of its own, so that the speed stays in sight. */
+    /** The pinned ray has a place of its own, so that the speed stays visible. */
     private final JScrollPane rayScroll = scroll("ray", rayPanel);
 
     private final JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, scroll, rayScroll);
@@ -58,11 +65,18 @@ final class SidePanel {
     private final Note title = Note.ofLines(1);
     private final PlanFold plan = new PlanFold();
     private final RaySection ray;
+    private final FoldedText remarks = new FoldedText("remarks");
+    private final List<JComponent> sections = new ArrayList<>();
+
+    /** Brings back what a lesson folds away. */
+    private final JToggleButton all = new JToggleButton();
+
     private Picture shown;
 
     /**
      * The panel for a photograph.
      *
+     * @param slider what the lesson of a scene lets its readers move
      * @param besideRest whether the photograph is compared with that of a camera at rest from the beginning
      * @param teller says in a line what becomes of a click
      * @param editor opens the editor for a part of the studio
@@ -70,6 +84,7 @@ final class SidePanel {
     SidePanel(
             StudioModel model,
             PhotographView view,
+            JComponent slider,
             boolean besideRest,
             Consumer<String> teller,
             Consumer<StudioPath> editor) {
@@ -80,16 +95,16 @@ final class SidePanel {
             compare.begin(ComparePanel.Other.AT_REST);
         }
         ray = new RaySection(model, () -> view.setPin(null), editor);
-        Note remarks = new Note(model.studio().remarks());
         title.component().setName("remarks.title");
-        model.addListener(() -> show(model, remarks));
-        show(model, remarks);
-        remarks.component().setName("remarks");
-        panel.add(title.component(), "wmin 0, gapleft 6");
-        panel.add(remarks.component(), "wmin 0, gapleft 6");
+        JPanel head = Rows.of("hidemode 3, gap 6", "[grow,fill][pref!]");
+        head.add(title.component(), "wmin 0");
+        head.add(remarks.button());
+        panel.add(head, "wmin 0, gapleft 6");
+        panel.add(remarks.component(), "wmin 0, gapleft 6, gapbottom 4");
+        panel.add(slider, "wmin 0, gapleft 6, gapbottom 4");
         add("section.velocity", new VelocityPanel(model).component(), true);
         add("section.camera", new CameraPanel(model, () -> shown).component(), false);
-        add("section.shutter", shutter.component(), true);
+        JComponent shutters = add("section.shutter", shutter.component(), true);
         add("section.shutterDetails", shutter.details(), false);
         add("section.lens", lens.component(), false);
         add("section.compare", compare.component(), besideRest);
@@ -98,10 +113,20 @@ final class SidePanel {
         add("section.window", new WindowPanel(model).component(), false);
         add("section.quality", new QualityPanel(model).component(), false);
         add("section.plan", plan.component(), false);
+        Naming.name(all, "lesson.allControls");
+        all.addActionListener(event -> showSections(model, shutters));
+        panel.add(all, "growx 0, alignx left, gapleft 6, gaptop 6");
+        Runnable update = () -> {
+            show(model);
+            showSections(model, shutters);
+        };
+        model.addListener(update);
+        update.run();
         rayPanel.add(ray.component());
         rayScroll.setVisible(false);
         split.setBorder(BorderFactory.createEmptyBorder());
         split.setDividerSize(0);
+        split.getAccessibleContext().setAccessibleName(Texts.get("panel.split"));
         split.setResizeWeight(RAY_BEGINS);
         // keys of the window, for which split panes have a use of their own
         for (String key : List.of("F6", "F8")) {
@@ -132,7 +157,7 @@ final class SidePanel {
     }
 
     /** Scrolls to what there is to see in another scene. */
-    private void show(StudioModel model, Note remarks) {
+    private void show(StudioModel model) {
         String text = model.studio().remarks();
         title.setText(titled(model, model.studio().shortTitle()));
         if (!remarks.text().equals(text)) {
@@ -146,8 +171,21 @@ final class SidePanel {
         return model.isChangedExample() ? Texts.get("title.changed", title) : title;
     }
 
-    private void add(String title, JComponent content, boolean open) {
-        panel.add(new Section(Texts.get(title), content, open).component());
+    private JComponent add(String title, JComponent content, boolean open) {
+        JComponent section = new Section(Texts.get(title), content, open).component();
+        sections.add(section);
+        panel.add(section);
+        return section;
+    }
+
+    /** In a lesson only what that is about, unless all is wanted. */
+    private void showSections(StudioModel model, JComponent shutters) {
+        boolean few = model.studio().lesson() instanceof Lesson && !all.isSelected();
+        sections.forEach(section -> section.setVisible(!few));
+        shutters.setVisible(
+                !few || LessonStudio.comparesShutters((Lesson) model.studio().lesson()));
+        all.setVisible(model.studio().lesson() instanceof Lesson);
+        all.setText(Texts.get(all.isSelected() ? "lesson.fewControls" : "lesson.allControls"));
     }
 
     private void pick(StudioModel model, PhotographView view, Consumer<String> teller, boolean picking) {

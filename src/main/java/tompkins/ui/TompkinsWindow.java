@@ -3,7 +3,6 @@ package tompkins.ui;
 import java.awt.BorderLayout;
 import java.awt.Desktop;
 import java.awt.desktop.QuitStrategy;
-import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
 import java.util.List;
@@ -14,59 +13,75 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
+import tompkins.lesson.Lesson;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
+import tompkins.ui.animate.AnimationExport;
+import tompkins.ui.compare.PeekKey;
+import tompkins.ui.exchange.ClipboardActions;
+import tompkins.ui.exchange.CommandLineWriter;
+import tompkins.ui.exchange.FileDialogs;
+import tompkins.ui.exchange.PhotographExport;
+import tompkins.ui.exchange.SceneOpener;
+import tompkins.ui.exchange.SceneSaver;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.PlainPath;
-import tompkins.ui.model.Seldom;
+import tompkins.ui.help.HelpCommands;
+import tompkins.ui.lesson.LessonCourse;
+import tompkins.ui.lesson.LessonPanel;
+import tompkins.ui.measure.MeasureMarks;
+import tompkins.ui.measure.MeasureTool;
+import tompkins.ui.model.Settings;
 import tompkins.ui.model.StudioModel;
-import tompkins.ui.panel.LessonPanel;
+import tompkins.ui.model.Throttle;
+import tompkins.ui.overlay.PictureOverlays;
+import tompkins.ui.photograph.Captions;
+import tompkins.ui.photograph.PhotographView;
+import tompkins.ui.photograph.StatusBar;
+import tompkins.ui.photograph.WindowParts;
 import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
-import tompkins.ui.picture.PixelProbe;
+import tompkins.ui.ray.PixelProbe;
+import tompkins.ui.ride.Motion;
 import tompkins.ui.widget.FocusFollower;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Screens;
-import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.TabStrip;
 
 /** The window of Tompkins: the photograph, and a narrow panel with what it depends on. */
 public final class TompkinsWindow {
-
-    /** Sizes of the window at first, in sizes of its type. */
-    private static final double WIDTH = 84;
-
-    private static final double HEIGHT = 60;
-    private static final double MINIMUM_WIDTH = 40;
-    private static final double MINIMUM_HEIGHT = 24;
 
     private final Settings settings = new Settings();
     private final JFrame frame = new JFrame();
     private final WindowSize size;
     private final StudioModel model;
     private final PhotographView view;
-    private final SideRoom side;
+    private final FoldingPanel side;
     private final StatusBar status;
+    private final WindowParts parts;
     private final FileDialogs dialogs;
     private final SceneSaver saver;
+    private final TabStrip strip;
+    private final LessonCourse course = new LessonCourse(settings, this::openExample);
     private final LessonPanel lesson;
+    private final MeasureMarks lessonMarks;
     private final SceneOpener opener;
     private final Captions captions;
-    private final Signs signs;
+    private final PictureOverlays overlays;
     private final MeasureTool measure;
     private final ClipboardActions clipboard;
     private final Menus menus;
-    private final LateParts late;
+    private final DeferredParts late;
     private final EditorDialog editor;
     private final FullScreen fullScreen;
     private final JPanel middle = new JPanel(new BorderLayout());
-
     private final Motion motion;
 
     /** The file of the first scene, or null. */
     private final Path place;
 
     /** When there is time to tell of the pictures of a ride. */
-    private final Seldom seldom = new Seldom();
+    private final Throttle throttle = new Throttle();
 
     private TompkinsWindow(FirstScene first, CommandLineWriter commandLine) {
         settings.look().install();
@@ -77,33 +92,48 @@ public final class TompkinsWindow {
         // the window is built while it is worked on
         view.render();
         status = new StatusBar(view.controller());
-        side = new SideRoom(() -> new SidePanel(model, view, first.besideRest(), status::report, this::edit));
-        dialogs = new FileDialogs(frame, model, status, settings);
-        saver = new SceneSaver(frame, model, status, dialogs);
-        lesson = new LessonPanel(model);
-        opener = new SceneOpener(frame, model, view, status, settings, dialogs, saver, this::pause, this::beginLesson);
+        strip = new TabStrip();
+        lessonMarks = new MeasureMarks(view::otherPicture);
+        view.canvas().addOverlay(lessonMarks);
+        lesson = new LessonPanel(model, course, results -> {
+            lessonMarks.show(results);
+            view.canvas().repaint();
+        });
+        side = new FoldingPanel(
+                () -> new SidePanel(model, view, lesson.control(), first.besideRest(), status::report, this::edit));
+        parts = new WindowParts(frame, model, view, status, settings);
+        dialogs = new FileDialogs(parts);
+        saver = new SceneSaver(parts, dialogs);
+        opener = new SceneOpener(parts, dialogs, saver, this::pause, this::beginLesson);
         captions = new Captions(view.canvas(), settings, first.besideRest());
-        signs = new Signs(view.canvas(), settings, view::fail);
-        motion = new Motion(frame, model, view, status, new AnimationExport(frame, dialogs, captions, signs), captions);
+        overlays = new PictureOverlays(view.canvas(), settings, view::fail);
+        motion = new Motion(parts, strip, new AnimationExport(frame, dialogs, captions, overlays), captions);
         motion.pilot().addListener(pictures::tellLast);
         frame.setContentPane(content());
-        clipboard = new ClipboardActions(frame, model, view, captions, signs, commandLine, status);
-        measure = new MeasureTool(view, motion.bars(), clipboard::copyMeasured);
+        clipboard = new ClipboardActions(parts, captions, overlays, commandLine);
+        measure = new MeasureTool(view, clipboard::copyMeasured);
+        strip.fill(TabStrip.Tab.MEASURE, measure::component, measure::setOn);
+        strip.fill(TabStrip.Tab.LESSON, lesson::component, lesson::setShown);
+        model.addListener(this::offerLesson);
+        offerLesson();
         menus = new Menus(
                 opener,
                 saver,
                 clipboard,
-                new History(model, frame, this::pause, this::sayOtherScene),
+                new History(parts, this::pause),
                 settings,
                 captions,
+                course,
+                strip,
                 motion,
-                signs,
+                overlays,
                 view.canvas().zoom(),
                 new HelpCommands(frame, opener),
-                new WindowCommands());
+                this);
         frame.setJMenuBar(menus.bar());
         editor = new EditorDialog(frame, model, dialogs, menus::bindKeys);
-        late = new LateParts(this::furnish, menus::setExamples, frame::setIconImages);
+        view.setMenu(new PictureMenu(model, view, motion, strip, measure, editor));
+        late = new DeferredParts(this::bringPanel, menus::setExamples, frame::setIconImages);
         // also while the menus are hidden
         menus.bindKeys(frame.getRootPane());
         fullScreen = new FullScreen(frame, side, List.of(menus.bar(), status.component()));
@@ -113,11 +143,10 @@ public final class TompkinsWindow {
         Screens.keepDialogsOnScreen(frame);
         frame.setName("tompkins");
         frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
-        frame.addWindowListener(new Closer());
-        frame.setSize(Screens.atMost(
-                frame, settings.number("width", Look.pixels(WIDTH)), settings.number("height", Look.pixels(HEIGHT))));
+        frame.addWindowListener(new WindowCloser(frame, opener, this::saveSize, this::end));
+        frame.setSize(WindowSize.kept(frame, settings));
         size = new WindowSize(frame, settings);
-        frame.setLocationByPlatform(true);
+        frame.setLocationRelativeTo(null);
         model.addListener(this::showTitle);
         showTitle();
         // a layout made before the window is on its screen would be made again
@@ -151,7 +180,7 @@ public final class TompkinsWindow {
             Desktop.getDesktop().setQuitStrategy(QuitStrategy.CLOSE_ALL_WINDOWS);
         }
         SwingUtilities.invokeLater(() -> {
-            Thread.currentThread().setUncaughtExceptionHandler(new LastResort());
+            Thread.currentThread().setUncaughtExceptionHandler(new UncaughtErrors());
             TompkinsWindow window = opened(first, examples, commandLine);
             first.tellProblem(window.frame);
         });
@@ -165,29 +194,26 @@ public final class TompkinsWindow {
         return window;
     }
 
-    /**
-     * Says that undo or redo has led to another scene, which may not have been meant. The pin goes: it belongs to its
-     * scene.
-     */
-    private void sayOtherScene() {
-        view.setPin(null);
-        status.report(Texts.get("history.otherScene", model.studio().title()));
-    }
-
-    /** A lesson needs the room of the bars under the picture. */
     private void beginLesson() {
         if (lesson.begin()) {
-            motion.closeBars();
-            measure.end();
+            strip.open(TabStrip.Tab.LESSON);
         }
     }
 
-    private void edit(StudioPath part) {
+    private void offerLesson() {
+        strip.offer(TabStrip.Tab.LESSON, model.studio().lesson() instanceof Lesson);
+    }
+
+    private void openExample(Studio example) {
+        opener.open(example);
+    }
+
+    void edit(StudioPath part) {
         editor.open(part);
     }
 
     /** Brings the panel, and remembers the file. The picture pauses meanwhile, so that the panel has the processors. */
-    private void furnish() {
+    private void bringPanel() {
         // a window that was closed meanwhile has no picture
         boolean unfinished = frame.isDisplayable() && view.controller().isBusy();
         view.stop();
@@ -216,7 +242,7 @@ public final class TompkinsWindow {
         return frame;
     }
 
-    SideRoom side() {
+    FoldingPanel side() {
         return side;
     }
 
@@ -228,16 +254,9 @@ public final class TompkinsWindow {
         return view;
     }
 
-    SceneSaver saver() {
-        return saver;
-    }
-
     private JComponent content() {
         middle.add(view.canvas(), BorderLayout.CENTER);
-        JPanel below = new JPanel(new BorderLayout());
-        below.add(lesson.component(), BorderLayout.CENTER);
-        below.add(motion.bars(), BorderLayout.SOUTH);
-        middle.add(below, BorderLayout.SOUTH);
+        middle.add(strip.component(), BorderLayout.SOUTH);
         JPanel content = new JPanel(new BorderLayout());
         content.add(middle, BorderLayout.CENTER);
         content.add(side.component(), BorderLayout.EAST);
@@ -249,7 +268,7 @@ public final class TompkinsWindow {
     /** Sets the sizes that do not follow the look by themselves. */
     private void fitToLook() {
         side.fitToLook();
-        size.require(Screens.atMost(frame, Look.pixels(MINIMUM_WIDTH), Look.pixels(MINIMUM_HEIGHT)));
+        size.require(WindowSize.least(frame));
     }
 
     private void showTitle() {
@@ -258,29 +277,17 @@ public final class TompkinsWindow {
         frame.setTitle((model.isModified() ? "\u2022 " : "") + title + file + " \u2013 Tompkins");
     }
 
-    private final class Closer extends WindowAdapter {
+    private void saveSize() {
+        size.save();
+    }
 
-        @Override
-        public void windowClosing(WindowEvent event) {
-            if (!BackgroundTask.showRunning(frame)) {
-                opener.leaveScene(this::close);
-            }
-        }
-
-        private void close() {
-            size.save();
-            frame.dispose();
-        }
-
-        @Override
-        public void windowClosed(WindowEvent event) {
-            pause();
-            status.stop();
-            view.close();
-            signs.close();
-            measure.dispose();
-            editor.dispose();
-        }
+    private void end() {
+        pause();
+        status.stop();
+        view.close();
+        overlays.close();
+        measure.dispose();
+        editor.dispose();
     }
 
     private final class PictureListener implements PhotographView.Listener {
@@ -289,7 +296,7 @@ public final class TompkinsWindow {
         public void shown(Picture picture) {
             late.firstPictureDone();
             // nobody can read thirty texts a second, and the pictures need the time
-            if (motion == null || !motion.pilot().isRiding() || seldom.mayHappen()) {
+            if (motion == null || !motion.pilot().isRiding() || throttle.admits()) {
                 tell(picture);
             }
             measure.show();
@@ -338,62 +345,56 @@ public final class TompkinsWindow {
         }
     }
 
-    private final class WindowCommands implements Menus.Commands {
+    void savePhotograph() {
+        new PhotographExport(parts, dialogs).ask();
+    }
 
-        @Override
-        public void savePhotograph() {
-            new PhotographExport(frame, model, view, status, dialogs).ask();
-        }
+    void setLook(Look look) {
+        look.install();
+        settings.setLook(look);
+        fitToLook();
+        editor.fitToLook();
+    }
 
-        @Override
-        public void setLook(Look look) {
-            look.install();
-            settings.setLook(look);
-            fitToLook();
-            editor.fitToLook();
-        }
+    void editScene() {
+        editor.open();
+    }
 
-        @Override
-        public void editScene() {
-            editor.open();
-        }
+    void editNewScene() {
+        editor.open(StudioPath.ROOT);
+    }
 
-        @Override
-        public void editNewScene() {
-            editor.open(StudioPath.ROOT);
-        }
+    void togglePanel() {
+        side.toggle();
+        frame.revalidate();
+    }
 
-        @Override
-        public void togglePanel() {
-            side.toggle();
-            frame.revalidate();
-        }
+    void toggleFullScreen() {
+        fullScreen.toggle();
+    }
 
-        @Override
-        public void toggleFullScreen() {
-            fullScreen.toggle();
+    void toggleRendering() {
+        if (view.controller().isStopped()) {
+            view.render();
+        } else {
+            view.stop();
         }
+    }
 
-        @Override
-        public void toggleMeasuring() {
-            measure.toggle();
+    void leave() {
+        if (!motion.pauseIfMoving()
+                && !view.endPicking()
+                && !strip.closeIfOpen(TabStrip.Tab.MEASURE)
+                && !fullScreen.leave()) {
+            BackgroundTask.cancel(frame);
         }
+    }
 
-        @Override
-        public void stop() {
-            if (!motion.pauseIfMoving() && !view.endPicking() && !measure.end() && !fullScreen.leave()) {
-                view.stop();
-            }
-        }
+    void close() {
+        frame.dispatchEvent(new WindowEvent(frame, WindowEvent.WINDOW_CLOSING));
+    }
 
-        @Override
-        public void close() {
-            frame.dispatchEvent(new WindowEvent(frame, WindowEvent.WINDOW_CLOSING));
-        }
-
-        @Override
-        public void copyAnimation() {
-            motion.wantedAnimation().ifPresent(clipboard::copyCommandLine);
-        }
+    void copyAnimation() {
+        motion.wantedAnimation().ifPresent(clipboard::copyCommandLine);
     }
 }

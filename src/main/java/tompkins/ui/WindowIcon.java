@@ -5,12 +5,11 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Image;
 import java.awt.LinearGradientPaint;
-import java.awt.RenderingHints;
-import java.awt.geom.Ellipse2D;
 import java.awt.geom.RoundRectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.stream.IntStream;
+import tompkins.ui.widget.Drawing;
 
 /** The sign of the program: waves of light around something that moves to the right, blue ahead and red behind. */
 final class WindowIcon {
@@ -38,8 +37,7 @@ final class WindowIcon {
     private static BufferedImage image(int size) {
         BufferedImage image = new BufferedImage(size, size, BufferedImage.TYPE_INT_ARGB);
         Graphics2D g = image.createGraphics();
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        Drawing.smooth(g);
         // drawn in a square of side 1
         g.scale(size, size);
         g.setColor(BACKGROUND);
@@ -51,15 +49,11 @@ final class WindowIcon {
         double source = 0.5 + SPEED * largest;
         for (int wave = 1; wave <= WAVES; wave++) {
             double radius = largest * wave / WAVES;
-            g.draw(around(source - SPEED * radius, radius));
+            g.draw(Drawing.circle(source - SPEED * radius, 0.5, radius));
         }
         g.setColor(Color.WHITE);
-        g.fill(around(source, 0.05));
+        g.fill(Drawing.circle(source, 0.5, 0.05));
         g.dispose();
         return image;
-    }
-
-    private static Ellipse2D around(double x, double radius) {
-        return new Ellipse2D.Double(x - radius, 0.5 - radius, 2 * radius, 2 * radius);
     }
 }

@@ -7,10 +7,19 @@ import java.awt.event.ComponentEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import javax.swing.JFrame;
+import tompkins.ui.model.Settings;
+import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Screens;
 
 /** Remembers in the settings whether a window is maximised, and how large it is when it is not. */
 final class WindowSize {
 
+    /** Sizes of the window at first, in sizes of its type. */
+    private static final double WIDTH = 84;
+
+    private static final double HEIGHT = 60;
+    private static final double MINIMUM_WIDTH = 40;
+    private static final double MINIMUM_HEIGHT = 24;
     private static final String MAXIMISED = "maximised";
 
     private final JFrame frame;
@@ -43,6 +52,17 @@ final class WindowSize {
                 frame.setExtendedState(settings.number(MAXIMISED, 0) & Frame.MAXIMIZED_BOTH);
             }
         });
+    }
+
+    /** The size that was kept, or the first one. */
+    static Dimension kept(JFrame frame, Settings settings) {
+        return Screens.atMost(
+                frame, settings.number("width", Look.pixels(WIDTH)), settings.number("height", Look.pixels(HEIGHT)));
+    }
+
+    /** The size that the window must have, as large as its type asks for. */
+    static Dimension least(JFrame frame) {
+        return Screens.atMost(frame, Look.pixels(MINIMUM_WIDTH), Look.pixels(MINIMUM_HEIGHT));
     }
 
     /** Whether it is shown without its frame, over all of a screen. */

@@ -1,97 +1,106 @@
 package tompkins.world;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
+import tompkins.ray.Medium;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
-import tompkins.spacetime.Event;
+import tompkins.spacetime.FrameMotion;
+import tompkins.spacetime.FrameRoute;
+import tompkins.spacetime.FrameTree;
+import tompkins.spacetime.RelativeMotion;
 
 /**
- * The ways between the frames of a world, as changes of frame one after the other: nested motions are never made into
- * one boost, because two boosts are a boost and a rotation. Immutable.
+ * The ways between the frames of a world, and the frame of the camera, by their numbers. Each is worked out when
+ * somebody asks for it, because a scene with many frames needs few of all pairs. For any number of threads: those that
+ * ask at once find the same.
  */
 public final class FrameRoutes {
 
-    private final FrameStep[][][] routes;
-    private final FrameStep cameraToScene;
+    private final FrameTree tree;
+    private final List<FrameMotion> motions;
 
-    FrameRoutes(List<InertialFrame> frames, FrameCrossing crossing) {
-        cameraToScene = crossing.step();
-        int count = frames.size();
-        List<List<InertialFrame>> chains =
-                frames.stream().map(FrameRoutes::chain).toList();
-        routes = new FrameStep[count][count][];
-        for (int from = 0; from < count; from++) {
-            for (int to = 0; to < count; to++) {
-                routes[from][to] = route(chains.get(from), chains.get(to), crossing);
-            }
-        }
+    /** As far as somebody asked. */
+    private final FrameRoute[][] routes;
+
+    /** How the frames move in each other, as far as somebody asked. */
+    private final RelativeMotion[][] relative;
+
+    /**
+     * The ways between frames.
+     *
+     * @param motions those of the frames in the order of their numbers; the first is null, the scene frame
+     * @param tree the frames, with that of the camera, which gets the last number
+     */
+    FrameRoutes(List<FrameMotion> motions, FrameTree tree) {
+        List<FrameMotion> all = new ArrayList<>(motions);
+        all.add(tree.camera());
+        this.tree = tree;
+        this.motions = all;
+        relative = new RelativeMotion[all.size()][all.size()];
+        routes = new FrameRoute[all.size()][all.size()];
     }
 
-    /** The frames from the outermost to this one. */
-    private static List<InertialFrame> chain(InertialFrame frame) {
-        List<InertialFrame> chain = new ArrayList<>();
-        for (InertialFrame each = frame; each != null; each = each.outer()) {
-            chain.add(each);
-        }
-        Collections.reverse(chain);
-        return chain;
-    }
-
-    private static FrameStep[] route(List<InertialFrame> from, List<InertialFrame> to, FrameCrossing crossing) {
-        int shared = 0;
-        while (shared < Math.min(from.size(), to.size()) && from.get(shared) == to.get(shared)) {
-            shared++;
-        }
-        List<FrameStep> steps = new ArrayList<>();
-        for (int i = from.size() - 1; i >= shared; i--) {
-            steps.add(stepInto(from.get(i), crossing).inverse());
-        }
-        for (int i = shared; i < to.size(); i++) {
-            steps.add(stepInto(to.get(i), crossing));
-        }
-        return steps.toArray(FrameStep[]::new);
-    }
-
-    private static FrameStep stepInto(InertialFrame frame, FrameCrossing crossing) {
-        return crossing.stepInto(frame.motion(), frame.outer().origin(), frame.origin());
+    /** The number of the camera frame. */
+    public int camera() {
+        return routes.length - 1;
     }
 
     /** Makes {@code memory}, which may be the ray itself, the same ray in another frame, where it starts on nothing. */
-    public Ray transform(int from, int to, Ray ray, Ray memory) {
-        memory.set(ray);
-        for (FrameStep step : routes[from][to]) {
-            step.transform(memory, memory);
+    public Ray transform(Ray ray, int to, Ray memory) {
+        return ray.medium == null || ray.frame == to
+                ? route(ray.frame, to).transform(ray, memory).inFrame(to)
+                : transformInMedium(ray, to, memory);
+    }
+
+    /** In a medium the frequency goes with the wave, which is known from the ray in the rest frame of the medium. */
+    private Ray transformInMedium(Ray ray, int to, Ray memory) {
+        int from = ray.frame;
+        Medium medium = ray.medium;
+        double before = ray.frequency;
+        if (from == medium.frame()) {
+            double factor = motion(from, to).frequency(medium.index(), ray.dx, ray.dy, ray.dz);
+            route(from, to).transform(ray, memory).inFrame(to);
+            return memory.asWave(memory.slowness, before * factor);
         }
-        return memory;
+        if (to == medium.frame()) {
+            route(from, to).transform(ray, memory).inFrame(to);
+            double factor = motion(to, from).frequency(medium.index(), memory.dx, memory.dy, memory.dz);
+            return memory.asWave(medium.index(), before / factor);
+        }
+        return transformInMedium(transformInMedium(ray, medium.frame(), memory), to, memory);
     }
 
     /** Takes each ray of a packet into another frame. */
-    void transform(int from, int to, RayPacket rays) {
-        for (FrameStep step : routes[from][to]) {
-            step.transform(rays);
+    public void transform(RayPacket rays, int to) {
+        if (rays.medium(0) == null) {
+            route(rays.frame(), to).transform(rays);
+        } else {
+            for (int i = 0; i < rays.count(); i++) {
+                Ray ray = rays.ray(i);
+                rays.set(i, transform(ray, to, ray));
+            }
         }
+        rays.inFrame(to);
     }
 
-    /** The same event in another frame, in the coordinates in which the tracer works. */
-    public Event transform(int from, int to, Event event) {
-        Event moved = event;
-        for (FrameStep step : routes[from][to]) {
-            moved = step.transform(moved);
+    /** How a second frame moves in a first one. */
+    public RelativeMotion motion(int first, int second) {
+        RelativeMotion known = relative[first][second];
+        if (known == null) {
+            known = FrameTree.motion(motions.get(first), motions.get(second));
+            relative[first][second] = known;
         }
-        return moved;
+        return known;
     }
 
-    /** Makes {@code memory} the ray of a frame in the camera frame. */
-    Ray toCamera(int from, Ray ray, Ray memory) {
-        transform(from, 0, ray, memory);
-        return cameraToScene.inverse().transform(memory, memory);
-    }
-
-    /** Makes {@code memory} the ray of the camera frame in another. */
-    Ray fromCamera(int to, Ray ray, Ray memory) {
-        cameraToScene.transform(ray, memory);
-        return transform(0, to, memory, memory);
+    /** The way between two frames, for events in the coordinates in which the tracer works. */
+    public FrameRoute route(int from, int to) {
+        FrameRoute known = routes[from][to];
+        if (known == null) {
+            known = tree.route(motions.get(from), motions.get(to));
+            routes[from][to] = known;
+        }
+        return known;
     }
 }

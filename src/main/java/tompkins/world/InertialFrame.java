@@ -10,18 +10,15 @@ import tompkins.surface.Refractive;
 /**
  * An inertial frame of the scene, and what rests in it: all objects with one velocity, wherever they are.
  *
- * @param outer the frame in which this one moves; null if it is the scene frame
  * @param motion how it moves; null if it is the scene frame
  * @param origin the event at which the coordinates of the primitives begin
  * @param objects the primitives
  * @param refractive those that bound a medium
  */
-public record InertialFrame(
-        InertialFrame outer, FrameMotion motion, Event origin, ObjectTree objects, List<Primitive> refractive) {
+public record InertialFrame(FrameMotion motion, Event origin, ObjectTree objects, List<Primitive> refractive) {
 
-    InertialFrame(InertialFrame outer, FrameMotion motion, Event origin, ObjectTree objects) {
+    InertialFrame(FrameMotion motion, Event origin, ObjectTree objects) {
         this(
-                outer,
                 motion,
                 origin,
                 objects,

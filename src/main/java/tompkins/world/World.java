@@ -24,6 +24,8 @@ import tompkins.search.LampTrack;
 import tompkins.search.ObjectTree;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
+import tompkins.spacetime.FrameRoute;
+import tompkins.spacetime.FrameTree;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 
@@ -50,9 +52,11 @@ public final class World {
     private final boolean followsCamera;
     private final List<InertialFrame> frames;
 
-    // for each lamp the number of its frame, and what it sees; lights that have no place belong to the scene frame
+    // for each lamp the number of its frame, when its own time is 0 there, and what it sees; lights that have no place
+    // belong to the scene frame
     private final List<LightSource> lights = new ArrayList<>();
     private final List<Integer> lightFrames = new ArrayList<>();
+    private final List<Double> lightZeros = new ArrayList<>();
     private final List<LampShadows> lampShadows = new ArrayList<>();
 
     /** For each light and frame the way of the light past what rests there, or null if that is not prepared. */
@@ -61,12 +65,12 @@ public final class World {
     /**
      * Prepares the scene of a studio.
      *
-     * @param crossing says where the coordinates of each frame begin
+     * @param tree says where the coordinates of each frame begin
      * @param imagePoints where the camera photographs the points that move with it
      * @param plain whether to leave out everything that only saves time: trees, and light buffers
      * @throws tompkins.property.InvalidPropertyException if an object is too large, too small or too fast to work with
      */
-    public World(Studio studio, FrameCrossing crossing, ImagePoints imagePoints, boolean plain) {
+    public World(Studio studio, FrameTree tree, ImagePoints imagePoints, boolean plain) {
         described = studio.scene();
         describedLights = studio.lights();
         law = studio.transformation();
@@ -76,10 +80,9 @@ public final class World {
                     asked[0] = true;
                     return imagePoints.inScene(point);
                 },
-                law,
-                crossing::origin);
+                tree);
         Placement placement = new Placement(
-                1, new Matrix3d(), new Vector3d(), crossing.origin().position());
+                1, new Matrix3d(), new Vector3d(), tree.origin(null).position());
         ObjectPreparation.add("scene", described, collector, placement);
         followsCamera = asked[0];
         for (int i = 0; i < describedLights.size(); i++) {
@@ -93,7 +96,7 @@ public final class World {
         prepareShadows(plain);
         lampTracks = new LampTrack[lights.size()][frames.size()];
         if (!plain && frames.size() > 1) {
-            prepareTracks(routes(crossing));
+            prepareTracks(routes(tree));
         }
     }
 
@@ -108,6 +111,7 @@ public final class World {
         } else {
             lights.add(source.seenFrom(placement.point(new Vector3d()).negate()));
             lightFrames.add(collector.frames().indexOf(collector.frame()));
+            lightZeros.add(collector.rest().zero().time());
         }
     }
 
@@ -116,16 +120,13 @@ public final class World {
         List<InertialFrame> frames = new ArrayList<>();
         for (FrameObjects frame : collected) {
             frames.add(new InertialFrame(
-                    frame.outer() == null ? null : frames.get(collected.indexOf(frame.outer())),
-                    frame.motion(),
-                    frame.origin(),
-                    new ObjectTree(frame.primitives(), smallestTree)));
+                    frame.motion(), frame.origin(), new ObjectTree(frame.primitives(), smallestTree)));
         }
         return List.copyOf(frames);
     }
 
     /**
-     * The lights of the camera's own frame: lamps as if they stood at the coordinates in it that they have at time 0.
+     * The lights of the camera's rest frame: lamps as if they stood at the coordinates in it that they have at time 0.
      */
     public static List<LightSource> atRest(List<LightSource> lights) {
         return lights.stream()
@@ -169,18 +170,18 @@ public final class World {
     }
 
     private static Vector3dc place(FrameRoutes routes, int from, int to, Vector3dc place, double time) {
-        return routes.transform(from, to, new Event(place.x(), place.y(), place.z(), time))
+        return routes.route(from, to)
+                .transform(new Event(place.x(), place.y(), place.z(), time))
                 .position();
     }
 
     /** Whether the same would be prepared for a studio, whatever its camera is. */
-    public boolean isOf(Studio studio, FrameCrossing crossing) {
+    public boolean isOf(Studio studio, FrameTree tree) {
         return !followsCamera
                 && described == studio.scene()
                 && describedLights == studio.lights()
                 && (law == studio.transformation() || frames.size() == 1 && !hasMotion())
-                && frames.stream()
-                        .allMatch(frame -> crossing.origin(frame.motion()).equals(frame.origin()));
+                && frames.stream().allMatch(frame -> tree.origin(frame.motion()).equals(frame.origin()));
     }
 
     private boolean hasMotion() {
@@ -191,6 +192,11 @@ public final class World {
     /** Whether the scene holds image points, and so depends on the camera. */
     public boolean followsCamera() {
         return followsCamera;
+    }
+
+    /** Whether something moves or turns. */
+    public boolean moves() {
+        return frames.size() > 1 || objects(0).rotates();
     }
 
     /** What rests in each frame, the scene frame first. */
@@ -238,17 +244,19 @@ public final class World {
 
     private Stream<Bounds> bounds(InertialFrame frame, double sceneTime) {
         return frame.objects().primitives().stream()
-                .map(Primitive::bounds)
+                .map(Primitive::allBounds)
                 .filter(Objects::nonNull)
                 .map(box -> inScene(box.moved(frame.origin().position()), frame.motion(), sceneTime));
     }
 
     private Bounds inScene(Bounds box, FrameMotion motion, double sceneTime) {
-        return motion == null
-                ? box
-                : Bounds.around(Stream.of(box.corners())
-                        .map(corner -> motion.placeInScene(law, corner, sceneTime))
-                        .toArray(Vector3dc[]::new));
+        if (motion == null) {
+            return box;
+        }
+        FrameRoute toScene = motion.toScene(law);
+        return Bounds.around(Stream.of(box.corners())
+                .map(corner -> toScene.place(corner, sceneTime))
+                .toArray(Vector3dc[]::new));
     }
 
     /** The boundaries of media that rest in a frame. */
@@ -271,6 +279,11 @@ public final class World {
         return lightFrames.get(source);
     }
 
+    /** When the own time of each light source is 0, in the coordinates of its frame in which the tracer works. */
+    public double[] lampZeros() {
+        return lightZeros.stream().mapToDouble(Double::doubleValue).toArray();
+    }
+
     /** What a light source sees of what rests with it, or null if that is not prepared. */
     public LampShadows lampShadows(int source) {
         return lampShadows.get(source);
@@ -282,7 +295,7 @@ public final class World {
     }
 
     /** The ways between the frames. */
-    public FrameRoutes routes(FrameCrossing crossing) {
-        return new FrameRoutes(frames, crossing);
+    public FrameRoutes routes(FrameTree tree) {
+        return new FrameRoutes(frames.stream().map(InertialFrame::motion).toList(), tree);
     }
 }

@@ -4,11 +4,9 @@ import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
-import tompkins.search.EntryNodes;
 import tompkins.search.NearestHit;
 import tompkins.search.ObjectTree;
-import tompkins.search.PacketSearch;
-import tompkins.search.TreeParts;
+import tompkins.search.PacketQuery;
 
 /**
  * The search for the nearest hit in several frames. A ray is taken into each of them; its distances there are given in
@@ -23,16 +21,14 @@ public final class WorldSearch {
     private final Ray[] mapped;
     private final FramePacket[] packets;
     private final Ray packetStart = Ray.blank();
-    private RayPacket sceneRays;
+    private RayPacket startRays;
 
     // of the search that was made last
     private Primitive found;
     private double distance;
     private double share;
-    private int frame;
     private Ray ray;
     private Ray start;
-    private int from;
 
     /** A search with the memory of its thread. */
     public WorldSearch(World world, FrameRoutes routes, NearestHit nearest) {
@@ -48,130 +44,102 @@ public final class WorldSearch {
         }
     }
 
-    /** The rays of a packet in one frame, and what was found for all of them together. */
+    /** The rays of a packet in one frame, and what they meet there. */
     private static final class FramePacket {
         final RayPacket rays = new RayPacket(RayPacket.MOST);
-        final PacketSearch search = new PacketSearch();
-        final EntryNodes entries = new EntryNodes();
+        final PacketQuery query;
 
-        /** The ray that is searched for now. */
-        final Ray ray = Ray.blank();
-
-        /** Where each ray must search; null if what they meet was found for all together. */
-        TreeParts parts;
-
-        boolean hasEntries;
+        FramePacket(ObjectTree objects, NearestHit nearest) {
+            query = new PacketQuery(objects, nearest);
+        }
     }
 
     /**
      * Searches for the nearest primitive that a ray hits, in all frames.
      *
-     * @param from the frame of the ray
-     * @return whether there is one; it is in the memory of the thread, {@link #ray()} and {@link #frame()}
+     * @return whether there is one; it is in the memory of the thread, and {@link #ray()} the ray
      */
-    public boolean nearest(Ray start, int from) {
-        begin(start, from);
-        trees[from].nearest(start, Primitive.NO_HIT, nearest);
-        compare(start, from);
+    public boolean nearest(Ray newStart) {
+        begin(newStart);
+        int from = start.frame;
+        // nothing rests in the frame of the camera
+        if (from < trees.length) {
+            trees[from].nearest(start, Primitive.NO_HIT, nearest);
+            compare(start);
+        }
         for (int i : filled) {
             if (i == from) {
                 continue;
             }
-            Ray inFrame = routes.transform(from, i, start, mapped[i]);
+            Ray inFrame = routes.transform(start, i, mapped[i]);
             if (!Double.isNaN(inFrame.dx)) {
-                trees[i].nearest(inFrame, limit(inFrame), nearest);
-                compare(inFrame, i);
+                trees[i].nearest(inFrame, limit(inFrame.directionLength), nearest);
+                compare(inFrame);
             }
         }
-        ray = frame == from ? start : mapped[frame];
-        if (found != null && frame != from) {
+        if (ray != start) {
             // the ray must stay as it is while others are searched for
-            mapped[frame] = Ray.blank();
+            mapped[ray.frame] = Ray.blank();
         }
         return end();
     }
 
-    /** Begins to search for the rays of a packet, which are in the scene frame. */
+    /** Begins to search for the rays of a packet. */
     public void begin(RayPacket rays) {
-        sceneRays = rays;
+        startRays = rays;
         for (int i : filled) {
             if (packets[i] == null) {
-                packets[i] = new FramePacket();
+                packets[i] = new FramePacket(trees[i], nearest);
             }
-            FramePacket packet = packets[i];
-            packet.rays.set(rays);
-            routes.transform(0, i, packet.rays);
-            packet.parts = packet.search.find(trees[i], packet.rays, nearest);
-            packet.hasEntries = false;
+            packets[i].rays.set(rays);
+            routes.transform(packets[i].rays, i);
+            packets[i].query.begin(packets[i].rays);
         }
     }
 
-    /** As {@link #nearest(Ray, int)}, for a ray of that packet; asked in the order of the places. */
+    /** As {@link #nearest(Ray)}, for a ray of that packet; asked in the order of the places. */
     public boolean nearest(int place) {
-        begin(packetStart, 0);
+        begin(packetStart);
         for (int i : filled) {
-            search(packets[i], i, place);
+            RayPacket rays = packets[i].rays;
+            PacketQuery query = packets[i].query;
+            if (!Double.isNaN(rays.dx[place]) && query.nearest(place, limit(rays.directionLength[place]))) {
+                compare(query.ray());
+            }
         }
         if (found != null) {
-            sceneRays.copy(place, packetStart);
-            ray = packets[frame].ray;
+            startRays.copy(place, packetStart);
         }
         return end();
     }
 
-    private void search(FramePacket packet, int index, int place) {
-        boolean isFound = packet.parts == null;
-        if (!isFound && place % EntryNodes.RAYS == 0) {
-            packet.hasEntries = packet.entries.find(
-                    trees[index],
-                    packet.parts,
-                    packet.rays,
-                    place,
-                    Math.min(packet.rays.count(), place + EntryNodes.RAYS));
-        }
-        if (isFound && !packet.search.mayMeet(place) || Double.isNaN(packet.rays.dx[place])) {
-            return;
-        }
-        Ray inFrame = packet.rays.copy(place, packet.ray);
-        double limit = limit(inFrame);
-        if (isFound) {
-            packet.search.nearest(inFrame, place, limit, nearest);
-        } else if (packet.hasEntries) {
-            trees[index].nearest(inFrame, limit, packet.entries, nearest);
-        } else {
-            trees[index].nearest(inFrame, limit, nearest);
-        }
-        compare(inFrame, index);
-    }
-
-    private void begin(Ray newStart, int newFrom) {
+    private void begin(Ray newStart) {
         start = newStart;
-        from = newFrom;
+        ray = newStart;
         found = null;
         distance = Primitive.NO_HIT;
         share = Primitive.NO_HIT;
-        frame = newFrom;
     }
 
-    private double limit(Ray inFrame) {
-        return found == null ? Primitive.NO_HIT : share * inFrame.stretch;
+    private double limit(double directionLength) {
+        return found == null ? Primitive.NO_HIT : share * directionLength;
     }
 
     /**
      * Takes what was found last if it is nearer than everything before; of equally near primitives it takes the one
      * listed first.
      */
-    private void compare(Ray inFrame, int index) {
+    private void compare(Ray inFrame) {
         Primitive candidate = nearest.primitive();
         if (candidate == null) {
             return;
         }
-        double candidateShare = nearest.distance() / inFrame.stretch;
+        double candidateShare = nearest.distance() / inFrame.directionLength;
         if (candidateShare < share || candidateShare == share && (found == null || candidate.order() < found.order())) {
             found = candidate;
             distance = nearest.distance();
             share = candidateShare;
-            frame = index;
+            ray = inFrame;
         }
     }
 
@@ -181,28 +149,22 @@ public final class WorldSearch {
         return found != null;
     }
 
-    /** The frame of the hit that was found last; that of the ray if there was none. */
-    public int frame() {
-        return frame;
-    }
-
-    /** The ray of that hit, in that frame. */
+    /** The ray of the hit that was found last, in the frame of what it has hit. */
     public Ray ray() {
         return ray;
     }
 
-    /** The frame in which the last search began. */
-    public int startFrame() {
-        return from;
-    }
-
-    /** Sets the memory to the event of the hit that was found last, in that frame. */
-    public void event(Hit memory) {
-        double length = share * start.stretch;
-        memory.setPlace(
-                start.x + length * start.dx,
-                start.y + length * start.dy,
-                start.z + length * start.dz,
-                start.timeAt(length));
+    /** That hit, in memory that may be used again. */
+    public Hit hit(Hit memory) {
+        nearest.hit(ray, memory);
+        double length = share * start.directionLength;
+        memory.eventMemory()
+                .setPlace(
+                        start.frame,
+                        start.x + length * start.dx,
+                        start.y + length * start.dy,
+                        start.z + length * start.dz,
+                        start.timeAt(length));
+        return memory;
     }
 }

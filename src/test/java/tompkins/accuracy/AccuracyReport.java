@@ -89,9 +89,9 @@ final class AccuracyReport {
         line("Written by `" + COMMAND + "`; a test fails when its numbers no longer hold.");
         line("");
         line("All numbers are doubles; u = 2^-53 = 1.1e-16 is the relative error of one rounding. Units have c = 1.");
-        line("*Naive* is the form that textbooks and the paper give, kept in the test sources as `Naive...`.");
+        line("*Textbook* is the usual formula, as in textbooks and the paper, kept in the test sources as `Naive...`.");
         line("Errors are relative unless the line says otherwise; *none* means that not one digit differs from the");
-        line("reference, *no number* that the form gives infinity or NaN. [Conventions](conventions.md) tells");
+        line("reference, *no number* that the form gives infinity or NaN. [Conventions](conventions.md) says");
         line(
                 "what the quantities mean, [Speed and accuracy](speed-and-accuracy.md) what more samples gain, and [Limits](limits.md)");
         line("what is refused.");
@@ -101,7 +101,8 @@ final class AccuracyReport {
     private void referenceTable() {
         line("## Against reference data");
         line("");
-        line("Numbers worked out with 80 digits by another program (`src/test/resources/golden`): the worst row, as a");
+        line(
+                "Reference numbers, computed with 80 digits by another program (`src/test/resources/golden`): the worst row, as a");
         line("multiple of the limit that the row allows. A method passes with 1 or less. In the limits");
         line("- gamma is the Lorentz factor of the camera, gamma_w that of the window before it;");
         line(
@@ -110,7 +111,7 @@ final class AccuracyReport {
                 "  relative 1, so that u acond is what rounding the inputs alone may cost; |f| of a vector is its length;");
         line("- cond is the same for the distance of a hit, divided by that distance.");
         line("");
-        line("| quantity | limit | rows | naive | Tompkins |");
+        line("| quantity | limit | rows | textbook | Tompkins |");
         line("|---|---|---|---|---|");
         for (Comparison comparison : Comparison.all()) {
             line("| " + comparison.quantity() + " | " + comparison.limit() + " | "
@@ -122,9 +123,9 @@ final class AccuracyReport {
     }
 
     private void failureModes() {
-        line("## Where methods fail");
+        line("## Where textbook formulas fail");
         line("");
-        line("| quantity and naive form | where | naive error | error of Tompkins |");
+        line("| quantity and textbook formula | where | error of the textbook | error of Tompkins |");
         line("|---|---|---|---|");
         for (FailureMode mode : FailureMode.all()) {
             line("| " + mode.quantity() + " | " + mode.where() + " | " + number(mode.naive()) + " | "
@@ -138,11 +139,9 @@ final class AccuracyReport {
         line("");
         line("How far the colours of the [model](conventions.md#colours) are from its integrals over the wavelength,");
         line(
-                "which another program worked out in steps of 0.1 nm with the CIE 1931 functions between their tabulated values.");
-        line(
-                "The error of a colour is that of its worst channel, as a share of the brightest channel that is seen of it:");
-        line(
-                "so a colour that is nearly black counts as much as a bright one. Red, green and blue are those of the screen.");
+                "which another program computed in steps of 0.1 nm with the CIE 1931 functions between their tabulated values.");
+        line("The error of a colour is that of its worst channel, as a fraction of its brightest channel:");
+        line("so a nearly black colour counts as much as a bright one. Red, green and blue are those of the screen.");
         line("");
         line("| D | white | red, green, blue |");
         line("|---|---|---|");
@@ -207,7 +206,7 @@ final class AccuracyReport {
         line(
                 "- Up to gamma = 1e6 directions are right to 8 gamma u radians, 1e-9. Scene files may say a gamma up to 1e8;");
         line("  above 1e6 `check`, `explain` and `render` warn, and say how wrong directions may be.");
-        line("- A velocity written as decimals says less than one thinks: rounding its components changes gamma by");
+        line("- A velocity in decimals is less precise than it looks: rounding its components changes gamma by");
         line("  gamma^2 u; at gamma = 1e8 nothing is left of it. Write `gamma`, `rapidity` or `oneMinusBeta` instead.");
         line(
                 "- An event that lies on the light cone of the origin loses gamma^2 u when it is taken to another frame and");
@@ -224,6 +223,9 @@ final class AccuracyReport {
         line(
                 "  surface: with one sample, pixels that see one or two tiles are wrong by some hundredths of the contrast. The");
         line("  spot is that of the part of the pixel for which a sample stands, so that more samples are less wrong.");
+        line(
+                "- A filtered picture is interpolated between mip maps, whose pixels overlap by half of their width: with one sample");
+        line("  it is softer than the mean over the pixel, by about half a pixel. The mean light is kept.");
         line(
                 "- A point in focus at infinity has no time for a shutter on the focus surface, and a ray parallel to the plane");
         line("  of a shutter never crosses it: such samples stay black and are counted.");

@@ -111,7 +111,7 @@ record FailureMode(String quantity, String where, double naive, double ours) {
 
     private static FailureMode farSphere(double distance) {
         return of(
-                "hits of a sphere, b^2 - a c; share of the hits that are lost or wrong by 1 %",
+                "hits of a sphere, b^2 - a c; fraction of the hits that are lost or wrong by 1 %",
                 "distance " + distance + " radii",
                 lostHits(new NaiveHits(), distance),
                 lostHits(HitMethod.PROGRAM, distance));
@@ -160,7 +160,7 @@ record FailureMode(String quantity, String where, double naive, double ours) {
             ours += isSelfHit(HitMethod.PROGRAM.sphereFromItself(place, d, centre, 1e4), chord) ? 1 : 0;
         }
         return of(
-                "rays that start on a sphere and hit their own start; share",
+                "rays that start on a sphere and hit their own start; fraction",
                 "radius 1e4",
                 naive / 2000.0,
                 ours / 2000.0);
@@ -206,7 +206,7 @@ record FailureMode(String quantity, String where, double naive, double ours) {
         double naive = (int) Math.floor(x) % 2 == (int) Math.floor(x + 1) % 2 ? 1 : 0;
         double ours = Math.abs(Math.floor(x) % 2) == Math.abs(Math.floor(x + 1) % 2) ? 1 : 0;
         return of(
-                "tiles that are next to each other and of one colour, by (int) floor(x); share",
+                "tiles that are next to each other and of one colour, by (int) floor(x); fraction",
                 "x = 1e12",
                 naive,
                 ours);

@@ -45,12 +45,11 @@ class AnimateCommandTest {
     }
 
     private ProgramRun animate(String output, Object... more) {
-        Stream<Object> start = Stream.of("animate", scene, "-o", folder.resolve(output), "--duration", "0.2");
-        return ProgramRun.of(Stream.concat(start, Stream.of(more)).toArray());
+        return ProgramRun.of(List.of("animate", scene, "-o", folder.resolve(output), "--duration", "0.2"), more);
     }
 
     private List<Studio> moments(String frames) {
-        return IntStream.rangeClosed(1, 5)
+        return IntStream.range(0, 5)
                 .mapToObj(i -> StudioReader.read(folder.resolve(frames + "/frame000" + i + ".png")))
                 .toList();
     }
@@ -145,9 +144,9 @@ class AnimateCommandTest {
         Path photograph = folder.resolve("photograph.png");
         ProgramRun.of("render", scene, "-o", photograph, "--beta", "0.8", "--samples", "2");
 
-        Path last = folder.resolve("frames/frame0005.png");
+        Path last = folder.resolve("frames/frame0004.png");
         assertThat(pixels(last).equals(pixels(photograph))).isTrue();
-        assertThat(pixels(last).equals(pixels(folder.resolve("frames/frame0004.png"))))
+        assertThat(pixels(last).equals(pixels(folder.resolve("frames/frame0003.png"))))
                 .isFalse();
         assertThat(PhotographFile.readScene(last)).isEqualTo(PhotographFile.readScene(photograph));
     }
@@ -157,8 +156,8 @@ class AnimateCommandTest {
         animate("plain", "--from", "0", "--to", "0.8", "--size", "160x120");
         animate("captioned", "--from", "0", "--to", "0.8", "--size", "160x120", "--caption");
 
-        assertThat(pixels(folder.resolve("captioned/frame0003.png"))
-                        .equals(pixels(folder.resolve("plain/frame0003.png"))))
+        assertThat(pixels(folder.resolve("captioned/frame0002.png"))
+                        .equals(pixels(folder.resolve("plain/frame0002.png"))))
                 .isFalse();
     }
 
@@ -220,10 +219,9 @@ class AnimateCommandTest {
         assertThat(run.code()).isZero();
         assertThat(run.err().lines())
                 .containsExactly(
-                        "warning: picture 1 of 5: no ray met an object of the scene: another direction, a wider field of"
+                        "warning: frame 0 of 0-4: no ray met an object of the scene: another direction, a wider field of"
                                 + " view or a lower speed may show some",
-                        "warning: there are warnings about 4 other pictures, too; render a single one to read"
-                                + " them");
+                        "warning: there are warnings about 4 other frames, too; render a single one to read" + " them");
     }
 
     /** Accuracy is promised up to gamma 1e6. */
@@ -246,11 +244,11 @@ class AnimateCommandTest {
             value = {
                 "--to=1 | --to: beta must be at least 0 and below 1 (the speed of light), was 1",
                 "--to=-1 --number=scene[0].radius | --to: radius must be a finite number above 0",
-                "--to=2 --number=scene[0] | --number must be one that goes on after scene[0] with description, centre,",
-                "--to=2 --number=scene[0].radus | --number must be one that goes on after scene[0] with description,",
-                "--to=0.9 --samples=0 | --samples must be a whole number from 1",
+                "--to=2 --number=scene[0] | --number must be the path of a number (scene[0] has description, centre,",
+                "--to=2 --number=scene[0].radus | --number must be the path of a number (scene[0] has description,",
+                "--to=0.9 --samples=0 | --samples: settings.samples: must be a whole number from 1",
                 "--to=0.9 --seconds=2 | unknown option --seconds",
-                "--to=0.9 --size=60000x60000 | --size 60000x60000: height must be small enough",
+                "--to=0.9 --size=60000x60000 | --size: settings.height: must be small enough",
             })
     void mistakesAreFoundBeforeTheFirstPicture(String options, String message) throws IOException {
         Object[] more = Stream.concat(Stream.of("--from=0.5"), Stream.of(options.split(" ")))

@@ -7,14 +7,37 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** What {@code tompkins check} finds in scene files and saved photographs. */
 class CheckCommandTest {
 
     @TempDir
     private Path folder;
+
+    /** What shows only when the picture is planned has a place in the file, too. */
+    @Test
+    void aSphereBeyondAllNumbersIsNamedWithItsLine(@TempDir Path folder) throws IOException {
+        Path scene = Files.writeString(folder.resolve("big.json"), """
+                {
+                  "scene": [
+                    {"type": "Sphere"},
+                    {"type": "Sphere", "description": "huge", "radius": 1e308}
+                  ]
+                }
+                """);
+        for (String command : List.of("check", "explain", "render")) {
+            ProgramRun run = ProgramRun.of(command, scene);
+            assertThat(run.code()).isEqualTo(Failures.MISTAKE);
+            assertThat(run.err())
+                    .startsWith(scene + ":4:5: scene[1]: must be of a size that can be worked with")
+                    .contains("was \"huge\"");
+        }
+    }
 
     @Test
     void checkTellsOfAPictureThatIsCutThoughItsSceneIsSound() throws IOException {
@@ -40,7 +63,7 @@ class CheckCommandTest {
     @Test
     void checkAndRenderAgreeOnLongScenes() throws IOException {
         Path title =
-                Files.writeString(folder.resolve("title.json"), "{ \"title\": \"" + "a".repeat(30_000_000) + "\" }");
+                Files.writeString(folder.resolve("title.json"), "{ \"title\": \"" + "a".repeat(17_000_000) + "\" }");
 
         ProgramRun check = ProgramRun.of("check", title, FIG1B);
         ProgramRun render = ProgramRun.of("render", title, "-o", folder.resolve("a.png"));
@@ -91,6 +114,43 @@ class CheckCommandTest {
         assertThat(run.code()).isZero();
         assertThat(run.err().strip())
                 .isEqualTo(black + ": warning: the focus has no surface, so that no ray crosses the shutter");
+    }
+
+    /** The slider of a lesson, the scene, and what is measured must fit each other. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "0.2 | 0, 0.5, 0.9 | 0 | lesson.json:4:81: lesson.control.measuredAt: must be from 0 to 0.5, where the slider of the lesson ends, was 0.9",
+                "0.6 | 0, 0.5, 0.5 | 0 | lesson.json:2:25: velocity.beta: must be from 0 to 0.5, where the slider of the lesson ends, was 0.6",
+                "0.2 | 0, 0.5, 0.5 | 0.8 | lesson.json:8:18: lesson.numbers[0].measurement.first: value must be from 0 to 0.5, where the slider of the lesson ends, was 0.8",
+                "0.2 | 0, 0.5, 0.5 | 0 | lesson.json: no mistakes",
+            })
+    void whatALessonNamesLiesOnItsSlider(double shown, String slider, double compared, String said) throws IOException {
+        String[] ends = slider.split(", ");
+        Path scene = Files.writeString(folder.resolve("lesson.json"), """
+                {
+                  "velocity": { "beta": SHOWN, "direction": [0, 0, 1] }, "settings": { "width": 4, "height": 4 },
+                  "lesson": {
+                    "control": { "number": "velocity.beta", "from": FROM, "to": TO, "measuredAt": AT },
+                    "numbers": [{
+                      "value": 0.57735, "tolerance": 0.001,
+                      "measurement": { "type": "RatioOf",
+                        "first": { "type": "WithNumber", "number": "velocity.beta", "value": COMPARED,
+                          "measurement": { "type": "RayReading" } } }
+                    }]
+                  }
+                }
+                """.replace("SHOWN", Double.toString(shown))
+                .replace("FROM", ends[0])
+                .replace("TO", ends[1])
+                .replace("AT", ends[2])
+                .replace("COMPARED", Double.toString(compared)));
+
+        ProgramRun run = ProgramRun.of("check", scene);
+
+        assertThat(run.out() + run.err()).contains(said);
+        assertThat(run.code()).isEqualTo(said.endsWith("no mistakes") ? 0 : 2);
     }
 
     @Test

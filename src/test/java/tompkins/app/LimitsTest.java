@@ -16,14 +16,13 @@ import java.util.stream.IntStream;
 import java.util.zip.CRC32;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.GeneratedDocument;
 
 /**
  * Every kind of bad input, what the program says, and that it says no more than that. The table stands in
  * {@code docs/limits.md}; {@code mvn -q test -Dtest=LimitsTest -Dtompkins.regenerate=true} writes it again.
  */
 class LimitsTest {
-
-    private static final Path TABLE = Path.of("docs", "limits.md");
 
     private static final String BEGIN = "<!-- generated: LimitsTest -->\n";
 
@@ -34,7 +33,8 @@ class LimitsTest {
 
     @Test
     void everyBadInputGetsTheMessageOfTheTable() throws IOException {
-        String old = Files.exists(TABLE) ? Files.readString(TABLE) : BEGIN;
+        Path document = GeneratedDocument.file("limits.md");
+        String old = Files.exists(document) ? Files.readString(document).replace("\r\n", "\n") : BEGIN;
         StringBuilder table = new StringBuilder(old.substring(0, old.indexOf(BEGIN) + BEGIN.length()));
         table.append("\n| bad input | exit code | message |\n|---|---|---|\n");
         for (Case bad : cases()) {
@@ -59,13 +59,7 @@ class LimitsTest {
                     .append(" |\n");
         }
         Files.delete(folder.resolve("link.png.txt"));
-        if (Boolean.getBoolean("tompkins.regenerate")) {
-            Files.writeString(TABLE, table);
-        }
-        assertThat(Files.readString(TABLE).replace("\r\n", "\n"))
-                .as(
-                        "docs/limits.md is out of date; write it anew with: mvn -q test -Dtest=LimitsTest -Dtompkins.regenerate=true")
-                .isEqualTo(table.toString());
+        GeneratedDocument.assertUpToDate("limits.md", table.toString(), getClass());
         assertThat(Files.readString(folder.resolve("mine.png"))).isEqualTo("mine");
         try (var files = Files.list(folder)) {
             assertThat(files.filter(file -> file.toString().endsWith(".png"))
@@ -78,6 +72,12 @@ class LimitsTest {
     private String[] animate(String scene, String... more) {
         String output = folder.resolve("never.gif").toString();
         List<String> words = new ArrayList<>(List.of("animate", scene, "--from", "0", "--to", "1", "-o", output));
+        words.addAll(List.of(more));
+        return words.toArray(String[]::new);
+    }
+
+    private static String[] film(String scene, String output, String... more) {
+        List<String> words = new ArrayList<>(List.of("animate", scene, "--from", "0", "--to", "0.9", "-o", output));
         words.addAll(List.of(more));
         return words.toArray(String[]::new);
     }
@@ -131,6 +131,9 @@ class LimitsTest {
                 lesson("lesson that moves nothing", "\"control\": { \"number\": \"velocity.bta\" }"),
                 lesson("lesson that moves what the scene has not", "\"control\": { \"number\": \"scene[0].radius\" }"),
                 lesson("lesson that goes beyond the speed of light", "\"control\": { \"to\": 1.1 }"),
+                lesson(
+                        "lesson that is measured beyond its slider",
+                        "\"control\": { \"to\": 0.5, \"measuredAt\": 0.9 }"),
                 measuring("point outside the picture", "{ \"type\": \"RayReading\", \"point\": { \"across\": 1.5 } }"),
                 measuring("unknown measurement", "{ \"type\": \"Angle\" }"),
                 measuring(
@@ -159,6 +162,12 @@ class LimitsTest {
                         "lamp as fast as light",
                         "{ \"lights\": [{ \"type\": \"Moving\", \"velocity\": [0, -1, 0], \"objects\": [] }] }"),
                 scene(
+                        "flash of no duration",
+                        "{ \"lights\": [{ \"type\": \"PointLight\", \"flash\": { \"duration\": 0 } }] }"),
+                scene(
+                        "flashes that overlap",
+                        "{ \"lights\": [{ \"type\": \"PointLight\", \"flash\": { \"duration\": 2, \"period\": 1 } }] }"),
+                scene(
                         "lamp in motion in motion beyond the largest gamma",
                         "{ \"lights\": [{ \"type\": \"Moving\", \"velocity\": { \"gamma\": 1e5 }, \"objects\":"
                                 + " [{ \"type\": \"Moving\", \"velocity\": { \"gamma\": 1e4 } }] }] }"),
@@ -166,6 +175,14 @@ class LimitsTest {
                 scene(
                         "object that moves, before the lens",
                         "{ \"cameraFrame\": [{ \"type\": \"Group\", \"objects\": [{ \"type\": \"Moving\" }] }] }"),
+                scene("wheel that is too fast", "{ \"scene\": [{ \"type\": \"Rotating\", \"angularSpeed\": 1 }] }"),
+                scene(
+                        "wheel that is endless",
+                        "{ \"scene\": [{ \"type\": \"Rotating\", \"objects\": [{ \"type\": \"Plane\" }] }] }"),
+                scene(
+                        "wheel in a wheel",
+                        "{ \"scene\": [{ \"type\": \"Rotating\", \"objects\": [{ \"type\": \"Rotating\" }] }] }"),
+                scene("lamp that turns", "{ \"lights\": [{ \"type\": \"Rotating\", \"objects\": [] }] }"),
                 scene("object that moves, in focus", "{ \"camera\": { \"focus\": { \"type\": \"Moving\" } } }"),
                 scene(
                         "clock offset that is infinite",
@@ -230,17 +247,10 @@ class LimitsTest {
                 new Case("error option", 2, "render", good, "-o", output, "--error", "2"),
                 new Case("animation of what is no number", 2, animate(good, "--number", "scene[0].centre")),
                 new Case("animation beyond the speed of light", 2, animate(good)),
-                new Case(
-                        "animation in a picture's format",
-                        2,
-                        "animate",
-                        good,
-                        "--from",
-                        "0",
-                        "--to",
-                        "0.9",
-                        "-o",
-                        "a.tif"),
+                new Case("animation in a picture's format", 2, film(good, "a.tif")),
+                new Case("frames that a film does not have", 2, film(good, "frames", "--frames", "99-100")),
+                new Case("part that there is not", 2, film(good, "frames", "--part", "4/4")),
+                new Case("part of a film in a file", 2, film(good, "a.gif", "--part", "0/4")),
                 new Case("two wishes at once", 2, "render", good, "-o", output, "--samples", "4", "--seconds", "1"),
                 new Case("option without its number", 2, "render", "--error", good),
                 new Case("option before its command", 2, "--samples", "4", good),
@@ -249,7 +259,9 @@ class LimitsTest {
                 new Case("Lorentz factor option", 2, "render", good, "-o", output, "--gamma", "0.9"),
                 new Case("two velocities", 2, "render", good, "-o", output, "--beta", "0,0,0.5", "--gamma", "2"),
                 new Case("unknown option", 2, "render", good, "-o", output, "--bta", "0,0,2"),
-                new Case("unknown shutter", 2, "render", good, "-o", output, "--shutter", "rolling"),
+                new Case("unknown shutter", 2, "render", good, "-o", output, "--set", "camera.shutter.type=Rolling"),
+                new Case("option of earlier versions", 2, "render", good, "-o", output, "--sweep", "4"),
+                new Case("key that is set and is none", 2, "check", good, "--set", "settings.widht=9"),
                 new Case("no pixel", 2, "trace", good),
                 new Case("pixel outside the picture", 2, "trace", good, "--pixel", "640,0"),
                 new Case("part of a pixel", 2, "trace", good, "--pixel", "1.5,2"),

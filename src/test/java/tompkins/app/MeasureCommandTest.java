@@ -60,7 +60,8 @@ class MeasureCommandTest {
         assertThat(json).doesNotContain("Distance", "Interval");
         assertThat(csv.lines().findFirst()).hasValue("quantity,value,uncertainty,unit");
         assertThat(csv).contains("cameraAngle,44.71").endsWith(",degrees\n");
-        assertThat(text).contains("camera angle", "44.71", "+-", "degrees");
+        // half a pixel covers 0.567 degrees in the middle, and 0.403 in the row at the edge
+        assertThat(text).containsPattern("angle \\(camera\\) +44\\.71 \\+- 0\\.70 degrees");
 
         Object[] near = {"measure", "between", scene, "--pixel", "50,50", "--pixel", "60,50", "--json"};
         String hits = ProgramRun.of(near).out();
@@ -116,7 +117,7 @@ class MeasureCommandTest {
         assertThat(uncertainty(json, "semiMajorAxis")).isCloseTo(0.5 / Math.sqrt(2) * 2 / 101, within(2e-3));
         assertThat(ProgramRun.of(with(ellipse, "--csv")).out().lines().toList().get(1))
                 .isEqualTo("shape,ellipse,,");
-        assertThat(ProgramRun.of(ellipse).out()).startsWith("shape                     ellipse\n");
+        assertThat(ProgramRun.of(ellipse).out()).containsPattern("^shape +ellipse\n");
     }
 
     @Test
@@ -132,7 +133,9 @@ class MeasureCommandTest {
         assertThat(ProgramRun.of(with(profile, "--count", "3", "--csv")).out().lines())
                 .hasSize(4);
         assertThat(ProgramRun.of(with(profile, "--json")).out()).contains("\"hit_scene_z\" : 10");
-        assertThat(ProgramRun.of(profile).out()).contains("50,50", "wall, \"\"white\"\"");
+        List<String> text = ProgramRun.of(profile).out().lines().toList();
+        assertThat(text.get(0)).matches("column +row +Doppler factor +object +time \\(scene\\) +red +green +blue");
+        assertThat(text.get(1)).matches("50 +50 +3 +wall, \"white\" +-10 +1 +1 +1");
     }
 
     /** Rows are pixels, row by row; a ray that hits nothing has empty cells there, and its direction. */
@@ -176,7 +179,7 @@ class MeasureCommandTest {
                 "trace S --pixel 1,1..3 | --pixel must be two whole numbers inside the picture with a comma between them, or",
                 "trace S --pixel 1,1..3,101 | --pixel must be from 0,0 to 100,100, was 3,101",
                 "trace S --pixel all --every 0 | --every must be 1 or more, was 0",
-                "measure angle S --pixel 1,1 | WHAT must be one of between, profile, circle, conic, line; was angle",
+                "measure angle S --pixel 1,1 | WHAT must be one of between, profile, circle, conic, line, lesson; was angle",
                 "measure between S --pixel 1,1 | between needs 2 --pixel, was 1",
                 "measure circle S --pixel 1,1 --pixel 2,2 | circle needs 3 or more --pixel, was 2",
                 "measure circle S --pixel 1,1 --pixel 1,1 --pixel 1,1 | --pixel: the points of a circle must not coincide",
@@ -184,6 +187,9 @@ class MeasureCommandTest {
                 "measure conic S --pixel 1,1 --pixel 2,2 --pixel 3,3 --pixel 4,4 --pixel 5,5 | --pixel: the points of a conic must not lie",
                 "measure line S --pixel 1,1 --pixel 101,2 | --pixel must lie in the picture, from -0.5,-0.5 to 100.5,100.5, was 101,2",
                 "measure profile S --pixel 1,1 --pixel 2,2 --count 1 | --count must be from 2 to 10000, was 1",
+                "measure lesson S | wall.json: the scene must have a lesson",
+                "measure lesson S --pixel 1,1 | --pixel is for what is measured between pixels; leave it out of lesson",
+                "measure line S | line needs 2 or more --pixel, was 0",
                 "measure line S --pixel 1,1 --pixel 2,2 --count 5 | --count is for a profile; leave it out of line",
             })
     void whatCannotBeMeasuredIsNamed(String line, String said) {
@@ -195,6 +201,70 @@ class MeasureCommandTest {
         assertThat(run.code()).isEqualTo(2);
         assertThat(run.out()).isEmpty();
         assertThat(run.err()).contains(said.trim());
+    }
+
+    /** sqrt(1.9/0.1) = 4.358899 straight ahead at 0.9 c; the second formula is wrong. */
+    @Test
+    void lessonsAreMeasured() throws IOException {
+        Path lesson = Files.writeString(folder.resolve("lesson.json"), """
+                {
+                  "settings": { "width": 4, "height": 4 },
+                  "lesson": { "control": { "measuredAt": 0.9 }, "numbers": [
+                    { "name": "Ahead, \\"D\\"", "value": 4.359, "tolerance": 0.002 },
+                    { "name": "Wrong", "value": 4, "tolerance": 0.002, "unit": "turns" } ] },
+                  "scene": [{ "type": "Sphere", "centre": [0, 0, 10] }]
+                }
+                """);
+
+        ProgramRun text = ProgramRun.of("measure", "lesson", lesson);
+        List<String> csv = ProgramRun.of("measure", "lesson", lesson, "--csv")
+                .out()
+                .lines()
+                .toList();
+        String json = ProgramRun.of("measure", "lesson", lesson, "--json").out();
+
+        assertThat(text.code()).isZero();
+        assertThat(text.out().lines().map(line -> line.replaceAll(" {2,}", "|")))
+                .containsExactly(
+                        "number|formula|value|measured|tolerance|agrees",
+                        "Ahead, \"D\"|sqrt((1 + v)/(1 - v))|4.359|4.3589|0.002|yes",
+                        "Wrong|sqrt((1 + v)/(1 - v))|4 turns|4.3589 turns|0.002|no");
+        assertThat(csv.get(0)).isEqualTo("name,formula,value,measured,tolerance,agrees,unit");
+        assertThat(csv.get(1))
+                .startsWith("\"Ahead, \"\"D\"\"\",sqrt((1 + v)/(1 - v)),4.3590")
+                .endsWith(",true,");
+        assertThat(csv.get(2)).endsWith(",false,turns");
+        assertThat(Double.parseDouble(csv.get(2).split(",")[3])).isCloseTo(Math.sqrt(19), within(1e-12));
+        assertThat(json)
+                .contains("\"agrees\" : true")
+                .contains("\"agrees\" : false")
+                .contains("\"unit\" : \"turns\"");
+        assertThat(ProgramRun.of("check", lesson).err())
+                .contains("lesson.json:5:33: lesson.numbers[1].value: must be within 0.002");
+    }
+
+    /** The wall moves and its clock is ahead by 100: tau = t/gamma at its origin, and the clock shows 100 more. */
+    @Test
+    void tablesTellProperTimeAndClocksApart() throws IOException {
+        Path clock = Files.writeString(folder.resolve("clock.json"), """
+                {
+                  "settings": { "width": 1, "height": 1 },
+                  "scene": [{ "type": "Moving", "velocity": [0, 0, -0.6], "place": [0, 0, 8], "clockOffset": 100,
+                    "objects": [{ "type": "Plane", "point": [0, 0, 0], "normal": [0, 0, 1] }] }]
+                }
+                """);
+        List<String> rows = ProgramRun.of("trace", clock, "--pixel", "0,0", "--csv")
+                .out()
+                .lines()
+                .toList();
+
+        // 8 - 0.6 t = -t
+        assertThat(Double.parseDouble(cell(rows, 1, "hit_scene_time [scene units]")))
+                .isCloseTo(-20, within(1e-12));
+        assertThat(Double.parseDouble(cell(rows, 1, "proper_time [scene units]")))
+                .isCloseTo(-16, within(1e-12));
+        assertThat(Double.parseDouble(cell(rows, 1, "clock_reading [scene units]")))
+                .isCloseTo(84, within(1e-12));
     }
 
     private static Object[] with(Object[] words, Object... more) {

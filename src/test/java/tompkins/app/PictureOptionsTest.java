@@ -31,11 +31,11 @@ class PictureOptionsTest {
             {"--gamma", "3"},
             {"--time", "1.3"},
             {"--exposure", "0.1"},
-            {"--sweep", "0.2"},
-            {"--shutter", "focus-surface"},
+            {"--set", "camera.rollingShutter.sweep=0.2"},
+            {"--set", "camera.shutter.type=FocusSurfaceShutter"},
             {"--seed", "5"},
             {"--samples", "3"},
-            {"--tone", "srgb"},
+            {"--set", "settings.toneCurve=srgb"},
             {"--size", "64x50"},
             {"--format", "png16"}
         };
@@ -64,66 +64,81 @@ class PictureOptionsTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "--beta 0,0,1 | --beta must be shorter than 1",
+                "--beta 0,0,1 | --beta: velocity: must be shorter than 1 (the speed of light), was [0, 0, 1] with length 1",
                 "--beta 0.6,0.8,0 | shorter than 1",
                 "--beta 0,-.99999999999999999,0 | was [0, -1, 0] with length 1; -.99999999999999999 was rounded to 1: "
                         + "to come nearer to the speed of light, write \"gamma\" or \"oneMinusBeta\" in the velocity of a scene "
-                        + "file, or --gamma",
-                "--beta 0,0,NaN | such as --beta=0.9 or --beta=0,0,0.9, was 0,0,NaN",
-                "--beta 1,200 | --beta must be 1 or 3 numbers with commas between them, such as --beta=0.9 or "
-                        + "--beta=0,0,0.9, was 1,200",
-                "--beta 1,2 | --beta must be at least 0 and below 1 (the speed of light), was 1.2",
-                "--beta x_km/s | --beta must be 1 or 3 numbers with commas between them, such as --beta=0.9 or "
-                        + "--beta=0,0,0.9, was x_km/s",
-                "--beta 3e5km/s | --beta must be at least 0 and below 1 (the speed of light), was 1.000692",
-                "--beta fast | --beta=0.9 or --beta=0,0,0.9, was fast",
-                "--beta 1.2 | --beta must be at least 0 and below 1 (the speed of light), was 1.2",
-                "--beta -0.5 | --beta must be at least 0 and below 1 (the speed of light), was -0.5",
+                        + "file",
+                "--beta 0,0,NaN | --beta: velocity[2]: must be a finite number, was NaN",
+                "--beta 1,200 | --beta: velocity: must be three numbers [x, y, z], was a list of 2 values",
+                "--beta 1,2 | --beta: velocity.beta: must be at least 0 and below 1 (the speed of light), was 1.2",
+                "--beta x_km/s | --beta: velocity.beta: must be a number, was \"x_km/s\"",
+                "--beta 3e5km/s | --beta: velocity.beta: must be at least 0 and below 1 (the speed of light), was 1.000692",
+                "--beta fast | --beta: velocity.beta: must be a number, was \"fast\"",
+                "--beta 1.2 | --beta: velocity.beta: must be at least 0 and below 1 (the speed of light), was 1.2",
+                "--beta 1e400 | --beta: velocity.beta: must be at least 0 and below 1 (the speed of light), was 1e400",
+                "--beta -0.5 | --beta: velocity.beta: must be at least 0 and below 1 (the speed of light), was -0.5",
                 "--beta .99999999999999999 | (the speed of light), was 1; .99999999999999999 was rounded to 1: to come nearer",
-                "--gamma 0.9 | --gamma must be from 1 to 100000000, was 0.9",
-                "--gamma Infinity | --gamma must be from 1 to 100000000, was Infinity",
-                "--gamma 1e9 | --gamma must be from 1 to 100000000, was 1e9",
-                "--gamma fast | --gamma must be a number, such as --gamma=1.5, was fast",
-                "--size 640 | 640x480",
-                "--size 0x480 | --size 0x480: width must be a whole number from 1 to 65535, was 0",
-                "--size 60000x60000 | 100000000 pixels",
-                "--samples 0 | --samples must be a whole number from 1 to 1048576, was 0",
+                "--gamma 0.9 | --gamma: velocity.gamma: must be 1 or above, was 0.9",
+                "--gamma Infinity | --gamma: velocity.gamma: must be a finite number, was Infinity",
+                "--gamma 1e9 | --gamma: velocity: must be at most that of gamma 1e8, was that of gamma 1e9",
+                "--gamma fast | --gamma: velocity.gamma: must be a number, was \"fast\"",
+                "--size 640 | --size must be two whole numbers such as 640x480, was 640",
+                "--size 0x480 | --size: settings.width: must be a whole number from 1 to 65535, was 0",
+                "--size 60000x60000 | --size: settings.height: must be small enough for at most 100000000 pixels, was 60000 "
+                        + "(with width 60000)",
+                "--size 1e20x480 | --size: settings.width: must be a whole number from 1 to 65535, was 1e20",
+                "--samples 0 | --samples: settings.samples: must be a whole number from 1 to 1048576, was 0",
                 "--error 2 | --error must be from 0.000001 to 1, was 2",
+                "--error 0 | --error must be from 0.000001 to 1, was 0",
                 "--error -1e-7 | --error must be from 0.000001 to 1, was -1e-7",
+                "--error 1e400 | --error must be at most 1.7976931348623157e308, was 1e400",
                 "--seconds 0 | --seconds must be from 0.01 to 1000000, was 0",
-                "--samples many | --samples must be a whole number, such as --samples=8, was many",
-                "--samples 1.5 | --samples must be a whole number, such as --samples=8, was 1.5",
-                "--samples 99999999999 | --samples must be a whole number from 1 to 1048576, was 99999999999",
+                "--samples many | --samples: settings.samples: must be a whole number, was \"many\"",
+                "--samples 1.5 | --samples: settings.samples: must be a whole number, was 1.5",
+                "--samples 99999999999 | must be a whole number from 1 to 1048576, was 99999999999",
                 "--threads -99999999999 | --threads must be a whole number from 1 to 1024, was -99999999999",
-                "--samples --force | --samples needs a whole number, such as --samples=8",
-                "--error scenes/fig1b.json | --error must be a number, such as --error=0.002, was scenes/fig1b.json; "
+                "--samples --force | --samples needs N: takes N samples per pixel, 1 or more",
+                "--error scenes/fig1b.json | --error must be a number, was scenes/fig1b.json; "
                         + "without a number it must come after SCENE",
-                "--seconds long | --seconds must be a number, such as --seconds=1.5, was long",
-                "--time now | --time must be a number, such as --time=1.5, was now",
-                "--seed 1.5 | --seed must be a whole number, such as --seed=8, was 1.5",
-                "--seed 99999999999999999999 | from -9223372036854775808 to 9223372036854775807",
-                "--threads --force | --threads needs a whole number, such as --threads=8",
+                "--seconds long | --seconds must be a number, was long",
+                "--time now | --time: camera.shutter.openingTime: must be a number, was \"now\"",
+                "--seed 1.5 | --seed: settings.seed: must be a whole number, was 1.5",
+                "--seed 99999999999999999999 | --seed: settings.seed: must be a whole number from -2^63 to 2^63 - 1",
+                "--threads --force | --threads needs N: number of threads; default: one per core",
                 "--force=maybe --error | --force is given without a value, was maybe",
                 "--format jpeg | --format must be one of png, png16, tiff, tiff_float, hdr, was jpeg",
-                "--shutter rolling | aperture-plane",
-                "--time NaN | --time must be from -1e50 to 1e50, was NaN",
-                "--exposure -1 | --exposure must be from 0 to 1e50, was -1",
-                "--exposure long | --exposure must be a number, such as --exposure=1.5, was long",
-                "--sweep NaN | --sweep must be from 0 to 1e50, was NaN",
-                "--sweep -0.1 | --sweep must be from 0 to 1e50, was -0.1",
-                "--rolling sideways | --rolling must be one of down, up, right, left, was sideways",
-                "--time 1e51 | --time must be from -1e50 to 1e50, was 1e51",
-                "--time 0x1p3 | --time must be a number",
-                "--time 3d | --time must be a number",
-                "--beta 0,0,0.5f | --beta must be 1 or 3 numbers",
-                "--size 99999999999x4 | --size must be two whole numbers from 1 to 65535",
+                "--time NaN | --time: camera.shutter.openingTime: must be a finite number, was NaN",
+                "--exposure -1 | --exposure: camera.exposureTime: must be from 0 to 1e50, was -1",
+                "--exposure 1e400 | --exposure: camera.exposureTime: must be from 0 to 1e50, was 1e400",
+                "--exposure long | --exposure: camera.exposureTime: must be a number, was \"long\"",
+                "--time 1e51 | --time: camera.shutter.openingTime: must be from -1e50 to 1e50, was 1e51",
+                "--time 0x1p3 | --time: camera.shutter.openingTime: must be a number, was \"0x1p3\"",
+                "--time 3d | --time: camera.shutter.openingTime: must be a number, was \"3d\"",
+                "--beta 0,0,0.5f | --beta: velocity: must be three numbers [x, y, z] in units of c",
+                "--size 99999999999x4 | --size: settings.width: must be a whole number from 1 to 65535, was 99999999999",
+                "--colours red | --colours: colours: must be one of unchanged, searchlight, doppler, was \"red\"",
+                "--set camera.rollingShutter.sweep=NaN | --set: camera.rollingShutter.sweep: must be a finite number, was NaN",
+                "--set camera.rollingShutter.sweep=-0.1 | --set: camera.rollingShutter.sweep: must be from 0 to 1e50, was -0.1",
+                "--set camera.rollingShutter.direction=sideways | must be one of down, up, right, left, was \"sideways\"",
+                "--set settings.toneCurve=loud | --set: settings.toneCurve: must be one of linear, srgb, was \"loud\"",
+                "--set scene[7].radius=1 | --set: scene: has no part [7], only [0] to [1]",
+                "--set width | --set must be PATH=VALUE, such as settings.width=320, was width",
+                "--set =3 | --set must be PATH=VALUE, such as settings.width=320, was =3",
+                "--set ..=3 | --set: must begin with the path of a key, such as settings.width, velocity.gamma or "
+                        + "scene[0].radius, was ..",
+                "--shutter detector-plane | --shutter: replaced by --set; write --set camera.shutter.type=DetectorPlaneShutter",
+                "--shutter rolling | write --set camera.shutter.type=rolling",
+                "--sweep=4 --force | --sweep: replaced by --set; write --set camera.rollingShutter.sweep=4",
+                "--rolling right | write --set camera.rollingShutter.direction=right",
+                "--metering none | write --set metering=none",
+                "--view measured | write --set view=measured",
+                "--tone srgb | write --set settings.toneCurve=srgb",
                 "--threads 0 | --threads must be a whole number from 1 to 1024, was 0",
                 "--threads 1025 | --threads must be a whole number from 1 to 1024, was 1025",
-                "--tone loud | --tone must be one of linear, srgb, was loud",
                 "--speed 0.5 | unknown option --speed; did you mean \"--beta\"?",
                 "--sped 3 | unknown option --sped; did you mean \"--seed\"?",
                 "--beta --force | --beta needs B|X,Y,Z: speed of the camera",
-                "--shutter --force | --shutter needs NAME: model of the shutter: aperture-plane, detector-plane, ",
                 "--format hdr | .hdr"
             })
     void mistakesInOptionsAreNamed(String options, String said) {
@@ -205,12 +220,67 @@ class PictureOptionsTest {
         }
     }
 
+    /** A scene file of one line, so that the numbers show what was set. */
     @Test
-    void shutterWithoutOpeningTimeTakesNone() {
-        ProgramRun run = ProgramRun.of("explain", FIG1B, "--shutter", "fixed-point-surface", "--time", 3);
+    void everyCommandThatTakesASceneTakesOtherValues() throws IOException {
+        Path scene = Files.writeString(folder.resolve("scene.json"), "{\"scene\": [{\"type\": \"Sphere\"}]}");
+        String pixel = "--pixel=4,3";
+        Object[][] commands = {
+            {"render", scene, "-o", folder.resolve("a.png")},
+            {"animate", scene, "-o", folder.resolve("b.png"), "--from=0", "--to=0.5"},
+            {"check", scene},
+            {"explain", scene},
+            {"trace", scene, pixel},
+            {"measure", "line", scene, pixel, "--pixel=5,3"},
+            {"study", "preview", scene, "-o", folder}
+        };
+        for (Object[] command : commands) {
+            List<Object> words = new ArrayList<>(List.of(command));
+            words.addAll(List.of(
+                    "--set", "scene[0].radius=2", "--set=scene[0].centre=[0, 0, 1]", "--set", "settings.width=0"));
+
+            ProgramRun run = ProgramRun.of(words.toArray());
+
+            assertThat(run.code()).isEqualTo(2);
+            assertThat(run.err())
+                    .as("%s", command)
+                    .isEqualTo("--set: settings.width: must be a whole number from 1 to 65535, was 0\n");
+        }
+        ProgramRun ray = ProgramRun.of(
+                "trace",
+                scene,
+                "--set=settings.width=9",
+                "--set",
+                "settings.height=7",
+                pixel,
+                "--set",
+                "scene[0].radius=2");
+        assertThat(ray.out())
+                .contains("distance (scene)               8\n", "scene frame                    (0, 0, 8), time -8\n");
+        assertThat(ProgramRun.of("study", "preview", "--set", "settings.width=9")
+                        .err())
+                .startsWith("--set changes SCENE, which is missing");
+    }
+
+    /** All options that were replaced are shown as one would type them. */
+    @Test
+    void formerOptionsAreTranslatedTogether() {
+        ProgramRun run = ProgramRun.of("render", FIG1B, "--sweep", 4, "--rolling=right", "--size", "8x6");
 
         assertThat(run.code()).isEqualTo(2);
-        assertThat(run.err().strip()).isEqualTo("--time: the fixed-point-surface shutter has no opening time");
+        assertThat(run.err())
+                .startsWith("tompkins render: --sweep, --rolling: replaced by --set; write"
+                        + " --set camera.rollingShutter.sweep=4 --set camera.rollingShutter.direction=right\n");
+    }
+
+    @Test
+    void shutterWithoutOpeningTimeTakesNone() {
+        ProgramRun run =
+                ProgramRun.of("explain", FIG1B, "--set=camera.shutter.type=FixedPointSurfaceShutter", "--time", 3);
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err().strip())
+                .isEqualTo("--time: camera.shutter: unknown key \"openingTime\"; allowed are type");
         assertThat(ProgramRun.of("explain", FIG1B, "--time", 0).code()).isZero();
     }
 }

@@ -10,10 +10,13 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.Waiting;
 import tompkins.io.StudioReader;
+import tompkins.trace.SampleTracer;
 
 /** Where pictures are saved, and the names and places at which none may be. */
 class PicturePlacesTest {
@@ -64,14 +67,14 @@ class PicturePlacesTest {
         Path target = folder.resolve("mine.png");
         Thread other = new Thread(() -> {
             try {
-                Thread.sleep(3000);
+                Waiting.until("the rendering", PicturePlacesTest::isRendering);
                 Files.writeString(target, "from somebody else");
-            } catch (IOException | InterruptedException failure) {
+            } catch (IOException failure) {
                 throw new IllegalStateException(failure);
             }
         });
         other.start();
-        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", target, "--size", "64x48", "--seconds", 5);
+        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", target, "--size", "64x48", "--seconds", 1);
         other.join();
 
         Path numbered = folder.resolve("mine-2.png");
@@ -79,6 +82,12 @@ class PicturePlacesTest {
         assertThat(run.out()).startsWith(numbered.toRealPath().toString());
         assertThat(StudioReader.read(numbered).title()).isNotEmpty();
         assertThat(target).hasContent("from somebody else");
+    }
+
+    private static boolean isRendering() {
+        return Thread.getAllStackTraces().values().stream()
+                .flatMap(Stream::of)
+                .anyMatch(call -> call.getClassName().equals(SampleTracer.class.getName()));
     }
 
     @Test

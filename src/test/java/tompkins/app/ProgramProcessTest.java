@@ -1,45 +1,19 @@
 package tompkins.app;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Collections;
 import java.util.List;
 import javax.imageio.ImageIO;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
+import tompkins.TestRun;
 import tompkins.image.PhotographFile;
 
-/**
- * The program as a process of its own, with what it can have there alone: little memory, and an output that is lost.
- */
-@Tag("slow")
-class ProgramProcessTest {
-
-    private static final String PROGRAM = "\"$JAVA\" -Xmx64m -Xshare:auto -XX:-UsePerfData " + Main.class.getName();
-
-    @TempDir
-    private Path folder;
-
-    /** Runs the program with a shell, in which {@code tompkins} is its name. */
-    private ProgramRun shell(String line) throws IOException, InterruptedException {
-        Path err = folder.resolve("err");
-        ProcessBuilder builder = new ProcessBuilder("sh", "-c", "tompkins() { " + PROGRAM + " \"$@\"; }; " + line);
-        builder.environment()
-                .put(
-                        "JAVA",
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString());
-        builder.environment().put("CLASSPATH", System.getProperty("java.class.path"));
-        Process process =
-                builder.directory(folder.toFile()).redirectError(err.toFile()).start();
-        String out = new String(process.getInputStream().readAllBytes(), UTF_8);
-        return new ProgramRun(process.waitFor(), out, Files.readString(err));
-    }
+/** The program as a process of its own, with what it can have there alone, such as an output that is lost. */
+class ProgramProcessTest extends ShellTest {
 
     @Test
     void outputThatIsLostIsAFailure() throws IOException, InterruptedException {
@@ -69,12 +43,39 @@ class ProgramProcessTest {
         assertThat(PhotographFile.readScene(folder.resolve("town-square.png"))).isPresent();
     }
 
+    /** On a terminal, for a picture of which each sample is reflected 100 000 times. */
+    @Test
+    void aTerminalShowsWhatIsDoneAndAnEstimate() throws IOException, InterruptedException {
+        assumeThat(Path.of("/usr/bin/script")).exists();
+        Files.writeString(folder.resolve("mirrors.json"), """
+                {"settings": {"maximumDepth": 100000}, "scene": [
+                    {"type": "Sphere", "centre": [0, 0, 0], "radius": 9, "surface": {"type": "Mirror", "reflectance": 1}}]}
+                """);
+        Files.writeString(folder.resolve("render"), ProgramShell.PROGRAM + " render mirrors.json\n");
+
+        ProgramRun run = shell("timeout 60 script -qfec 'sh render' terminal > /dev/null 2>&1 < /dev/null & p=$!; "
+                + "while kill -0 $p 2> /dev/null && ! grep -q ' in all' terminal; do sleep 0.05; done; "
+                + "kill $p; wait $p; cat terminal; ls *.png");
+
+        String shown = run.out().replaceAll("[\\r ]+", " ");
+        assertThat(shown)
+                .containsSubsequence(
+                        "reading the scene",
+                        "preparing the objects of the scene",
+                        "tracing rays",
+                        "tracing rays, to estimate how long all of them take",
+                        "tracing rays: about ");
+        // 3 x 10^10 reflections; a machine takes between ten thousand and a thousand million in a second
+        String seconds = shown.replaceAll("(?s).*tracing rays: about ([0-9]+) s in all.*", "$1");
+        assertThat(Double.parseDouble(seconds)).isBetween(30.0, 3_000_000.0);
+    }
+
     /** Ctrl-C, while the picture is written. */
     @Test
     void aProgramThatIsStoppedLeavesNothingHalfWritten() throws IOException, InterruptedException {
         Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 1000, \"height\": 800}}");
 
-        ProgramRun run = shell(PROGRAM + " render sky.json -o sky.png --format png16 & p=$!; "
+        ProgramRun run = shell(ProgramShell.PROGRAM + " render sky.json -o sky.png --format png16 & p=$!; "
                 + "while kill -0 $p 2> /dev/null && [ -z \"$(find . -path './.tompkins*' -name sky.png)\" ]; "
                 + "do sleep 0.01; done; kill -TERM $p; wait $p; ls -A | grep -c part");
 
@@ -86,10 +87,11 @@ class ProgramProcessTest {
     void anAnimationThatIsStoppedLeavesNothingBehind() throws IOException, InterruptedException {
         Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 64, \"height\": 48}}");
 
-        for (String pause : List.of("0", "0.01", "0.02", "0.05", "0.1")) {
-            ProgramRun run = shell(PROGRAM + " animate sky.json --from 0 --to 0.9 --duration 600 -o frames & p=$!; "
-                    + "while kill -0 $p 2> /dev/null && [ -z \"$(find . -name frame0001.png)\" ]; do sleep 0.01; done; "
-                    + "sleep " + pause + "; kill -TERM $p; wait $p; echo $?; ls -A | grep -v -e sky -e err");
+        for (String pause : List.of("0", "0.05", "0.01", "0.02", "0.1").subList(0, TestRun.cases(2, 5))) {
+            ProgramRun run =
+                    shell(ProgramShell.PROGRAM + " animate sky.json --from 0 --to 0.9 --duration 600 -o frames & p=$!; "
+                            + "while kill -0 $p 2> /dev/null && [ -z \"$(find . -name frame0000.png)\" ]; do sleep 0.01; done; "
+                            + "sleep " + pause + "; kill -TERM $p; wait $p; echo $?; ls -A | grep -v -e sky -e err");
 
             assertThat(run.out()).isEqualTo("143\n");
         }
@@ -107,27 +109,6 @@ class ProgramProcessTest {
         assertThat(PhotographFile.readScene(folder.resolve("sky-2.png"))).isPresent();
     }
 
-    /** As for 60 000 spheres in a photograph of 64 x 48. */
-    @Test
-    void aPhotographThatTheMemoryCannotHoldIsNamed() throws IOException, InterruptedException {
-        String sphere = "{\"type\": \"Sphere\", \"centre\": [0, 0, 50]}";
-        Files.writeString(
-                folder.resolve("many.json"),
-                "{\"settings\": {\"width\": 8, \"height\": 6}, \"scene\": ["
-                        + String.join(",", Collections.nCopies(60_000, sphere)) + "]}");
-        assertThat(ProgramRun.of("render", folder.resolve("many.json"), "-o", folder.resolve("many.png"))
-                        .code())
-                .isZero();
-
-        for (String command : List.of("render many.png -o again.png", "check many.png", "explain many.png")) {
-            ProgramRun run =
-                    shell("tompkins() { \"$JAVA\" -Xmx24m " + Main.class.getName() + " \"$@\"; }; tompkins " + command);
-
-            assertThat(run.err()).matches("many.png: not enough memory: Java may use 2\\d MB; .*-Xmx\n");
-            assertThat(run.code()).isEqualTo(Failures.FAILURE);
-        }
-    }
-
     @Test
     void whoeverReadsOnlyTheBeginningHearsNoComplaint() throws IOException, InterruptedException {
         Files.writeString(folder.resolve("good.json"), "{}");
@@ -135,34 +116,5 @@ class ProgramProcessTest {
         ProgramRun run = shell("{ tompkins check good.json; echo $? > code; } | true; cat code");
 
         assertThat(run).isEqualTo(new ProgramRun(0, "0\n", ""));
-    }
-
-    @Test
-    void aSceneThatTheMemoryCannotHoldIsSaidInOneLine() throws IOException, InterruptedException {
-        Files.writeString(folder.resolve("rods.json"), """
-                { "scene": [{ "type": "CylinderLattice", "points": [1000, 1000, 1000] }] }
-                """);
-
-        ProgramRun run = shell("tompkins check rods.json");
-
-        assertThat(run.err())
-                .matches("rods.json: not enough memory: Java may use 6\\d MB; start java with a larger -Xmx\n");
-        assertThat(run.out()).isEmpty();
-        assertThat(run.code()).isEqualTo(Failures.FAILURE);
-    }
-
-    /** 46 bytes a pixel: sums of all samples and of half of them, their number, the picture, and two bytes a level. */
-    @Test
-    void picturesBeyondTheMemoryAreRefusedFirst() throws IOException, InterruptedException {
-        Files.writeString(folder.resolve("large.json"), "{\"settings\": {\"width\": 2000, \"height\": 1500}}");
-        for (String command : List.of("explain", "render")) {
-            ProgramRun run = shell("tompkins " + command + " large.json --error");
-
-            assertThat(run.code()).isEqualTo(Failures.MISTAKE);
-            assertThat(run.err()).startsWith("a picture of 2000 x 1500 pixels needs about 131 MB of memory");
-            assertThat(run.out()).isEmpty();
-        }
-        assertThat(shell("tompkins explain large.json --size 20x15 --error").code())
-                .isZero();
     }
 }

@@ -2,7 +2,9 @@ package tompkins.app;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.util.List;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 
 /** One run of the program inside the test: exit code and what it printed. */
 record ProgramRun(int code, String out, String err) {
@@ -13,6 +15,11 @@ record ProgramRun(int code, String out, String err) {
     /** A run as on a machine without a display. */
     static ProgramRun of(Object... arguments) {
         return of(() -> false, arguments);
+    }
+
+    /** A run with some words, and more behind them. */
+    static ProgramRun of(List<?> words, Object... more) {
+        return of(Stream.concat(words.stream(), Stream.of(more)).toArray());
     }
 
     /** A run that opens a window, if it is to and if there is a display for it. */

@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
-import tompkins.image.FileException;
+import tompkins.file.FileException;
 
 /** What happens to the file of {@code trace -o} and {@code measure -o} while the program works. */
 class TextOutputTest {

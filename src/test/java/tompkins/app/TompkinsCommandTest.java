@@ -47,6 +47,8 @@ class TompkinsCommandTest {
                 "scenes/fig1b.json --beta=0,0,0 | --beta is an option of render, animate, explain, trace",
                 "README.md more words | tompkins: too many arguments: more words",
                 "-x | tompkins: unknown option -x",
+                "render --foo | tompkins render: unknown option --foo",
+                "trace --pxel=3,3 | tompkins trace: unknown option --pxel; did you mean \"--pixel\"?",
                 "help rendr | tompkins: rendr: there is no command of this name; the commands are render, "
                         + "animate, check, explain, trace, measure, study, help; did you mean \"render\"?",
                 "study tree a b | tompkins study: too many arguments: b"
@@ -57,7 +59,7 @@ class TompkinsCommandTest {
         assertThat(run.code()).isEqualTo(2);
         assertThat(run.out()).isEmpty();
         assertThat(run.err()).contains(said.trim()).doesNotContain("Did you mean", "Unmatched");
-        assertThat(run.err().contains("did you mean")).isEqualTo(line.contains("rendr"));
+        assertThat(run.err().contains("did you mean")).isEqualTo(line.matches("(.* )?rendr.*|.*pxel.*"));
     }
 
     @ParameterizedTest
@@ -72,8 +74,7 @@ class TompkinsCommandTest {
                 "trace scenes/fig1b.json | needs --pixel=X,Y: column and row of the pixel, from 0 at the upper left",
                 "trace scenes/fig1b.json --pixel | needs --pixel=X,Y: column and row of the pixel",
                 "trace | needs --pixel=X,Y: column and row of the pixel",
-                "trace | ; and SCENE: scene file, or saved photograph",
-                "measure line scenes/fig1b.json | needs --pixel=X,Y: column and row of a pixel"
+                "trace | ; and SCENE: scene file, or saved photograph"
             })
     void whatIsMissingIsNamedAndExplained(String line, String said) {
         ProgramRun run = ProgramRun.of((Object[]) line.trim().split(" "));
@@ -100,11 +101,6 @@ class TompkinsCommandTest {
             assertThat(run.code()).isZero();
             assertThat(run.out()).contains("SCENE");
         }
-        assertThat(words(ProgramRun.of("render", "--help")))
-                .contains(
-                        "aperture-plane",
-                        "detector-plane",
-                        "model of the shutter: " + String.join(", ", new ShutterNames()));
         assertThat(words(ProgramRun.of("study", "--help")))
                 .contains("NAME aperture, exposure, antialiasing, precision, tree, depth, preview, stability, all");
         assertThat(ProgramRun.of("rendr", FIG1B).code()).isEqualTo(2);

@@ -12,7 +12,7 @@ import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import tompkins.camera.Aim.PicturePlace;
+import tompkins.camera.Aim.PicturePosition;
 import tompkins.math.Vectors;
 import tompkins.property.Descriptions;
 import tompkins.sceneobject.Plane;
@@ -36,8 +36,8 @@ class AimTest {
                 CameraMotion.turned(PanoramicCamera.DEFAULT, new Vector3d(1, 0.2, 0), new Vector3d(0, 1, 0)));
     }
 
-    private static PicturePlace place(double x, double y) {
-        return new PicturePlace(x, y, 640, 480);
+    private static PicturePosition place(double x, double y) {
+        return new PicturePosition(x, y, 640, 480);
     }
 
     /** Turned by hand, a point stays under the mouse, and what is level stays level. */
@@ -46,8 +46,8 @@ class AimTest {
     void whatIsDraggedStaysUnderTheMouse(Camera camera) {
         SplittableRandom random = new SplittableRandom(1);
         for (int i = 0; i < 50; i++) {
-            PicturePlace from = place(random.nextDouble(200, 440), random.nextDouble(180, 300));
-            PicturePlace to = place(from.x() + random.nextDouble(-40, 40), from.y() + random.nextDouble(-20, 20));
+            PicturePosition from = place(random.nextDouble(200, 440), random.nextDouble(180, 300));
+            PicturePosition to = place(from.x() + random.nextDouble(-40, 40), from.y() + random.nextDouble(-20, 20));
             Vector3d seen = from.direction(camera);
             Camera now = Aim.at(camera, seen, to);
             assertThat(to.direction(now).distance(seen)).isLessThan(1e-12);
@@ -60,14 +60,14 @@ class AimTest {
     void nobodyLooksBeyondStraightUp() {
         Camera up = Aim.at(ThinLensCamera.DEFAULT, new Vector3d(0, 1, 0), place(320, 240));
         assertThat(Math.asin(Vectors.unit(up.viewDirection()).y())).isCloseTo(Aim.STEEPEST, EXACT);
-        Camera still = Aim.at(up, PicturePlace.MIDDLE.direction(up), place(320, 400));
+        Camera still = Aim.at(up, PicturePosition.MIDDLE.direction(up), place(320, 400));
         assertThat(Math.asin(Vectors.unit(still.viewDirection()).y())).isCloseTo(Aim.STEEPEST, EXACT);
     }
 
     @ParameterizedTest
     @MethodSource("cameras")
     void zoomsAboutAPlace(Camera camera) {
-        PicturePlace place = place(400, 200);
+        PicturePosition place = place(400, 200);
         Vector3d seen = place.direction(camera);
         Camera narrow = Aim.zoomed(camera, 0.5, place);
         assertThat(narrow.horizontalAngleDegrees()).isCloseTo(camera.horizontalAngleDegrees() / 2, EXACT);
@@ -95,11 +95,11 @@ class AimTest {
     void placesAndDirectionsAgree(Camera camera) {
         CameraRays rays = camera.rays(640, 480, new IdentityTransformation());
         for (double[] each : new double[][] {{320, 240}, {1, 2}, {600, 33}, {17, 477}}) {
-            Vector2dc place = rays.place(rays.chiefDirection(each[0], each[1]));
-            assertThat(place.distance(each[0], each[1])).isLessThan(1e-9);
+            Vector2dc position = rays.position(rays.chiefDirection(each[0], each[1]));
+            assertThat(position.distance(each[0], each[1])).isLessThan(1e-9);
         }
         Vector3dc behind = new Vector3d().sub(Vectors.unit(camera.viewDirection()));
-        assertThat(rays.place(behind) == null).isEqualTo(camera instanceof ThinLensCamera);
+        assertThat(rays.position(behind) == null).isEqualTo(camera instanceof ThinLensCamera);
     }
 
     /** A turned camera is focused at the same distance, and its shutter is where it was in the picture. */
@@ -112,7 +112,7 @@ class AimTest {
                 new Vector3d(1, 2, -4));
         Camera turned = Aim.along(camera, new Vector3d(1, 0.3, 0.2));
         assertThat(FocusDistance.of(turned)).isCloseTo(14, EXACT);
-        for (PicturePlace place : new PicturePlace[] {place(100, 100), place(500, 300)}) {
+        for (PicturePosition place : new PicturePosition[] {place(100, 100), place(500, 300)}) {
             assertThat(time(turned, place)).isCloseTo(time(camera, place), EXACT);
         }
         Camera atSphere = Descriptions.with(
@@ -122,7 +122,7 @@ class AimTest {
         assertThat(((ThinLensCamera) turned).focus()).isInstanceOf(Plane.class);
     }
 
-    private static double time(Camera camera, PicturePlace place) {
+    private static double time(Camera camera, PicturePosition place) {
         CameraRays rays = camera.rays(640, 480, new IdentityTransformation());
         return camera.shutter().transmissionTime(rays.chiefRay(place.direction(camera)), new IdentityTransformation());
     }

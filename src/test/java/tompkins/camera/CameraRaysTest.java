@@ -219,7 +219,7 @@ class CameraRaysTest {
         CameraRays cameraRays = camera.withShutter(
                         new ArbitraryPlaneShutter(0, new Vector3d(0, -1, 0), new Vector3d(0, 1, 0)))
                 .rays(4, 4, REST);
-        SamplePlaces places = new SamplePlaces(4);
+        SamplePositions places = new SamplePositions(4);
         places.add(1, 2, 0, 0, 0.5);
         places.add(1, 1, 0, 0, 0.5);
         places.add(2, 2, 0, 0, 0.5);

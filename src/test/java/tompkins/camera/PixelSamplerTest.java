@@ -20,7 +20,7 @@ class PixelSamplerTest {
     void placesLieInThePixelAndOnTheLens() {
         PixelSampler sampler = new PixelSampler(1, true, true);
         for (int sample = 0; sample < SAMPLES; sample++) {
-            SamplePlaces place = place(sampler, 17, 39, sample);
+            SamplePositions place = place(sampler, 17, 39, sample);
             assertThat(place.x(0)).isGreaterThanOrEqualTo(17).isLessThan(18);
             assertThat(place.y(0)).isGreaterThanOrEqualTo(39).isLessThan(40);
             assertThat(Math.hypot(place.lensX(0), place.lensY(0))).isLessThanOrEqualTo(1);
@@ -30,7 +30,7 @@ class PixelSamplerTest {
     @Test
     void centreIsTheCentre() {
         PixelSampler sampler = new PixelSampler(1, true, true);
-        SamplePlaces place = place(sampler, 17, 39, 5);
+        SamplePositions place = place(sampler, 17, 39, 5);
         sampler.choose(place, PixelSampler.firstOf(1));
         assertThat(place.x(0)).isEqualTo(17.5);
         assertThat(place.y(0)).isEqualTo(39.5);
@@ -54,7 +54,7 @@ class PixelSamplerTest {
     }
 
     private static Set<Integer> intervals(
-            PixelSampler sampler, int column, int count, ToIntFunction<SamplePlaces> interval) {
+            PixelSampler sampler, int column, int count, ToIntFunction<SamplePositions> interval) {
         Set<Integer> intervals = new HashSet<>();
         for (int sample = 0; sample < count; sample++) {
             intervals.add(interval.applyAsInt(place(sampler, column, 3, sample)));
@@ -88,7 +88,7 @@ class PixelSamplerTest {
         double mixed = 0;
         int inner = 0;
         for (int sample = 0; sample < 4096; sample++) {
-            SamplePlaces place = place(sampler, 0, 0, sample);
+            SamplePositions place = place(sampler, 0, 0, sample);
             double x = place.lensX(0);
             double y = place.lensY(0);
             sumX += x / 4096;
@@ -130,7 +130,7 @@ class PixelSamplerTest {
     @Test
     void pinholesHaveNoPlaceOnTheLens() {
         PixelSampler sampler = new PixelSampler(3, false, true);
-        SamplePlaces place = place(sampler, 1, 2, 3);
+        SamplePositions place = place(sampler, 1, 2, 3);
         assertThat(place.lensX(0)).isZero();
         assertThat(place.lensY(0)).isZero();
         assertThat(place.x(0)).isNotEqualTo(1.5);
@@ -141,8 +141,8 @@ class PixelSamplerTest {
         PixelSampler one = new PixelSampler(42, true, true);
         PixelSampler same = new PixelSampler(42, true, true);
         place(same, 100, 200, 77);
-        SamplePlaces ofOne = place(one, 8, 9, 10);
-        SamplePlaces ofSame = place(same, 8, 9, 10);
+        SamplePositions ofOne = place(one, 8, 9, 10);
+        SamplePositions ofSame = place(same, 8, 9, 10);
         assertThat(ofSame.x(0)).isEqualTo(ofOne.x(0));
         assertThat(ofSame.lensY(0)).isEqualTo(ofOne.lensY(0));
         Set<Double> firstPlaces = new HashSet<>();
@@ -185,14 +185,14 @@ class PixelSamplerTest {
     @Test
     void placesDoNotDependOnTheBlock() {
         PixelSampler sampler = new PixelSampler(7, true, true);
-        SamplePlaces block = new SamplePlaces(RayPacket.MOST);
+        SamplePositions block = new SamplePositions(RayPacket.MOST);
         for (int i = 0; i < RayPacket.MOST; i++) {
             block.addPixel(i % 17, i / 17);
         }
         sampler.choose(block, 12);
         Set<Double> different = new HashSet<>();
         for (int i = 0; i < RayPacket.MOST; i++) {
-            SamplePlaces single = place(sampler, i % 17, i / 17, 12);
+            SamplePositions single = place(sampler, i % 17, i / 17, 12);
             assertThat(block.x(i)).isEqualTo(single.x(0));
             assertThat(block.y(i)).isEqualTo(single.y(0));
             assertThat(block.lensX(i)).isEqualTo(single.lensX(0));
@@ -202,8 +202,8 @@ class PixelSamplerTest {
         assertThat(different).hasSize(RayPacket.MOST);
     }
 
-    private static SamplePlaces place(PixelSampler sampler, int column, int row, int sample) {
-        SamplePlaces place = new SamplePlaces(1);
+    private static SamplePositions place(PixelSampler sampler, int column, int row, int sample) {
+        SamplePositions place = new SamplePositions(1);
         place.addPixel(column, row);
         sampler.choose(place, sample);
         return place;

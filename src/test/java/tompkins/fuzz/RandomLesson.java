@@ -46,7 +46,7 @@ final class RandomLesson {
                 "What is seen?",
                 List.of(new Prediction("All", ""), new Prediction("Nothing", "Look again.")),
                 1 + random.nextInt(2),
-                new LessonControl("velocity.beta", "Speed", -1, random.nextDouble(), 0.5),
+                new LessonControl("velocity.beta", "Speed", -1, random.nextDouble(), -0.5),
                 "So it is.",
                 Stream.generate(this::number).limit(random.nextInt(5)).toList());
     }

@@ -13,12 +13,15 @@ import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.ToneCurve;
 import tompkins.lesson.LessonPlan;
+import tompkins.light.AlwaysOn;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
+import tompkins.light.Flash;
 import tompkins.light.LightSource;
 import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
+import tompkins.light.Pulse;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
@@ -28,6 +31,7 @@ import tompkins.sceneobject.Cone;
 import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Disc;
+import tompkins.sceneobject.Ellipsoid;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.ImagePointGrid;
@@ -35,6 +39,8 @@ import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.sceneobject.Rotating;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Silhouette;
 import tompkins.sceneobject.Sphere;
@@ -55,6 +61,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Background;
 import tompkins.studio.PanoramaBackground;
 import tompkins.studio.RenderSettings;
+import tompkins.studio.Ride;
 import tompkins.studio.RideLeg;
 import tompkins.studio.SkyBackground;
 import tompkins.studio.Studio;
@@ -65,15 +72,19 @@ import tompkins.surface.Clear;
 import tompkins.surface.Clock;
 import tompkins.surface.ColourFilter;
 import tompkins.surface.ColouredSurface;
+import tompkins.surface.ConfocalLensletArray;
 import tompkins.surface.CutOut;
 import tompkins.surface.GalileoWindow;
+import tompkins.surface.IdealLens;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.LuminousSurface;
 import tompkins.surface.Mirror;
+import tompkins.surface.Mixture;
 import tompkins.surface.PictureSurface;
 import tompkins.surface.Refractive;
 import tompkins.surface.Surface;
 import tompkins.surface.Tiling;
+import tompkins.surface.TwoSided;
 import tompkins.surface.WindowAxes;
 
 /**
@@ -173,7 +184,12 @@ public final class RandomStudio {
                 new RenderSettings(
                         16, 12, 1 + random.nextInt(2), 0, random.nextLong(), pick(10, 100, 1000), ToneCurve.LINEAR),
                 several(2, this::leg),
+                several(2, this::ride),
                 lesson));
+    }
+
+    private Ride ride() {
+        return new Ride("ride", "task", new Vector3d(size(), -size(), 0), velocity(), size(), several(2, this::leg));
     }
 
     private RideLeg leg() {
@@ -198,11 +214,12 @@ public final class RandomStudio {
         String name = type.getSimpleName();
         return switch (name) {
             case "Sphere" -> new Sphere(name, place(), size(), surface());
+            case "Ellipsoid" -> new Ellipsoid(name, place(), new Vector3d(size(), size(), size()), surface());
             case "Plane" -> new Plane(name, place(), direction(), surface());
             case "Disc" -> new Disc(name, place(), direction(), size(), surface());
             case "Parallelogram" -> new Parallelogram(name, place(), place(), place(), surface());
             case "Triangle" -> new Triangle(name, place(), place(), place(), surface());
-            case "TriangleMesh" -> new TriangleMesh(name, MeshData.OCTAHEDRON, surface());
+            case "TriangleMesh" -> new TriangleMesh(name, MeshData.OCTAHEDRON, surface(), random.nextBoolean());
             case "Box" -> {
                 Vector3d from = place();
                 yield new Box(name, from, new Vector3d(size(), size(), size()).add(from), surface());
@@ -235,9 +252,32 @@ public final class RandomStudio {
                         place(),
                         number(),
                         depth == 0 ? List.of() : several(2, () -> objectWithin(depth))));
+            case "Rotating" -> {
+                List<SceneObject> objects = several(3, () -> valid(this::turning));
+                yield new Rotating(name, place(), direction(), pick(0.0, -1.0, 1.0) * slow(objects), number(), objects);
+            }
             case "Hidden" -> new Hidden(objectWithin(depth));
             default -> throw missing(type, "object");
         };
+    }
+
+    /** Something that may turn, however slowly. */
+    private SceneObject turning() {
+        Class<?> shape = pick(Sphere.class, Disc.class, Parallelogram.class, Box.class, Cylinder.class, Cone.class);
+        SceneObject object = object(shape, 0);
+        return new Rotating("", new Vector3d(), new Vector3d(0, 0, 1), 0, 0, List.of(object))
+                .objects()
+                .get(0);
+    }
+
+    /** An angular speed with which everything stays slower than light. */
+    private double slow(List<SceneObject> objects) {
+        double farthest = objects.stream()
+                .flatMap(object -> PrimitiveCollector.primitivesOf(object).stream())
+                .mapToDouble(primitive -> primitive.bounds().farthest())
+                .max()
+                .orElse(1);
+        return random.nextDouble() / (4 * (farthest + Math.pow(10, decades)));
     }
 
     private SceneObject objectWithin(int depth) {
@@ -254,7 +294,8 @@ public final class RandomStudio {
         return switch (type.getSimpleName()) {
             case "ColouredSurface" -> new ColouredSurface(colour(), colour());
             case "LuminousSurface" -> new LuminousSurface(colour(), random.nextBoolean());
-            case "PictureSurface" -> new PictureSurface(picture(), random.nextBoolean());
+            case "PictureSurface" ->
+                new PictureSurface(picture(), random.nextBoolean(), random.nextBoolean(), random.nextBoolean());
             case "Tiling" ->
                 new Tiling(surfaceWithin(depth), surfaceWithin(depth), size(), size(), random.nextInt(4) > 0);
             case "CutOut" -> new CutOut(picture(), surfaceWithin(depth), surfaceWithin(depth));
@@ -267,6 +308,13 @@ public final class RandomStudio {
             case "Refractive" -> new Refractive(pick(1.0, 1 + 1e-12, 1.5, 0.5, 2.4, size()));
             case "LorentzWindow" -> new LorentzWindow(velocity(), pick(WindowAxes.values()), random.nextDouble());
             case "GalileoWindow" -> new GalileoWindow(velocity(), pick(WindowAxes.values()), random.nextDouble());
+            case "ConfocalLensletArray" ->
+                new ConfocalLensletArray(
+                        pick(1.0, -1.0, 0.3, 3.0), pick(1.0, -2.0, 0.5), sign(), sign(), random.nextDouble());
+            case "IdealLens" ->
+                new IdealLens(random.nextBoolean() ? size() : -size(), sign(), sign(), random.nextDouble());
+            case "TwoSided" -> new TwoSided(surfaceWithin(depth), surfaceWithin(depth));
+            case "Mixture" -> new Mixture(surfaceWithin(depth), surfaceWithin(depth), pick(0.0, 0.1, 0.5, 0.8, 1.0));
             default -> throw missing(type, "surface");
         };
     }
@@ -281,14 +329,21 @@ public final class RandomStudio {
         }
         return random.nextBoolean()
                 ? new AmbientLight(colour())
-                : new PointLight(place(), colour(), colour(), 100 * random.nextDouble());
+                : new PointLight(place(), colour(), colour(), 100 * random.nextDouble(), flash());
+    }
+
+    private Flash flash() {
+        double duration = size();
+        return random.nextBoolean()
+                ? AlwaysOn.DEFAULT
+                : new Pulse(number(), duration, pick(0.0, duration, 1.5 * duration, 40 * duration));
     }
 
     private Background background() {
         return switch (random.nextInt(3)) {
             case 0 -> new UniformBackground(colour());
             case 1 -> new SkyBackground(colour(), colour(), colour());
-            default -> new PanoramaBackground(picture());
+            default -> new PanoramaBackground(picture(), random.nextBoolean());
         };
     }
 

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.file.FileException;
 
 class JpegReaderTest {
 
@@ -184,12 +185,12 @@ class JpegReaderTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "195| its coding is lossless; a JPEG picture must be baseline or progressive",
-                "197| its coding is hierarchical; a JPEG picture must be baseline or progressive",
-                "201| its coding is arithmetic; a JPEG picture must be baseline or progressive",
-                "202| its coding is arithmetic; a JPEG picture must be baseline or progressive",
-                "203| its coding is arithmetic; a JPEG picture must be baseline or progressive",
-                "247| its coding is JPEG-LS; a JPEG picture must be baseline or progressive"
+                "195| its coding is lossless; a JPEG picture must be baseline or progressive; convert it, for example with ImageMagick or GIMP",
+                "197| its coding is hierarchical; a JPEG picture must be baseline or progressive; convert it, for example with ImageMagick or GIMP",
+                "201| its coding is arithmetic; a JPEG picture must be baseline or progressive; convert it, for example with ImageMagick or GIMP",
+                "202| its coding is arithmetic; a JPEG picture must be baseline or progressive; convert it, for example with ImageMagick or GIMP",
+                "203| its coding is arithmetic; a JPEG picture must be baseline or progressive; convert it, for example with ImageMagick or GIMP",
+                "247| its coding is JPEG-LS; a JPEG picture must be baseline or progressive; convert it, for example with ImageMagick or GIMP"
             })
     void aCodingThatIsNotReadIsNamed(int marker, String reason) throws IOException {
         byte[] file = jpeg(16, 16);
@@ -201,7 +202,9 @@ class JpegReaderTest {
     void bitsThatAreNotReadAreNamed() throws IOException {
         byte[] file = jpeg(16, 16);
         file[frame(file) + 4] = 12;
-        assertRefused(file, "has 12 bits a sample; a JPEG picture must have 8");
+        assertRefused(
+                file,
+                "has 12 bits a sample; a JPEG picture must have 8; convert it, for example with ImageMagick or GIMP");
     }
 
     @ParameterizedTest
@@ -213,7 +216,7 @@ class JpegReaderTest {
                 file,
                 "has " + count
                         + (count == 4 ? " colours, as for printing in cyan, magenta, yellow and black" : " colours")
-                        + "; a JPEG picture must be grey or red, green and blue");
+                        + "; a JPEG picture must be grey or red, green and blue; convert it, for example with ImageMagick or GIMP");
     }
 
     private static void assertRefused(byte[] file, String reason) {

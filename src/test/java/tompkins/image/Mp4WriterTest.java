@@ -16,6 +16,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.file.FileException;
+import tompkins.file.PendingFile;
 
 /** With scripts in the place of ffmpeg, which is not everywhere; and with ffmpeg itself where it is. */
 class Mp4WriterTest {
@@ -84,9 +86,26 @@ class Mp4WriterTest {
 
     @Test
     void whatTheProgramComplainsOfIsTheMessage() throws IOException {
-        Path program = program("cat > /dev/null\necho first >&2\necho 'Unknown encoder libx264' >&2\nexit 9\n");
+        Path program = program("cat > /dev/null\necho first >&2\necho 'Conversion failed!' >&2\nexit 9\n");
 
-        assertFails(program, "ffmpeg failed with exit code 9: Unknown encoder libx264");
+        assertFails(program, "ffmpeg failed with exit code 9: Conversion failed!");
+    }
+
+    /** What ffmpeg 6 says if it was built without the encoder: the reason comes before its consequences. */
+    @Test
+    void anEncoderThatIsMissingIsNamedWithWhatElse() throws IOException {
+        Path program = program("""
+                        cat > /dev/null
+                        echo "[vost#0:0 @ 0x5581] Unknown encoder 'libx264'" >&2
+                        echo '[vost#0:0 @ 0x5581] Error selecting an encoder' >&2
+                        echo 'Error opening output files: Encoder not found' >&2
+                        exit 8
+                        """);
+
+        assertFails(
+                program,
+                "ffmpeg cannot make such videos: [vost#0:0 @ 0x5581] Unknown encoder 'libx264';"
+                        + " install one that can, or save an animated PNG, an animated GIF or numbered pictures");
     }
 
     /** The program names the hidden place; and its complaints must not need the disk either. */
@@ -154,14 +173,14 @@ class Mp4WriterTest {
     void ffmpegMakesAFilmOrAMessageSaysWhatElse() throws IOException {
         Path film = folder.resolve("film.mp4");
         if (Mp4Writer.findProgram(System.getenv("PATH")).isEmpty()) {
-            assertThatThrownBy(() -> AnimationFormat.MP4.open(film, 25))
+            assertThatThrownBy(() -> AnimationFormat.MP4.open(film, 25, true))
                     .isInstanceOf(FileException.class)
                     .hasMessageContaining("install it")
                     .hasMessageContaining("animated GIF");
             assertThat(folder).isEmptyDirectory();
             return;
         }
-        try (AnimationWriter animation = AnimationFormat.MP4.open(film, 25)) {
+        try (AnimationWriter animation = AnimationFormat.MP4.open(film, 25, true)) {
             for (int i = 0; i < 10; i++) {
                 animation.add(bars(), PhotographInfo.NONE);
             }

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.w3c.dom.NodeList;
+import tompkins.file.FileException;
 
 class PhotographFileTest {
 
@@ -38,7 +39,7 @@ class PhotographFileTest {
 
     private Path write(PictureFormat format, ToneCurve curve, PhotographInfo info) throws IOException {
         Path path = folder.resolve(format.name() + format.endings().get(0));
-        PhotographFile.write(path, image, format, curve, info);
+        PhotographFile.write(path, image, format, curve, info, true);
         return path;
     }
 
@@ -170,7 +171,7 @@ class PhotographFileTest {
     void replacesWhatWasThereAndLeavesNothingElse() throws IOException {
         Files.writeString(file, "old");
 
-        PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO);
+        PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO, true);
 
         assertThat(PhotographFile.readScene(file)).contains(Samples.SCENE);
         assertThat(Samples.names(folder)).containsExactly("photo.png");
@@ -180,7 +181,7 @@ class PhotographFileTest {
     void aNewFileIsAsOpenToOthersAsAnyOther() throws IOException {
         Path ordinary = Files.createFile(folder.resolve("ordinary"));
 
-        PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO);
+        PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO, true);
 
         assertThat(Files.getAttribute(file, "unix:mode")).isEqualTo(Files.getAttribute(ordinary, "unix:mode"));
     }
@@ -190,7 +191,7 @@ class PhotographFileTest {
         Path real = Files.writeString(folder.resolve("real.png"), "old");
         Files.createSymbolicLink(file, real);
 
-        PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO);
+        PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO, true);
 
         assertThat(file).isSymbolicLink();
         assertThat(PhotographFile.readScene(real)).contains(Samples.SCENE);
@@ -202,7 +203,8 @@ class PhotographFileTest {
         Path scene = Files.writeString(folder.resolve("scene.json"), "{}");
         Files.createSymbolicLink(file, scene);
 
-        assertThatThrownBy(() -> PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO))
+        assertThatThrownBy(() ->
+                        PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO, true))
                 .isInstanceOf(FileException.class)
                 .hasMessage(file + ": cannot be written: it is a link to " + scene
                         + ", a file of another kind, which would be lost");
@@ -210,7 +212,8 @@ class PhotographFileTest {
 
         Files.delete(file);
         Files.createSymbolicLink(file, file);
-        assertThatThrownBy(() -> PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO))
+        assertThatThrownBy(() ->
+                        PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO, true))
                 .isInstanceOf(FileException.class)
                 .hasMessage(file + ": cannot be written: it is a link to nothing that exists");
         assertThat(file).isSymbolicLink();
@@ -218,7 +221,8 @@ class PhotographFileTest {
 
     @Test
     void aNameThatDoesNotFitTheFormatIsRefused() {
-        assertThatThrownBy(() -> PhotographFile.write(file, image, PictureFormat.HDR, ToneCurve.LINEAR, Samples.INFO))
+        assertThatThrownBy(() ->
+                        PhotographFile.write(file, image, PictureFormat.HDR, ToneCurve.LINEAR, Samples.INFO, true))
                 .isInstanceOf(FileException.class)
                 .hasMessage(file + ": the name of a Radiance picture must end in .hdr or .pic");
         assertThat(file).doesNotExist();
@@ -228,7 +232,8 @@ class PhotographFileTest {
     void aFolderIsNotOverwritten() throws IOException {
         Files.createDirectory(file);
 
-        assertThatThrownBy(() -> PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO))
+        assertThatThrownBy(() ->
+                        PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO, true))
                 .isInstanceOf(FileException.class)
                 .hasMessage(file + ": cannot be written: it is a folder; name a file in it");
         assertThat(Samples.names(folder)).containsExactly("photo.png");
@@ -238,7 +243,8 @@ class PhotographFileTest {
     void aMissingFolderIsNamed() {
         Path lost = folder.resolve("lost").resolve("photo.png");
 
-        assertThatThrownBy(() -> PhotographFile.write(lost, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO))
+        assertThatThrownBy(() ->
+                        PhotographFile.write(lost, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO, true))
                 .isInstanceOf(FileException.class)
                 .hasMessage(lost + ": cannot be written: there is no folder " + folder.resolve("lost"));
     }
@@ -252,7 +258,8 @@ class PhotographFileTest {
         boolean administrator = Files.isWritable(closed);
         Path target = (administrator ? Path.of("/sys") : closed).resolve("photo.png");
 
-        assertThatThrownBy(() -> PhotographFile.write(target, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO))
+        assertThatThrownBy(() ->
+                        PhotographFile.write(target, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO, true))
                 .isInstanceOf(FileException.class)
                 .hasMessage(target + ": cannot be written: "
                         + (administrator ? "Operation not permitted" : "there is no permission"));
@@ -294,7 +301,8 @@ class PhotographFileTest {
                         Samples.random(100, 100, 1),
                         PictureFormat.valueOf(arguments[1]),
                         ToneCurve.LINEAR,
-                        Samples.INFO);
+                        Samples.INFO,
+                        true);
             } catch (FileException e) {
                 System.out.print(e.getMessage());
                 System.exit(3);

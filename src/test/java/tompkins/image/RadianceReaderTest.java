@@ -14,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.file.FileException;
 
 class RadianceReaderTest {
 
@@ -175,6 +176,7 @@ class RadianceReaderTest {
                 "EXPOSURE=0| -Y 1 +X 1| EXPOSURE of a Radiance picture must be a number above 0, was 0",
                 "EXPOSURE=bright| -Y 1 +X 1| EXPOSURE of a Radiance picture must be a number above 0, was bright",
                 "EXPOSURE=NaN| -Y 1 +X 1| EXPOSURE of a Radiance picture must be a number above 0, was NaN",
+                "EXPOSURE=1e-300| -Y 1 +X 1| pixel (0, 0) has a value of Infinity; those of a picture must be finite",
                 "COLORCORR=1 2| -Y 1 +X 1| COLORCORR of a Radiance picture must be 3 numbers above 0, was 1 2",
                 "VIEW=| -Y 1 -Y 1| the size of a Radiance picture must be such as -Y 480 +X 640, was -Y 1 -Y 1",
                 "VIEW=| 1 x 1| the size of a Radiance picture must be such as -Y 480 +X 640, was 1 x 1",
@@ -184,6 +186,16 @@ class RadianceReaderTest {
         assertThatThrownBy(() -> PictureFile.read(file(line + "\n", resolution, 1, 1, Packing.FLAT), "p.hdr"))
                 .isInstanceOf(FileException.class)
                 .hasMessage("p.hdr: " + reason);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1e300, Infinity", "1e-300, 0.0"})
+    void exposuresTogetherMustBeANumber(String exposure, String product) {
+        String header = ("EXPOSURE=" + exposure + "\n").repeat(2);
+        assertThatThrownBy(() -> PictureFile.read(file(header, "-Y 1 +X 1", 1, 1, Packing.FLAT), "p.hdr"))
+                .hasMessage(
+                        "p.hdr: the exposures of a Radiance picture must have a product above 0 that is finite, was "
+                                + product);
     }
 
     @Test

@@ -26,7 +26,7 @@ import javax.imageio.stream.MemoryCacheImageInputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /** Pictures, scenes and independent readers for the tests of this package. */
-final class Samples {
+public final class Samples {
 
     /** Greek letters, letters outside the basic plane, an escape that is none, quotes, and several lines. */
     static final String SCENE =
@@ -150,7 +150,7 @@ final class Samples {
     }
 
     /** The names of everything in a folder, sorted. */
-    static List<String> names(Path folder) throws IOException {
+    public static List<String> names(Path folder) throws IOException {
         try (Stream<Path> content = Files.list(folder)) {
             return content.map(path -> path.getFileName().toString()).sorted().toList();
         }

@@ -12,12 +12,15 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.Random;
+import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import tompkins.TestRun;
+import tompkins.file.FileException;
 
 class SceneInDamagedFileTest {
 
@@ -28,7 +31,7 @@ class SceneInDamagedFileTest {
 
     private byte[] photograph(PictureFormat format) throws IOException {
         Path file = folder.resolve("photo" + format.endings().get(0));
-        PhotographFile.write(file, Samples.random(24, 20, 1), format, ToneCurve.LINEAR, Samples.INFO);
+        PhotographFile.write(file, Samples.random(24, 20, 1), format, ToneCurve.LINEAR, Samples.INFO, true);
         return Files.readAllBytes(file);
     }
 
@@ -42,7 +45,7 @@ class SceneInDamagedFileTest {
         byte[] photograph = photograph(format);
         Random random = new Random(SEED);
         int refused = 0;
-        int files = Integer.getInteger("tompkins.fuzz", 300);
+        int files = Integer.getInteger("tompkins.fuzz", TestRun.cases(100, 300));
         for (int i = 0; i < files; i++) {
             Path file = file(Samples.damaged(photograph, random));
             refused += assertTimeout(Duration.ofSeconds(10), () -> messages(file));
@@ -82,7 +85,7 @@ class SceneInDamagedFileTest {
     void cutPicturesAreToldFromWholeOnes(PictureFormat format) throws IOException {
         for (int width : new int[] {1, 3, 40}) {
             Path whole = folder.resolve("whole" + format.endings().get(0));
-            PhotographFile.write(whole, Samples.random(width, 50, 1), format, ToneCurve.LINEAR, Samples.INFO);
+            PhotographFile.write(whole, Samples.random(width, 50, 1), format, ToneCurve.LINEAR, Samples.INFO, true);
             PhotographFile.requireWhole(whole);
         }
         byte[] photograph = photograph(format);
@@ -137,6 +140,40 @@ class SceneInDamagedFileTest {
         assertThatThrownBy(() -> PhotographFile.readScene(file(png.toByteArray())))
                 .isInstanceOf(FileException.class)
                 .hasMessageContaining("too long");
+    }
+
+    private static byte[] pngWith(byte[] packed) throws IOException {
+        ByteArrayOutputStream text = new ByteArrayOutputStream();
+        text.write("tompkins.scene\0\1\0\0\0".getBytes(ISO_8859_1));
+        text.write(packed);
+        ByteArrayOutputStream png = new ByteArrayOutputStream();
+        PngChunk.writeSignature(png);
+        new PngChunk("iTXt", text.toByteArray()).write(png);
+        return png.toByteArray();
+    }
+
+    @Test
+    void aPresetDictionaryIsNotAnEmptyScene() throws IOException {
+        Deflater deflater = new Deflater();
+        deflater.setDictionary("{\"camera\"".getBytes(ISO_8859_1));
+        deflater.setInput("{\"camera\": {}}".getBytes(ISO_8859_1));
+        deflater.finish();
+        byte[] packed = new byte[100];
+        Path file = file(pngWith(Arrays.copyOf(packed, deflater.deflate(packed))));
+        assertThatThrownBy(() -> PhotographFile.readScene(file))
+                .hasMessage(file + ": cannot be read: the scene in it is packed with a preset dictionary,"
+                        + " which PNG does not allow");
+    }
+
+    @Test
+    void aSceneThatIsNoTextIsRefused() throws IOException {
+        ByteArrayOutputStream packed = new ByteArrayOutputStream();
+        try (DeflaterOutputStream deflater = new DeflaterOutputStream(packed)) {
+            deflater.write(new byte[] {'{', (byte) 0xc3, '}'});
+        }
+        Path file = file(pngWith(packed.toByteArray()));
+        assertThatThrownBy(() -> PhotographFile.readScene(file))
+                .hasMessage(file + ": cannot be read: the scene in it is not text in the encoding UTF-8");
     }
 
     @Test

@@ -1,11 +1,6 @@
 package tompkins.image;
 
-import java.awt.image.DataBufferByte;
-import java.awt.image.Raster;
-import java.awt.image.WritableRaster;
 import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
@@ -13,12 +8,6 @@ import java.util.List;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 import java.util.zip.DeflaterOutputStream;
-import javax.imageio.IIOImage;
-import javax.imageio.ImageIO;
-import javax.imageio.ImageWriteParam;
-import javax.imageio.ImageWriter;
-import javax.imageio.stream.ImageOutputStream;
-import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /** Writes TIFF files of every kind, from TIFF 6.0 alone. */
 final class TiffSample {
@@ -27,10 +16,6 @@ final class TiffSample {
     static final int LZW = 5;
     static final int DEFLATE = 8;
     static final int PACK_BITS = 32773;
-    static final int JPEG = 7;
-
-    private static final int SHARES_OF_LUMINANCE = 529;
-    private static final int TEN_THOUSANDTHS = 10_000;
 
     /** What a pixel holds: the whole number of each sample. */
     interface Codes {
@@ -71,11 +56,6 @@ final class TiffSample {
     TiffSample tag(int number, long... values) {
         tags.put(number, values);
         return this;
-    }
-
-    /** The shares of red, green and blue in the luminance, in ten thousandths. */
-    TiffSample shares(long... tenThousandths) {
-        return tag(SHARES_OF_LUMINANCE, tenThousandths);
     }
 
     TiffSample order(ByteOrder newOrder) {
@@ -149,10 +129,10 @@ final class TiffSample {
             file.putInt(values.length).putInt(inside ? 0 : further);
             int to = inside ? file.position() - 4 : further;
             for (int i = 0; i < values.length; i++, to += sizeOf(tag.getKey())) {
-                switch (sizeOf(tag.getKey())) {
-                    case 2 -> file.putShort(to, (short) values[i]);
-                    case 4 -> file.putInt(to, (int) values[i]);
-                    default -> file.putInt(to, (int) values[i]).putInt(to + 4, TEN_THOUSANDTHS);
+                if (sizeOf(tag.getKey()) == 2) {
+                    file.putShort(to, (short) values[i]);
+                } else {
+                    file.putInt(to, (int) values[i]);
                 }
             }
             further = inside ? further : to;
@@ -163,17 +143,12 @@ final class TiffSample {
     }
 
     private static int typeOf(int tag) {
-        return switch (sizeOf(tag)) {
-            case 2 -> 3;
-            case 4 -> 4;
-            default -> 5;
-        };
+        return sizeOf(tag) == 2 ? 3 : 4;
     }
 
-    /** Sizes and places in the file have four bytes, fractions eight, all else two. */
+    /** Sizes and places in the file have four bytes, all else two. */
     private static int sizeOf(int tag) {
         return switch (tag) {
-            case SHARES_OF_LUMINANCE -> 8;
             case 256, 257, 273, 278, 279, 322, 323, 324, 325 -> 4;
             default -> 2;
         };
@@ -230,7 +205,6 @@ final class TiffSample {
                     throw new AssertionError(e);
                 }
             }
-            case JPEG -> out.writeBytes(jpeg(plain));
             case PACK_BITS -> {
                 for (int i = 0; i < plain.length; i += 100) {
                     int length = Math.min(100, plain.length - i);
@@ -256,30 +230,5 @@ final class TiffSample {
             default -> out.writeBytes(plain);
         }
         return out.toByteArray();
-    }
-
-    /** Samples of 8 bits with hardly any loss, and no word on what colours they are. */
-    private byte[] jpeg(byte[] plain) {
-        int bands = planar ? 1 : bits.length;
-        WritableRaster raster = Raster.createInterleavedRaster(
-                new DataBufferByte(plain, plain.length),
-                stripWidth,
-                plain.length / bands / stripWidth,
-                bands * stripWidth,
-                bands,
-                IntStream.range(0, bands).toArray(),
-                null);
-        ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ImageOutputStream out = new MemoryCacheImageOutputStream(bytes)) {
-            ImageWriteParam quality = writer.getDefaultWriteParam();
-            quality.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
-            quality.setCompressionQuality(1);
-            writer.setOutput(out);
-            writer.write(null, new IIOImage(raster, null, null), quality);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-        return bytes.toByteArray();
     }
 }

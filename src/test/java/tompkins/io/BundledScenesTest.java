@@ -65,6 +65,7 @@ class BundledScenesTest {
                         "Courtial et al. 2016",
                         "Relativity",
                         "Motion",
+                        "Light in flight",
                         "Lessons",
                         "Objects",
                         "Shutters",

@@ -5,6 +5,7 @@ import tompkins.camera.Camera;
 import tompkins.lesson.LessonPlan;
 import tompkins.lesson.Measurement;
 import tompkins.lesson.MeasuringPoint;
+import tompkins.light.Flash;
 import tompkins.light.LightSource;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.Shutter;
@@ -19,6 +20,7 @@ public final class Families {
             SceneObject.class,
             Surface.class,
             LightSource.class,
+            Flash.class,
             Shutter.class,
             Camera.class,
             Background.class,

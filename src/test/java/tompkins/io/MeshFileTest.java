@@ -18,8 +18,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import tompkins.image.FileException;
+import tompkins.file.FileException;
 import tompkins.image.PictureFile;
+import tompkins.property.MistakeException;
 import tompkins.ray.MeshData;
 import tompkins.sceneobject.TriangleMesh;
 import tompkins.studio.Studio;
@@ -171,6 +172,17 @@ class MeshFileTest {
                 .hasMessageMatching("knot.obj:6: [\"a-zA-Z].+");
     }
 
+    /** A control character is no blank, also at the end of a line. */
+    @ParameterizedTest
+    @ValueSource(strings = {"f 1 2 -3\0", "v -5\0 2 3", "\0v 1 2 3\0", "f 1 2 3\u001b"})
+    void controlCharactersAreNotPassedOver(String line) throws IOException {
+        if (line.startsWith("\0")) {
+            assertThat(read(SQUARE + line + "\nf 1 2 3\n").detail().notes()).hasSize(1);
+        } else {
+            assertThatThrownBy(() -> read(SQUARE + line + "\n")).hasMessageContaining("cannot be understood");
+        }
+    }
+
     @Test
     void aMeshIsFoundBesideTheSceneFileAndSmallOnesAreKept(@TempDir Path folder) throws IOException {
         Files.createDirectory(folder.resolve("meshes"));
@@ -181,7 +193,7 @@ class MeshFileTest {
 
         assertThat(studio.scene())
                 .containsExactly(new TriangleMesh(
-                        "mesh", read(SQUARE + "f 1 2 3 4", "meshes/square.obj"), ColouredSurface.DEFAULT));
+                        "mesh", read(SQUARE + "f 1 2 3 4", "meshes/square.obj"), ColouredSurface.DEFAULT, true));
         assertThat(StudioWriter.write(studio)).contains("\"meshes/square.obj\"").doesNotContain("base64");
         String whole = StudioWriter.writeSelfContained(studio);
         assertThat(StudioReader.read(whole, "photograph.png", folder.resolve("elsewhere")))
@@ -204,7 +216,7 @@ class MeshFileTest {
         assertThat(whole).hasSizeLessThan(1000).contains("large.obj");
         assertThat(StudioReader.read(whole, "photograph.png", folder)).isEqualTo(studio);
         assertThatThrownBy(() -> StudioReader.read(whole, "photograph.png", folder.resolve("elsewhere")))
-                .isInstanceOf(SceneFileException.class)
+                .isInstanceOf(MistakeException.class)
                 .hasMessageContaining("photograph.png:")
                 .hasMessageContaining("scene[0].mesh")
                 .hasMessageContaining("there is no such file")
@@ -222,7 +234,8 @@ class MeshFileTest {
         Path elsewhere = Files.createDirectory(folder.resolve("elsewhere")).resolve("scene.json");
         assertThatThrownBy(() -> StudioWriter.save(studio, elsewhere))
                 .isInstanceOf(IOException.class)
-                .hasMessage(elsewhere + ": not saved: large.obj is too large to be held by a scene file, and does not"
+                .hasMessage(elsewhere
+                        + ": not saved: large.obj cannot be held by a scene file, since it is large or has materials, and does not"
                         + " lie in " + elsewhere.getParent() + "; copy it there first");
         assertThat(elsewhere.getParent()).isEmptyDirectory();
     }
@@ -237,7 +250,8 @@ class MeshFileTest {
 
         assertThatThrownBy(() -> StudioWriter.save(studio, scene))
                 .isInstanceOf(IOException.class)
-                .hasMessage(scene + ": not saved: large.obj is too large to be held by a scene file, and another file"
+                .hasMessage(scene
+                        + ": not saved: large.obj cannot be held by a scene file, since it is large or has materials, and another file"
                         + " of this name lies in " + elsewhere
                         + "; save the scene in the folder of the right one");
         assertThat(scene).doesNotExist();
@@ -275,7 +289,7 @@ class MeshFileTest {
 
         assertThatThrownBy(() -> StudioReader.read(
                         "{\"scene\": [\n{\"type\": \"TriangleMesh\", \"mesh\": \"bad.obj\"}]}", "scene.json", folder))
-                .isInstanceOf(SceneFileException.class)
+                .isInstanceOf(MistakeException.class)
                 .hasMessageContaining("scene.json:2:")
                 .hasMessageContaining("bad.obj:6: a face names vertex 9, but there are only 4");
     }
@@ -285,7 +299,7 @@ class MeshFileTest {
     }
 
     private static MeshData read(String text, String name) throws IOException {
-        return MeshFile.read(text.getBytes(StandardCharsets.UTF_8), name);
+        return MeshFile.read(text.getBytes(StandardCharsets.UTF_8), name, FileContentParser.Files.NONE);
     }
 
     private static List<Double> corners(MeshData mesh, int triangle) {

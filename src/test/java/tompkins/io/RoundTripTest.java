@@ -13,12 +13,12 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.TestRun;
 import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
@@ -34,7 +34,9 @@ import tompkins.lesson.Measurement;
 import tompkins.lesson.MeasuringPoint;
 import tompkins.lesson.RayReading;
 import tompkins.lesson.RayValue;
+import tompkins.light.Flash;
 import tompkins.light.LightSource;
+import tompkins.light.PointLight;
 import tompkins.property.Descriptions;
 import tompkins.ray.PixelPicture;
 import tompkins.sceneobject.SceneObject;
@@ -51,10 +53,9 @@ import tompkins.surface.PictureSurface;
 import tompkins.surface.Surface;
 
 /** What is written is read back equal, to the last bit, for every type that a scene file can name. */
-@Tag("slow")
 class RoundTripTest {
 
-    private static final int INSTANCES = 40;
+    private static final int INSTANCES = TestRun.cases(12, 40);
 
     @TempDir
     private Path folder;
@@ -70,7 +71,7 @@ class RoundTripTest {
     private PixelPicture picture(String name, int width, int height) throws IOException {
         Path file = folder.resolve(name);
         LinearImage image = new LinearImage(width, height, new float[3 * width * height]);
-        PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, PhotographInfo.NONE);
+        PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, PhotographInfo.NONE, true);
         return PictureFile.read(Files.readAllBytes(file), name);
     }
 
@@ -140,6 +141,9 @@ class RoundTripTest {
         }
         if (description instanceof MeasuringPoint point) {
             return studioWith(new RayReading(point, RayValue.X));
+        }
+        if (description instanceof Flash flash) {
+            return studioWith(Descriptions.with(PointLight.DEFAULT, "flash", flash));
         }
         if (description instanceof RenderSettings settings) {
             return studio.withSettings(settings);
@@ -219,8 +223,8 @@ class RoundTripTest {
     @Test
     void savedFileNamesPicturesBesideItAndHoldsTheOthers() throws IOException {
         Studio studio = Studio.DEFAULT.withScene(List.of(
-                new Sphere("", new Vector3d(), 1, new PictureSurface(pictures.get(0), true)),
-                new Sphere("", new Vector3d(), 2, new PictureSurface(pictures.get(1), true))));
+                new Sphere("", new Vector3d(), 1, new PictureSurface(pictures.get(0), true, true)),
+                new Sphere("", new Vector3d(), 2, new PictureSurface(pictures.get(1), true, true))));
         Path here = folder.resolve("scene.json");
         StudioWriter.save(studio, here);
         assertThat(Files.readString(here)).isEqualTo(StudioWriter.write(studio));
@@ -301,7 +305,7 @@ class RoundTripTest {
     private static Studio posterOf(byte[] file) {
         PixelPicture picture = new PixelPicture("poster.png", 1, 1, new float[4], file);
         return Studio.DEFAULT.withScene(
-                List.of(new Sphere("poster", new Vector3d(), 1, new PictureSurface(picture, true))));
+                List.of(new Sphere("poster", new Vector3d(), 1, new PictureSurface(picture, true, true))));
     }
 
     /** Each picture is looked at once, not once for each that is left out. */
@@ -318,18 +322,18 @@ class RoundTripTest {
 
     private static Sphere poster(String name, int bytes) {
         PixelPicture picture = new PixelPicture(name, 1, 1, new float[4], new byte[bytes]);
-        return new Sphere(name, new Vector3d(), 1, new PictureSurface(picture, true));
+        return new Sphere(name, new Vector3d(), 1, new PictureSurface(picture, true, true));
     }
 
     @Test
     void photographHoldsItsScene() throws IOException {
         Studio studio = Studio.DEFAULT.withScene(
-                List.of(new Sphere("\u03b2", new Vector3d(), 1, new PictureSurface(pictures.get(1), true))));
+                List.of(new Sphere("\u03b2", new Vector3d(), 1, new PictureSurface(pictures.get(1), true, true))));
         LinearImage image = new LinearImage(1, 1, new float[3]);
         for (PictureFormat format : PictureFormat.values()) {
             Path file = folder.resolve("pictures/photograph" + format.endings().get(0));
             PhotographInfo info = new PhotographInfo("", "", StudioWriter.writeSelfContained(studio));
-            PhotographFile.write(file, image, format, ToneCurve.LINEAR, info);
+            PhotographFile.write(file, image, format, ToneCurve.LINEAR, info, true);
             assertThat(StudioReader.read(file)).isEqualTo(studio);
             Path renamed = Files.move(file, folder.resolve("renamed.json"));
             assertThat(StudioReader.read(renamed)).isEqualTo(studio);

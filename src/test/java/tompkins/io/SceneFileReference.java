@@ -49,7 +49,7 @@ public final class SceneFileReference {
                 String name = ValueKind.words(type.getSimpleName());
                 text.append("\n## ").append(ValueKind.capitalised(name)).append("\n\n");
                 text.append(meaning(type)).append(".\n");
-                appendKeys(text, type);
+                text.append(keys(type));
             }
         }
         return text.toString();
@@ -127,16 +127,18 @@ public final class SceneFileReference {
         for (Class<?> type : Descriptions.members(family)) {
             text.append("\n### ").append(heading(type)).append("\n\n");
             text.append(meaning(type)).append(".\n");
-            appendKeys(text, type);
+            text.append(keys(type));
             text.append("\n```json\n").append(JsonLayout.text(example(type))).append("\n```\n");
         }
     }
 
-    private static void appendKeys(StringBuilder text, Class<?> type) {
+    /** The table of the keys of a type; nothing if it has none. */
+    static String keys(Class<?> type) {
         if (type.getRecordComponents().length == 0) {
-            return;
+            return "";
         }
-        text.append("\n| key | value | meaning | unit | default |\n| --- | --- | --- | --- | --- |\n");
+        StringBuilder text =
+                new StringBuilder("\n| key | value | meaning | unit | default |\n| --- | --- | --- | --- | --- |\n");
         Object standard = Descriptions.standard(type);
         for (RecordComponent component : type.getRecordComponents()) {
             Meaning meaning = component.getAnnotation(Meaning.class);
@@ -146,6 +148,7 @@ public final class SceneFileReference {
             text.append(meaning.unit()).append(" | ");
             text.append(standard(component, standard)).append(" |\n");
         }
+        return text.toString();
     }
 
     private static String standard(RecordComponent component, Object description) {
@@ -155,7 +158,7 @@ public final class SceneFileReference {
         }
         return value.equals(MeshData.OCTAHEDRON)
                 ? "an octahedron of radius 1"
-                : "`" + oneLine(WRITER.tree(component.getGenericType(), value)) + "`";
+                : "`" + JsonLayout.line(WRITER.tree(component.getGenericType(), value)) + "`";
     }
 
     private static String meaning(AnnotatedElement element) {
@@ -196,12 +199,5 @@ public final class SceneFileReference {
             return List.of(Map.of(DescriptionReader.TYPE, first));
         }
         return WRITER.tree(component.getGenericType(), value);
-    }
-
-    /** The text of a value on one line, however long, as cells of tables need it. */
-    private static String oneLine(Object value) {
-        return JsonLayout.text(value)
-                .replaceAll("(?<=[\\[{])\n *|\n *(?=[]}])", "")
-                .replaceAll("\n *", " ");
     }
 }

@@ -16,11 +16,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.GeneratedDocument;
 import tompkins.camera.Camera;
 import tompkins.lesson.LessonPlan;
 import tompkins.lesson.Measurement;
 import tompkins.lesson.MeasuringPoint;
+import tompkins.light.Flash;
 import tompkins.light.LightSource;
+import tompkins.property.MistakeException;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.Shutter;
 import tompkins.studio.Studio;
@@ -29,10 +32,8 @@ import tompkins.surface.Surface;
 /** The reference of scene files is up to date, complete, and its examples work. */
 class SceneFileReferenceTest {
 
-    private static final String COMMAND = "mvn -q test -Dtest=SceneFileReferenceTest -Dtompkins.regenerate=true";
-
     private static final Path PROJECT = Path.of(System.getProperty("basedir", ""));
-    private static final Path FILE = PROJECT.resolve("docs/scene-files.md");
+
     /** One pixel. */
     private static final String PICTURE =
             "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNgAAAAAgABSK+kcQAAAABJRU5ErkJggg==";
@@ -52,13 +53,7 @@ class SceneFileReferenceTest {
 
     @Test
     void fileIsUpToDate() throws IOException {
-        String current = SceneFileReference.markdown();
-        if (Boolean.getBoolean("tompkins.regenerate")) {
-            Files.writeString(FILE, current);
-        }
-        assertThat(Files.exists(FILE) ? Files.readString(FILE).replace("\r\n", "\n") : "")
-                .as("%s is out of date; write it anew with: %s", FILE, COMMAND)
-                .isEqualTo(current);
+        GeneratedDocument.assertUpToDate("scene-files.md", SceneFileReference.markdown(), getClass());
     }
 
     @Test
@@ -121,7 +116,7 @@ class SceneFileReferenceTest {
     void messagesAreThoseOfTheProgram() {
         String scene = examples().findFirst().orElseThrow();
         String wrong = scene.replace("\"radius\"", "\"raduis\"").replace("[0, 0, 0.9]", "[0, 0, 1.5]");
-        assertThatExceptionOfType(SceneFileException.class)
+        assertThatExceptionOfType(MistakeException.class)
                 .isThrownBy(() -> StudioReader.read(wrong, "my-scene.json", folder))
                 .satisfies(mistakes -> assertThat(SceneFileReference.markdown())
                         .contains("\n    " + mistakes.getMessage().replace("\n", "\n    ") + "\n"));
@@ -138,6 +133,9 @@ class SceneFileReferenceTest {
         }
         if (DescriptionTypes.memberNames(LightSource.class).contains(type)) {
             return "{\"lights\": [" + example + "]}";
+        }
+        if (DescriptionTypes.memberNames(Flash.class).contains(type)) {
+            return "{\"lights\": [{\"type\": \"PointLight\", \"flash\": " + example + "}]}";
         }
         if (DescriptionTypes.memberNames(Shutter.class).contains(type)) {
             return "{\"camera\": {\"shutter\": " + example + "}}";

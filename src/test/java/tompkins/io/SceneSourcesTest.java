@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.property.MistakeException;
 import tompkins.ray.PixelPicture;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
@@ -30,7 +31,7 @@ class SceneSourcesTest {
     private Path folder;
 
     private String messageOf(String text) {
-        return catchThrowableOfType(SceneFileException.class, () -> StudioReader.read(text, "f", folder))
+        return catchThrowableOfType(MistakeException.class, () -> StudioReader.read(text, "f", folder))
                 .getMessage();
     }
 
@@ -40,7 +41,7 @@ class SceneSourcesTest {
         byte[] brackets = new byte[60_000_000];
         Arrays.fill(brackets, (byte) '[');
         Path file = Files.write(folder.resolve("deep.json"), brackets);
-        assertThatExceptionOfType(SceneFileException.class)
+        assertThatExceptionOfType(MistakeException.class)
                 .isThrownBy(() -> StudioReader.read(file))
                 .withMessageStartingWith(file + ":1:201: ")
                 .withMessageEndingWith("brackets and braces may be at most 200 deep");
@@ -61,7 +62,7 @@ class SceneSourcesTest {
     void aSceneThatWouldBeTooLargeToBeReadIsNotSaved() {
         byte[] content = new byte[3 * (SceneText.LARGEST / 4)];
         PixelPicture picture = new PixelPicture("wall.png", 1, 1, new float[4], content);
-        Sphere sphere = new Sphere("", new Vector3d(), 1, new PictureSurface(picture, false));
+        Sphere sphere = new Sphere("", new Vector3d(), 1, new PictureSurface(picture, false, true));
         Path file = folder.resolve("large.json");
 
         assertThatExceptionOfType(IOException.class)
@@ -89,7 +90,7 @@ class SceneSourcesTest {
         Path circle = folder.resolve(name.replaceFirst("/.*", ""));
         Files.createSymbolicLink(circle, circle);
         Path file = folder.resolve(name);
-        assertThatExceptionOfType(SceneFileException.class)
+        assertThatExceptionOfType(MistakeException.class)
                 .isThrownBy(() -> StudioReader.read(file))
                 .withMessageStartingWith(file + ": cannot be read: ")
                 .withMessageNotContainingAny("Exception", "no such file");
@@ -99,7 +100,7 @@ class SceneSourcesTest {
     }
 
     private static void assertFileRefused(Path file, String message) {
-        assertThatExceptionOfType(SceneFileException.class)
+        assertThatExceptionOfType(MistakeException.class)
                 .isThrownBy(() -> StudioReader.read(file))
                 .withMessage(file + ": " + message);
     }
@@ -108,7 +109,7 @@ class SceneSourcesTest {
     void otherEncodingsAreRefused() throws IOException {
         Path file = folder.resolve("latin.json");
         Files.write(file, "{\n  \"title\": \"\u00fc\"}".getBytes(StandardCharsets.ISO_8859_1));
-        assertThatExceptionOfType(SceneFileException.class)
+        assertThatExceptionOfType(MistakeException.class)
                 .isThrownBy(() -> StudioReader.read(file))
                 .withMessage(file + ":2:13: must be text in the encoding UTF-8, has here the byte 0xfc");
         Path marked = Files.writeString(folder.resolve("marked.json"), "\ufeff{\"title\": \"\u00fc\"}");
@@ -133,7 +134,7 @@ class SceneSourcesTest {
         Path outside = Files.writeString(folder.resolve("x.png"), "");
         Files.createSymbolicLink(inner.resolve("link.png"), outside);
         String text = "{\"background\": {\"type\": \"PanoramaBackground\", \"picture\": \"" + name + "\"}}";
-        assertThatExceptionOfType(SceneFileException.class)
+        assertThatExceptionOfType(MistakeException.class)
                 .isThrownBy(() -> StudioReader.read(text, "f", inner))
                 .withMessageStartingWith("f:1:58: background.picture: ")
                 .withMessageContaining(

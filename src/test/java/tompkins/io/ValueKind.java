@@ -60,7 +60,8 @@ final class ValueKind {
 
     /** The heading of a family. */
     static String title(Class<?> family) {
-        return capitalised(words(family.getSimpleName())) + "s";
+        String name = capitalised(words(family.getSimpleName()));
+        return name + (name.endsWith("sh") ? "es" : "s");
     }
 
     private static String section(Class<?> type) {

@@ -35,7 +35,7 @@ class LampsTest {
     private final Lighting lighting = new Lighting() {
         @Override
         public boolean find(int source, Hit hit, Sightline sight) {
-            sight.set(lamp.x - hit.x, lamp.y - hit.y, lamp.z - hit.z, 0.5, 1);
+            sight.set(lamp.x - hit.x, lamp.y - hit.y, lamp.z - hit.z, 0.5, 1, 0);
             return gets;
         }
 

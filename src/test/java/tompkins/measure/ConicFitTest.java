@@ -130,8 +130,8 @@ class ConicFitTest {
         Conic ellipse = ConicFit.of(ellipse(8, 5, 3), 1e-3).conic();
         Conic hyperbola = ConicFit.of(branch(8, 2, 3, 1), 1e-3).conic();
         for (double azimuth = 0.1; azimuth < 6; azimuth += 0.5) {
-            assertThat(equation(ellipse.place(azimuth), 5, 3, 1)).isCloseTo(1, within(1e-9));
-            assertThat(equation(hyperbola.place(azimuth), 2, 3, -1)).isCloseTo(1, within(1e-7));
+            assertThat(equation(ellipse.point(azimuth), 5, 3, 1)).isCloseTo(1, within(1e-9));
+            assertThat(equation(hyperbola.point(azimuth), 2, 3, -1)).isCloseTo(1, within(1e-7));
         }
     }
 
@@ -256,10 +256,10 @@ class ConicFitTest {
             places.add(new Vector2d(middle(plan, row), row));
         }
 
-        Measured measured = new Measurements(plan).measure(MeasureKind.CONIC, places, 2, () -> true);
+        Measured measured = Measurements.measure(plan, MeasureKind.CONIC, places, 2, () -> true);
 
         double gamma = 1 / Math.sqrt(1 - v * v);
-        assertThat(measured.shape()).isEqualTo(ConicFit.Kind.HYPERBOLA);
+        assertThat(measured.facts()).contains(new Fact.Word("shape", "shape", "hyperbola"));
         assertThat(value(measured, "eccentricity")).isCloseTo(1 / v, within(1e-3));
         assertThat(value(measured, "semiMajorAxis")).isCloseTo(v * gamma, within(3e-3));
         assertThat(value(measured, "semiMinorAxis")).isCloseTo(1, within(3e-3));
@@ -289,7 +289,7 @@ class ConicFitTest {
     }
 
     private static double value(Measured measured, String key) {
-        return measured.quantities().stream()
+        return measured.quantities()
                 .filter(quantity -> quantity.key().equals(key))
                 .findFirst()
                 .orElseThrow()

@@ -2,6 +2,7 @@ package tompkins.measure;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -167,15 +168,23 @@ class OverlaysTest {
                 centre);
     }
 
-    /** Every so many columns and rows a ray is traced to find how far a thing reaches. */
+    /**
+     * Every so many columns and rows a ray is traced to find how far a thing reaches: near what is drawn, and beyond.
+     */
     private static final int STEP = 3;
 
+    private static final int WIDE_STEP = 5 * STEP;
+
     /** Least and largest column and row, of the rays that hit something. */
-    private static double[] extent(RenderPlan plan) {
+    private static double[] extent(RenderPlan plan, double[] drawn) {
         List<Vector2dc> hit = new ArrayList<>();
         for (int x = 1; x < 640; x += STEP) {
             for (int y = 1; y < 480; y += STEP) {
-                if (hits(plan, x, y)) {
+                boolean near = x > drawn[0] - WIDE_STEP
+                        && x < drawn[1] + WIDE_STEP
+                        && y > drawn[2] - WIDE_STEP
+                        && y < drawn[3] + WIDE_STEP;
+                if ((near || x % WIDE_STEP == 1 && y % WIDE_STEP == 1) && hits(plan, x, y)) {
                     hit.add(new Vector2d(x, y));
                 }
             }
@@ -196,7 +205,7 @@ class OverlaysTest {
     private static void assertCovers(OverlayDrawing drawing, Studio drawn, RenderPlan traced) {
         List<Vector2dc> places = places(drawing, drawn);
         double[] seen = extent(places);
-        double[] hit = extent(traced);
+        double[] hit = extent(traced, seen);
         assertThat(hit[1] - hit[0]).isBetween(6.0, 500.0);
         assertThat(seen[0]).isLessThan(hit[0] + HALF);
         assertThat(seen[1]).isGreaterThan(hit[1] - HALF);
@@ -256,8 +265,8 @@ class OverlaysTest {
         OverlayDrawing drawing = draw(studio, OverlayKind.DOPPLER);
 
         for (OverlayDrawing.Label label : drawing.labels()) {
-            double x = label.place().x();
-            double y = label.place().y();
+            double x = label.position().x();
+            double y = label.position().y();
             Sighting sighting = Sighting.of(plan, x, y);
             double factor = Double.parseDouble(label.text().substring("D = ".length()));
             double change = factor * factor * velocity.gamma() * projection.pixelAngle(x, y);
@@ -269,6 +278,24 @@ class OverlaysTest {
         }
         assertThat(draw(studio.withVelocity(Velocity.REST), OverlayKind.DOPPLER).lines())
                 .isEmpty();
+    }
+
+    /** What moves has a Doppler factor of its own, that of a ray to it. */
+    @ParameterizedTest(name = "{index}")
+    @MethodSource("cameras")
+    void movingThingsHaveTheirOwnDopplerFactor(Velocity velocity, Camera camera) {
+        Studio empty = studio(velocity, camera);
+        Vector3d centre = point(empty, MOTION, 320.4, 250.3, 5);
+        Studio studio =
+                empty.withScene(List.of(placed(MOTION, new Sphere("ball", centre, 0.01, LuminousSurface.DEFAULT))));
+        List<OverlayDrawing.Label> labels = draw(studio, OverlayKind.DOPPLER).labels();
+
+        String text = labels.get(labels.size() - 1).text();
+        Sighting sighting = Sighting.of(RenderPlan.of(studio), 320.4, 250.3);
+        assertThat(sighting.hit().movesByItself()).isTrue();
+        assertThat(Double.parseDouble(text.substring("D = ".length())))
+                .isCloseTo(sighting.dopplerFactor(), withinPercentage(0.6));
+        assertThat(sighting.dopplerFactor()).isNotCloseTo(sighting.sceneDopplerFactor(), withinPercentage(1));
     }
 
     private static double doppler(Studio studio, double x, double y) {
@@ -297,7 +324,7 @@ class OverlaysTest {
                 OverlayDrawing names = draw(studio, OverlayKind.LABELS);
                 assertThat(names.labels()).hasSize(1);
                 assertThat(names.labels().get(0).text()).isEqualTo("ball");
-                Vector2dc place = names.labels().get(0).place();
+                Vector2dc place = names.labels().get(0).position();
                 assertThat(hits(RenderPlan.of(studio), place.x(), place.y())).isTrue();
             }
         }
@@ -316,7 +343,7 @@ class OverlaysTest {
             assertThat(grid.labels()).isNotEmpty();
             for (OverlayDrawing.Label label : grid.labels()) {
                 assertThat(label.frame()).isEqualTo(frame);
-                assertAngle(plan, projection, label.place(), direction, Double.parseDouble(label.text()));
+                assertAngle(plan, projection, label.position(), direction, Double.parseDouble(label.text()));
             }
             // each place lies on a circle or on a meridian
             double step = step(grid);
@@ -331,7 +358,7 @@ class OverlaysTest {
             assertAngle(
                     plan,
                     projection,
-                    label.place(),
+                    label.position(),
                     label.frame() == Frame.SCENE ? Sighting::sceneDirection : Sighting::cameraDirection,
                     90);
         }

@@ -4,10 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import org.joml.Vector2d;
+import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import tompkins.property.Descriptions;
+import tompkins.ray.Colour;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
+import tompkins.studio.UniformBackground;
+import tompkins.surface.ColouredSurface;
 import tompkins.surface.LuminousSurface;
 import tompkins.trace.RenderPlan;
 
@@ -17,17 +23,46 @@ class ProfileTest {
 
     /** The edge of a ball of radius 1 in the distance 10 lies at the slope 1/sqrt(99). */
     @Test
-    void edgeOfABallIsFoundToAHundredthOfAPixel() {
+    void edgeOfABallIsFoundToTheLastDigits() {
         RenderPlan plan = RenderPlan.of(Studio.DEFAULT.withScene(List.of(BALL)));
 
-        Profile profile = Profile.between(plan, 320, 240, 620, 240, 3001, () -> true);
-        double[] edge = profile.edge(sighting -> sighting.life().colour().red());
+        Profile profile = Profile.between(plan, new Vector2d(320, 240), new Vector2d(620, 240), 301, () -> true);
+        Vector2dc edge = new Edges(plan).largestStep(profile).orElseThrow();
 
         double slope = 1 / Math.sqrt(99);
-        assertThat(edge[0]).isCloseTo(320 + 320 * slope / Math.tan(Math.toRadians(10)), within(0.1));
-        assertThat(edge[1]).isEqualTo(240);
-        assertThat(profile.places()).hasSize(3001);
-        assertThat(profile.places().get(3000).x()).isEqualTo(620);
+        assertThat(edge.x()).isCloseTo(320 + 320 * slope / Math.tan(Math.toRadians(10)), within(1e-6));
+        assertThat(edge.y()).isEqualTo(240);
+        assertThat(profile.points()).hasSize(301);
+        assertThat(profile.points().get(300).x()).isEqualTo(620);
+    }
+
+    /** The sky is brighter than the shaded ball in places, and the ball fades slowly over a hundred places. */
+    @Test
+    void shadingIsNoEdge() {
+        Sphere shaded = new Sphere("", new Vector3d(0, 0, 10), 1, ColouredSurface.DEFAULT);
+        RenderPlan plan = RenderPlan.of(Studio.DEFAULT.withScene(List.of(shaded)));
+
+        Profile across = Profile.between(plan, new Vector2d(240, 240), new Vector2d(400, 240), 161, () -> true);
+
+        assertThat(new Edges(plan).largestStep(across)).isEmpty();
+    }
+
+    /** Two balls, one in front of a brighter one: the larger step counts, not the first. */
+    @Test
+    void theLargestStepIsTheEdge() {
+        Sphere grey = new Sphere("", new Vector3d(-1.5, 0, 10), 0.2, new LuminousSurface(Colour.grey(0.6), true));
+        RenderPlan plan = RenderPlan.of(Descriptions.with(
+                        Studio.DEFAULT, "background", new UniformBackground(Colour.grey(0.5)))
+                .withScene(List.of(
+                        grey,
+                        new Sphere("", new Vector3d(1.5, 0, 10), 0.2, new LuminousSurface(Colour.grey(0), true)))));
+
+        Profile across = Profile.between(plan, new Vector2d(0, 240), new Vector2d(640, 240), 641, () -> true);
+
+        double towards = Math.asin(0.2 / Math.hypot(1.5, 10));
+        double slope = Math.tan(Math.atan(0.15) - towards);
+        assertThat(new Edges(plan).largestStep(across).orElseThrow().x())
+                .isCloseTo(320 + 320 * slope / Math.tan(Math.toRadians(10)), within(1e-6));
     }
 
     @Test
@@ -35,7 +70,7 @@ class ProfileTest {
         RenderPlan plan = RenderPlan.of(Studio.DEFAULT);
         int[] asked = new int[1];
 
-        assertThat(Profile.between(plan, 0, 0, 9, 9, 10_000, () -> ++asked[0] < 5))
+        assertThat(Profile.between(plan, new Vector2d(0, 0), new Vector2d(9, 9), 10_000, () -> ++asked[0] < 5))
                 .isNull();
         assertThat(asked[0]).isEqualTo(5);
     }

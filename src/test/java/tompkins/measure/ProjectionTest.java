@@ -86,7 +86,7 @@ class ProjectionTest {
             double y = Math.floor(studio.settings().height() * (0.85 - 0.15 * i)) + 0.6;
             for (double distance : new double[] {2, 30}) {
                 Vector3d point = point(plan, motion, x, y, distance);
-                Vector2dc place = projection.place(frame, point);
+                Vector2dc place = projection.position(frame, point);
                 if (place != null && isInside(studio, place)) {
                     found++;
                     assertThat(miss(plan, motion, place, point, distance))
@@ -122,7 +122,7 @@ class ProjectionTest {
         return Angles.between(far.sub(near), point.sub(near, new Vector3d()));
     }
 
-    /** Where, in its own frame, a point is that the traced ray of a place meets at a distance. */
+    /** Where, in its rest frame, a point is that the traced ray of a place meets at a distance. */
     private static Vector3d point(RenderPlan plan, FrameMotion motion, double x, double y, double distance) {
         RayLife life = RayLife.of(plan, x, y, 0, 0);
         Event start = life.sceneStart();
@@ -142,10 +142,10 @@ class ProjectionTest {
     void directionsBehindALensHaveNoPlace() {
         Projection projection = Projection.of(Studio.DEFAULT);
 
-        assertThat(projection.place(new Vector3d(0, 0, -1))).isNull();
-        assertThat(projection.place(new SeenFrame(Studio.DEFAULT, null), new Vector3d(0, 0, -5)))
+        assertThat(projection.position(new Vector3d(0, 0, -1))).isNull();
+        assertThat(projection.position(new SeenFrame(Studio.DEFAULT, null), new Vector3d(0, 0, -5)))
                 .isNull();
-        assertThat(projection.place(new SeenFrame(Studio.DEFAULT, null), new Vector3d()))
+        assertThat(projection.position(new SeenFrame(Studio.DEFAULT, null), new Vector3d()))
                 .isNull();
     }
 }

@@ -30,7 +30,7 @@ class RayTableTest {
     private final Set<String> seen = new TreeSet<>();
 
     private static double number(Sighting sighting, String column) {
-        return (Double) RayTable.column(column).value().apply(sighting);
+        return RayTable.number(sighting, column);
     }
 
     private static Vector3d vector(Sighting sighting, String column) {
@@ -43,10 +43,9 @@ class RayTableTest {
                 Studio.DEFAULT.withVelocity(Velocity.of(0.1, 0.2, 0.5)).withScene(scene));
         for (int x = 5; x < 640; x += 10) {
             for (int y = 5; y < 480; y += 10) {
-                Sighting sighting = Sighting.ofPixel(plan, x, y);
+                Sighting sighting = Sighting.of(plan, x + 0.5, y + 0.5);
                 if (sighting.hit() == null) {
-                    assertThat(RayTable.column("surface_u").value().apply(sighting))
-                            .isNull();
+                    assertThat(number(sighting, "surface_u")).isNaN();
                     continue;
                 }
                 String object = sighting.hit().object().description();

@@ -9,14 +9,14 @@ import org.junit.jupiter.api.Test;
 class SizeRatiosTest {
 
     private static Measured measured(Quantity... quantities) {
-        return new Measured(MeasureKind.BETWEEN, List.of(quantities), null, List.of());
+        return new Measured(List.of(quantities), null, List.of());
     }
 
     /** 6 +- 0.3 to 2 +- 0.08: 5 and 4 percent together are sqrt(41) percent. */
     @Test
     void uncertaintiesOfBothCount() {
-        Measured here = measured(new Quantity("cameraAngle", "degrees", 6, 0.3));
-        Measured there = measured(new Quantity("cameraAngle", "degrees", 2, 0.08));
+        Measured here = measured(new Quantity("cameraAngle", "", "degrees", 6, 0.3));
+        Measured there = measured(new Quantity("cameraAngle", "", "degrees", 2, 0.08));
 
         Quantity ratio = SizeRatios.of(here, there).get(0);
 
@@ -29,14 +29,14 @@ class SizeRatiosTest {
     @Test
     void onlySizesOfBothAreCompared() {
         Measured here = measured(
-                Quantity.exact("sceneTime", "scene units", 4),
-                Quantity.exact("length", "degrees", 4),
-                Quantity.exact("sceneDistance", "scene units", 1),
-                new Quantity("axisAngle", "degrees", 40, 1));
+                Quantity.exact("sceneTime", "", "scene units", 4),
+                Quantity.exact("length", "", "degrees", 4),
+                Quantity.exact("sceneDistance", "", "scene units", 1),
+                new Quantity("axisAngle", "", "degrees", 40, 1));
         Measured there = measured(
-                Quantity.exact("sceneTime", "scene units", 2),
-                Quantity.exact("length", "degrees", 0),
-                new Quantity("axisAngle", "degrees", 20, 1));
+                Quantity.exact("sceneTime", "", "scene units", 2),
+                Quantity.exact("length", "", "degrees", 0),
+                new Quantity("axisAngle", "", "degrees", 20, 1));
 
         assertThat(SizeRatios.of(here, there)).isEmpty();
     }

@@ -36,7 +36,7 @@ class AberrationTest {
     void lightFromTheSideComesFromAhead(double speed, double cameraDegrees) {
         Photograph moving = Photograph.of(List.of(), Photograph.wholeSky(), Velocity.of(0, 0, speed), 360, 180);
         RayLife ray = moving.trace(180 + cameraDegrees, 90);
-        double rounding = 0.5e-4 * ray.frequencyRatio();
+        double rounding = 0.5e-4 * ray.sceneDopplerFactor();
         assertThat(Math.toDegrees(Math.acos(ray.sceneDirection().z()))).isCloseTo(90, within(rounding * 1.01));
     }
 
@@ -59,15 +59,15 @@ class AberrationTest {
                 .withVelocity(Velocity.of(0, 0, speed))
                 .withTransformation(TransformationLaw.GALILEAN)
                 .withSettings(Studio.DEFAULT.settings().withSize(360, 180)));
-        assertThat(moving.trace(180 + cameraDegrees, 90).frequencyRatio()).isCloseTo(expected, within(1e-14));
+        assertThat(moving.trace(180 + cameraDegrees, 90).sceneDopplerFactor()).isCloseTo(expected, within(1e-14));
     }
 
-    /** Speed, camera angle, frequency ratio. */
+    /** Speed, camera angle, Doppler factor. */
     @ParameterizedTest
     @CsvSource({"0.6, 0, 2", "0.6, 180, 0.5", "0.6, 90, 0.8", "0.6, 53.13010235415598, 1.25"})
     void crossedRaysKnowTheDopplerFactor(double speed, double cameraDegrees, double expected) {
         Photograph moving = Photograph.of(List.of(), Photograph.wholeSky(), Velocity.of(0, 0, speed), 360, 180);
-        assertThat(moving.trace(180 + cameraDegrees, 90).frequencyRatio()).isCloseTo(expected, within(1e-14));
+        assertThat(moving.trace(180 + cameraDegrees, 90).sceneDopplerFactor()).isCloseTo(expected, within(1e-14));
     }
 
     @ParameterizedTest
@@ -106,7 +106,7 @@ class AberrationTest {
         double all = 0;
         double step = Math.PI / 2000;
         for (int row = 0; row < 2000; row++) {
-            double ratio = moving.trace(0.5, row + 0.5).frequencyRatio();
+            double ratio = moving.trace(0.5, row + 0.5).sceneDopplerFactor();
             double sceneSolidAngle = Math.sin((row + 0.5) * step) * step / 2 * ratio * ratio;
             all += sceneSolidAngle;
             held += row < 1000 ? sceneSolidAngle : 0;
@@ -124,7 +124,7 @@ class AberrationTest {
         assertThat(sky.job().report().warnings()).isEmpty();
         RayLife sideways = sky.trace(16, 32);
         double gamma = 1 / Math.sqrt(1e-9 * (2 - 1e-9));
-        assertThat(sideways.frequencyRatio() * gamma).isCloseTo(1, within(1e-7));
+        assertThat(sideways.sceneDopplerFactor() * gamma).isCloseTo(1, within(1e-7));
     }
 
     @Test

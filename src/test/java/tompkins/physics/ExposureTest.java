@@ -9,7 +9,7 @@ import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import tompkins.camera.Camera;
 import tompkins.camera.PixelSampler;
-import tompkins.camera.SamplePlaces;
+import tompkins.camera.SamplePositions;
 import tompkins.golden.GoldenRow;
 import tompkins.golden.GoldenTable;
 import tompkins.golden.Worst;
@@ -182,7 +182,7 @@ class ExposureTest {
                     Photograph.WHITE);
             SampleTracer tracer = of(sheet, new Vector3d(0, 0, 1)).plan().tracer(new RayCounts());
             PixelSampler sampler = new PixelSampler(seed, false, true);
-            SamplePlaces place = new SamplePlaces(1);
+            SamplePositions place = new SamplePositions(1);
             double sum = 0;
             for (int sample = 0; sample < samples; sample++) {
                 place.clear();

@@ -194,7 +194,7 @@ class FramesOfReferenceTest {
             double cameraDistance = ray.cameraStart().position().distance(image);
             // distance divided by frequency is the same in both frames
             Vector3d place = new Vector3d(ray.sceneDirection())
-                    .mul(cameraDistance / ray.frequencyRatio())
+                    .mul(cameraDistance / ray.sceneDopplerFactor())
                     .add(ray.sceneStart().position());
             Vector3d seen = alongVelocity ? new Vector3d(place.dot(n), 0, 0) : place;
             low.min(seen);

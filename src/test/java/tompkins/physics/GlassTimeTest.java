@@ -108,7 +108,7 @@ class GlassTimeTest {
         assertThat(life.sceneStart().z()).isCloseTo(1.25, within(1e-12));
         assertThat(life.sceneStart().time()).isCloseTo(-3.25, within(1e-12));
         assertThat(life.sceneDirection().z()).isEqualTo(1);
-        assertThat(life.frequencyRatio()).isCloseTo(2, within(1e-12));
+        assertThat(life.sceneDopplerFactor()).isCloseTo(2, within(1e-12));
         assertThat(life.mainHits())
                 .extracting(hit -> hit.object().description())
                 .containsExactly("slab", "slab", "wall");

@@ -111,7 +111,7 @@ class HorizonTest {
         RenderPlan plan = floor(beta, true).plan();
         double[] means = IntStream.range(0, WIDTH * HEIGHT / SOME)
                 .map(number -> number * SOME)
-                .mapToDouble(pixel -> mean(sharp, pixel % WIDTH, pixel / WIDTH, 1 << 15))
+                .mapToDouble(pixel -> mean(sharp, pixel % WIDTH, pixel / WIDTH, 1 << 13))
                 .toArray();
         try (Renderer renderer = new Renderer()) {
             double one = distance(renderer.render(plan, new Quality.Samples(1)), means);

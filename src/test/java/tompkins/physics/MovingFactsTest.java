@@ -224,7 +224,7 @@ class MovingFactsTest {
         return gammaSquared * (time - Math.sqrt(time * time - (time * time - distance * distance) / gammaSquared));
     }
 
-    /** Of clocks that go together and are 1 apart in their own frame, the front one shows less, measured. */
+    /** Of clocks that go together and are 1 apart in their rest frame, the front one shows less, measured. */
     @Test
     void clockInFrontIsBehind() {
         Moving clocks = moving(
@@ -319,13 +319,13 @@ class MovingFactsTest {
         assertThat(length / time).isCloseTo(expected, within(1e-6));
     }
 
-    /** A sphere of radius 1 with 0.8, 10 away at right angles in its own frame. */
+    /** A sphere of radius 1 with 0.8, 10 away at right angles in its rest frame. */
     @Test
     void movingSphereHasARoundOutline() {
         double own = Math.toRadians(90);
         double axis = Math.toRadians(180 - 37.0082);
         double radius = Math.toRadians(3.45089);
-        // where the sphere is in its own frame: across the motion from the camera, which is at the origin at time 0
+        // where the sphere is in its rest frame: across the motion from the camera, which is at the origin at time 0
         Moving ball = moving(
                 0.8, new Vector3d(), new Sphere("ball", new Vector3d(0, 0, 10 * Math.sin(own)), 1, Photograph.WHITE));
         Vector3d centre = new Vector3d(Math.cos(axis), 0, Math.sin(axis));

@@ -19,6 +19,7 @@ import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
+import tompkins.light.Pulse;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Cylinder;
@@ -31,6 +32,7 @@ import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Lighting;
 import tompkins.studio.Studio;
@@ -172,9 +174,24 @@ class ReciprocityTest {
         Vector3d beta = new Vector3d(x, y, z);
         Photograph camera = new Photograph(cameraMoves(beta, time, colours));
         // the meter looks at the scene frame, which the camera that rests sees unshifted
-        double metered = colours.brightness(camera.trace(80, 60).frequencyRatio());
+        double metered = colours.brightness(camera.trace(80, 60).sceneDopplerFactor());
 
         assertSame(camera.image(), render(worldMoves(beta, time, colours)), metered);
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"LORENTZ", "GALILEAN"})
+    void whoMovesDoesNotMatterToFlashes(TransformationLaw law) {
+        Vector3d beta = new Vector3d(0.4, 0.1, 0.2);
+        List<LightSource> lamps = List.of(
+                new PointLight(new Vector3d(5, 6, 2), Colour.grey(0.6), Colour.grey(0.4), 20, new Pulse(-14, 2, 0)),
+                new PointLight(new Vector3d(-3, 4, 7), Colour.grey(0.7), Colour.grey(0.2), 50, new Pulse(0.3, 1, 2.5)));
+        List<LightSource> moving =
+                List.of(new MovingLights(Velocity.of(beta.negate(new Vector3d())), new Vector3d(), lamps));
+        Studio camera = Lighting.of(cameraMoves(beta, 0.5, ColourLaw.UNCHANGED), lamps);
+        Studio world = Lighting.of(worldMoves(beta, 0.5, ColourLaw.UNCHANGED), moving);
+
+        assertSame(render(camera.withTransformation(law)), render(world.withTransformation(law)));
     }
 
     /** All that stands still is given the velocity -w, and the camera goes from beta to the composition of both. */

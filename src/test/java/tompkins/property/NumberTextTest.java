@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.TestRun;
 import tools.jackson.core.io.NumberOutput;
 
 class NumberTextTest {
@@ -48,7 +49,7 @@ class NumberTextTest {
     @Test
     void noDigitIsWrittenThatIsNotNeeded() {
         SplittableRandom random = new SplittableRandom(11);
-        for (int i = 0; i < 100_000; i++) {
+        for (int i = 0; i < TestRun.cases(20_000, 100_000); i++) {
             double value = Double.longBitsToDouble(random.nextLong());
             if (Double.isFinite(value) && Math.getExponent(value) >= Double.MIN_EXPONENT) {
                 assertThat(new BigDecimal(NumberText.of(value)))

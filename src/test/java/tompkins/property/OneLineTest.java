@@ -11,6 +11,16 @@ class OneLineTest {
         assertThat(OneLine.of("one\r\n\ttwo\u001b[2J\u2028three")).isEqualTo("one two [2J three");
     }
 
+    /** Overrides, isolates and marks turn the order of what follows them, and so hide how a name ends. */
+    @Test
+    void whatTurnsTheOrderOfLettersBecomesASpace() {
+        for (String control :
+                "\u061c \u200e \u200f \u202a \u202b \u202c \u202d \u202e \u2066 \u2067 \u2068 \u2069".split(" ")) {
+            assertThat(OneLine.of("photo" + control + "gnp.exe")).isEqualTo("photo gnp.exe");
+        }
+        assertThat(OneLine.of("\u05d0\u0628 a\u0301 \u200d")).isEqualTo("\u05d0\u0628 a\u0301 \u200d");
+    }
+
     @Test
     void longTextsAreCutAndSaySo() {
         assertThat(OneLine.shortened("x".repeat(60), 60)).isEqualTo("x".repeat(60));

@@ -43,6 +43,21 @@ class RayPacketTest {
         assertThat(memory).usingRecursiveComparison().isEqualTo(FROM_CAMERA);
     }
 
+    /** As of a ray that leaves tiled glass before the lens, while its neighbours have yet to be followed. */
+    @Test
+    void aRayInAMediumLeavesTheOthersInVacuum() {
+        RayPacket rays = new RayPacket(3);
+        rays.begin(3);
+        Medium glass = new Medium(1.5, 0, null);
+        rays.set(0, fromCamera());
+        rays.set(1, fromCamera().in(glass));
+
+        assertThat(rays.ray(0).medium).isNull();
+        assertThat(rays.ray(1).medium).isSameAs(glass);
+        assertThat(rays.ray(2).medium).isNull();
+        assertThat(rays.isInOneMedium()).isFalse();
+    }
+
     @Test
     void keptRaysKnowTheirSamples() {
         RayPacket rays = new RayPacket(3);

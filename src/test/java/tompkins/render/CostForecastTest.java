@@ -6,12 +6,14 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.TestRun;
 import tompkins.io.StudioReader;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
@@ -19,7 +21,6 @@ import tompkins.trace.RenderPlan;
 /**
  * What is foretold comes true, within a factor of two. Samples are compared, not seconds: other programs run here too.
  */
-@Tag("slow")
 class CostForecastTest {
 
     private static final Renderer RENDERER = new Renderer(2);
@@ -33,9 +34,9 @@ class CostForecastTest {
     }
 
     @ParameterizedTest
-    @MethodSource("scenes")
+    @MethodSource("someScenes")
     void foretellsTheSamplesOfAWantedError(Path scene) throws InterruptedException {
-        RenderPlan plan = plan(scene, 320, 240);
+        RenderPlan plan = plan(scene, TestRun.cases(160, 320), TestRun.cases(120, 240));
         Quality quality = new Quality.TargetError(0.01);
 
         double foretold = CostForecast.of(plan, quality, RENDERER, NO_PATIENCE)
@@ -117,6 +118,13 @@ class CostForecastTest {
     private static RenderPlan plan(Path scene, int width, int height) {
         Studio studio = StudioReader.read(scene);
         return RenderPlan.of(studio.withSettings(studio.settings().withSize(width, height)));
+    }
+
+    /** Usually every third scene. */
+    static Stream<Path> someScenes() throws IOException {
+        List<Path> all = scenes().toList();
+        int step = TestRun.cases(3, 1);
+        return IntStream.iterate(0, i -> i < all.size(), i -> i + step).mapToObj(all::get);
     }
 
     static Stream<Path> scenes() throws IOException {

@@ -1,6 +1,7 @@
 package tompkins.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assertions.withinPercentage;
 
 import org.junit.jupiter.api.Test;
@@ -65,7 +66,8 @@ class FilmTest {
 
         assertThat(image.value(4, 0, 0)).isEqualTo(1.5f);
         assertThat(image.value(0, 2, 0)).isEqualTo(1.75f);
-        assertThat(image.value(4, 2, 0)).isEqualTo(2.75f);
+        assertThat(image.value(2, 2, 0)).as("its four neighbours").isEqualTo((1 + 1.5f + 2.5f + 7) / 4);
+        assertThat(image.value(4, 2, 0)).as("beside a finer sample").isEqualTo(4.25f);
         assertThat(image.value(4, 4, 0)).as("a sample of its own").isEqualTo(7f);
         assertThat(image.value(11, 0, 0)).as("at the edge of what is there").isEqualTo(2f);
     }
@@ -141,13 +143,41 @@ class FilmTest {
         assertThat(film.width()).isEqualTo(2);
     }
 
-    /** Three floats and an int for each pixel; three floats more for the half. */
+    /** Three floats and an int for each pixel; three floats more for the half, and one for the squares. */
     @Test
     void memoryIsWhatItHolds() {
         assertThat(Film.bytesPerPixel(false)).isEqualTo(16);
-        assertThat(Film.bytesPerPixel(true)).isEqualTo(28);
-        assertThat(new Film(1, 1, 1, true).comparesHalves()).isTrue();
-        assertThat(new Film(1, 1, 1, false).comparesHalves()).isFalse();
+        assertThat(Film.bytesPerPixel(true)).isEqualTo(32);
+        assertThat(new Film(1, 1, 1, true).comparesSamples()).isTrue();
+        assertThat(new Film(1, 1, 1, false).comparesSamples()).isFalse();
+    }
+
+    /**
+     * Grey samples of 0, 0.1, ... 0.7 have a variance of 0.06 (n^2 - 1 over 12, times n over n - 1), exposed twice 4.
+     */
+    @Test
+    void varianceOfSamplesIsThatOfTheirValues() {
+        Film film = new Film(1, 1, 2, true);
+        film.add(0, 9, 9, 9, 1);
+        film.restart(0);
+        for (int sample = 0; sample < 8; sample++) {
+            film.add(0, sample / 10.0, sample / 10.0, sample / 10.0, 1);
+        }
+        assertThat(film.sampleVariance(0)).isEqualTo(4 * 0.06, within(1e-6));
+
+        Film summed = new Film(1, 1, 2, true);
+        summed.add(0, 2.8, 2.8, 2.8, 3 * 1.4, 8);
+        assertThat(summed.sampleVariance(0)).as("from their sums").isEqualTo(4 * 0.06, within(1e-6));
+    }
+
+    /** A sum in single precision is not exact. */
+    @Test
+    void equalSamplesHaveNoVariance() {
+        Film film = new Film(1, 1, 1, true);
+        for (int sample = 0; sample < 1000; sample++) {
+            film.add(0, 0.7, 0.1, 0.3, 1);
+        }
+        assertThat(film.sampleVariance(0)).isZero();
     }
 
     private static void add(Film film, int column, int row, Colour colour) {

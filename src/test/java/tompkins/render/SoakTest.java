@@ -16,7 +16,6 @@ import tompkins.trace.RenderPlan;
  * Many renders, cancelled at random moments, leave nothing behind. Long form: {@code mvn test -Dtest=SoakTest
  * -Dtompkins.soak=1000}.
  */
-@Tag("slow")
 @Tag("alone")
 class SoakTest {
 

@@ -19,6 +19,7 @@ public final class ClosedTypes {
             Group.class,
             Placed.class,
             Moving.class,
+            Rotating.class,
             ImagePointGrid.class,
             Hidden.class);
 

@@ -183,6 +183,9 @@ class PrimitiveContractTest {
         Vector3d axis = new Vector3d(end).sub(start);
         walkThrough(new Sphere("", start, 2.5, TILED), place -> place.distance(start) < 2.5);
         walkThrough(
+                new Ellipsoid("", start, new Vector3d(2.5, 1, 0.6), TILED),
+                place -> new Vector3d(place).sub(start).div(2.5, 1, 0.6).length() < 1);
+        walkThrough(
                 new Box("", new Vector3d(-1, 0, 2), new Vector3d(2, 1.5, 6), TILED),
                 place -> place.x > -1 && place.x < 2 && place.y > 0 && place.y < 1.5 && place.z > 2 && place.z < 6);
         walkThrough(new Cylinder("", start, end, 1.5, true, TILED), place -> {

@@ -18,6 +18,13 @@ public final class SampleShapes {
     public static Stream<SceneObject> closed(Vector3dc middle, double size, Surface surface) {
         return Stream.of(
                 new Sphere("sphere", new Vector3d(middle), size, surface),
+                new Placed(
+                        "ellipsoid",
+                        new Ellipsoid("ellipsoid", new Vector3d(), new Vector3d(1, 0.5, 0.7), surface),
+                        size,
+                        new Vector3d(3, -1, 2),
+                        50,
+                        new Vector3d(middle)),
                 new Box("box", at(middle, size, -0.8, -1, -1), at(middle, size, 0.7, 0.7, 1), surface),
                 new Cylinder(
                         "cylinder",
@@ -35,7 +42,7 @@ public final class SampleShapes {
                         surface),
                 new Placed(
                         "mesh",
-                        new TriangleMesh("octahedron", MeshData.OCTAHEDRON, surface),
+                        new TriangleMesh("octahedron", MeshData.OCTAHEDRON, surface, true),
                         size,
                         new Vector3d(1, 2, 3),
                         40,

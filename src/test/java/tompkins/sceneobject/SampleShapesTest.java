@@ -15,6 +15,7 @@ class SampleShapesTest {
     private static final List<Class<?>> OTHERS = List.of(
             Group.class,
             Moving.class,
+            Rotating.class,
             Placed.class,
             Hidden.class,
             Plane.class,

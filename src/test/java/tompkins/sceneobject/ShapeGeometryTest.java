@@ -173,6 +173,7 @@ class ShapeGeometryTest {
                     Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
                     SurfaceCoordinates at = hit.coordinates;
                     Vector3d right = new Vector3d(at.uX(), at.uY(), at.uZ());
+                    right.sub(new Vector3d(normal).mul(right.dot(normal)));
                     Vector3d up = new Vector3d(at.vX(), at.vY(), at.vZ());
                     up.sub(new Vector3d(normal).mul(up.dot(normal)));
                     assertThat(right.cross(up).normalize().dot(normal)).isCloseTo(-1, within(1e-9));
@@ -248,6 +249,21 @@ class ShapeGeometryTest {
             assertThat(primitive.isBeyond(n.x, n.y, n.z, claimed + 1e-6 * n.length()))
                     .isFalse();
         }
+    }
+
+    /** A narrow bundle of rays along an end of a cylinder, or the base of a cone, has planes nearly across the axis. */
+    @ParameterizedTest
+    @CsvSource({"1e-6", "1e-8", "3e-9", "1e-12"})
+    void leastValuesHoldTheRimsOfEnds(double tilt) {
+        Vector3d start = new Vector3d(0, 0, 5);
+        Vector3d end = new Vector3d(0, 0, 7);
+        double expected = 5 - 2.5 * tilt;
+        Cylinder rod = new Cylinder("", start, end, 2.5, true, ColouredSurface.DEFAULT);
+        assertThat(PrimitiveCollector.primitivesOf(rod).get(0).minimumAlong(tilt, 0, 1))
+                .isCloseTo(expected, within(2e-15));
+        Cone cone = new Cone("", end, start, 2.5, false, ColouredSurface.DEFAULT);
+        assertThat(PrimitiveCollector.primitivesOf(cone).get(0).minimumAlong(0, tilt, 1))
+                .isCloseTo(expected, within(2e-15));
     }
 
     private static final PixelPicture HALF_DARK =

@@ -55,7 +55,7 @@ class TriangleMeshTest {
                 new byte[0]);
 
         List<Primitive> primitives =
-                PrimitiveCollector.primitivesOf(new TriangleMesh("flat", mesh, ColouredSurface.DEFAULT));
+                PrimitiveCollector.primitivesOf(new TriangleMesh("flat", mesh, ColouredSurface.DEFAULT, true));
 
         assertThat(primitives).hasSize(1);
     }

@@ -17,7 +17,7 @@ class ExposureScenesTest {
 
     private static final int WIDTH = 4000;
     private static final int HEIGHT = 3000;
-    private static final int MOMENTS = 1000;
+    private static final int MOMENTS = 500;
 
     /** A scene, and where in its picture the directions (x, y, 1) of the camera lie. */
     private static final class Shown {

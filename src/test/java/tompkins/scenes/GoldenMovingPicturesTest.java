@@ -22,7 +22,19 @@ class GoldenMovingPicturesTest {
     private static final double ALLOWED_SHARE = 0.0002;
 
     @ParameterizedTest
-    @ValueSource(strings = {"clocks", "cube-measured", "cube-passed", "cube-passes", "moving-lamp", "two-spheres"})
+    @ValueSource(
+            strings = {
+                "clocks",
+                "cube-measured",
+                "cube-passed",
+                "cube-passes",
+                "flash-ring",
+                "flash-train",
+                "moving-lamp",
+                "two-spheres",
+                "wheel-measured",
+                "wheel-passes"
+            })
     void pictureIsTheReferencePicture(String name) throws Exception {
         LinearImage picture = SceneFiles.render(studio(name));
 
@@ -31,7 +43,7 @@ class GoldenMovingPicturesTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"clocks", "cube-passed", "cube-passes", "moving-lamp", "two-spheres"})
+    @CsvSource({"clocks", "cube-passed", "cube-passes", "moving-lamp", "two-spheres", "wheel-passes"})
     void measuredPictureIsAnotherOne(String name) throws Exception {
         LinearImage picture = SceneFiles.render(studio(name).withView(View.MEASURED));
 

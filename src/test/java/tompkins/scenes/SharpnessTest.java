@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
 import tompkins.property.Descriptions;
@@ -21,10 +20,9 @@ import tompkins.surface.LuminousSurface;
  * detector-plane shutter, and not with the aperture-plane shutter. The spheres alone are photographed, glowing before
  * black, and the width of each edge is the area of its grey pixels divided by its length.
  */
-@Tag("slow")
 class SharpnessTest {
 
-    private static final int SAMPLES = 64;
+    private static final int SAMPLES = 36;
     private static final int ROWS = 9;
 
     private static double[] pinhole;

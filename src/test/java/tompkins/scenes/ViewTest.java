@@ -74,7 +74,7 @@ class ViewTest {
         Studio studio = SceneFiles.read(scene);
         assertThat(studio.velocity().given().x()).isPositive();
         Place resting = Place.of(atSpeed(studio, 0), object);
-        for (double speed : new double[] {0.3, 0.6, 0.8, 0.9, 0.97, 0.99}) {
+        for (double speed : new double[] {0.3, 0.8, 0.99}) {
             Place place = Place.of(atSpeed(studio, speed), object);
             assertThat(place.middle()).as("middle at %s", speed).isCloseTo(WIDTH / 2.0, within(0.04 * WIDTH));
             assertThat(place.height()).as("height at %s", speed).isCloseTo(resting.height(), within(1));

@@ -49,7 +49,8 @@ class LampShadowsTest {
 
             boolean dark = tree.shadow(ray, distance, scratch) != null;
 
-            assertThat(grid.shadows(from, toLamp.x, toLamp.y, toLamp.z, distance, Ray.blank(), counts))
+            assertThat(grid.shadows(
+                            from, Ray.blank().setShadow(from, toLamp.x, toLamp.y, toLamp.z), 0, distance, counts))
                     .isEqualTo(dark);
             shadows += dark ? 1 : 0;
         }

@@ -142,7 +142,7 @@ class LampTrackTest {
 
     /** The middle of the slopes of a point at (x, 0, z). */
     private static double slope(LampPlace place, double x, double z) {
-        Range slopes = place.slopes(new Bounds(x, 0, z, x, 0, z), new Vector3d(1, 0, 0));
+        Interval slopes = place.slopes(new Bounds(x, 0, z, x, 0, z), new Vector3d(1, 0, 0));
         return (slopes.least() + slopes.most()) / 2;
     }
 

@@ -45,21 +45,21 @@ class QuickRejectionTest {
 
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
-    void noRayThatHitsHasAMarginBelowZero(boolean oneStart) {
+    void noRayThatHitsHasAnOverlapBelowZero(boolean oneStart) {
         int hits = 0;
         for (Primitive primitive : primitives().toList()) {
-            hits += hitsThatKeepTheirMargin(primitive, 30, oneStart);
+            hits += hitsThatKeepTheirOverlap(primitive, 30, oneStart);
         }
         assertThat(hits).isGreaterThan(5000);
     }
 
-    /** Rounding grows with the distance of the start; the margin knows. */
+    /** Rounding grows with the distance of the start; the overlap knows. */
     @ParameterizedTest
     @MethodSource("thinOnes")
-    void rayThatStartsFarAwayAndHitsHasNoMarginBelowZero(Primitive primitive) {
+    void rayThatStartsFarAwayAndHitsHasNoOverlapBelowZero(Primitive primitive) {
         for (double distance : new double[] {1e2, 1e4, 1e6, 1e8}) {
-            assertThat(hitsThatKeepTheirMargin(primitive, distance, false)).isPositive();
-            assertThat(hitsThatKeepTheirMargin(primitive, distance, true)).isPositive();
+            assertThat(hitsThatKeepTheirOverlap(primitive, distance, false)).isPositive();
+            assertThat(hitsThatKeepTheirOverlap(primitive, distance, true)).isPositive();
         }
     }
 
@@ -76,7 +76,7 @@ class QuickRejectionTest {
                 .map(object -> PrimitiveCollector.primitivesOf(object).get(0));
     }
 
-    private int hitsThatKeepTheirMargin(Primitive primitive, double reach, boolean oneStart) {
+    private int hitsThatKeepTheirOverlap(Primitive primitive, double reach, boolean oneStart) {
         RayPacket rays = new RayPacket(RAYS);
         rays.begin(RAYS);
         Vector3d start = aims.vector(reach);
@@ -86,15 +86,15 @@ class QuickRejectionTest {
         RayStarts starts = new RayStarts();
         starts.measure(rays, 0, RAYS);
         assertThat(starts.areOne()).isEqualTo(oneStart);
-        double[] margins = new double[RAYS];
-        if (!primitive.missMargins(rays, starts, margins)) {
+        double[] overlaps = new double[RAYS];
+        if (!primitive.overlaps(rays, starts, overlaps)) {
             return 0;
         }
         int hits = 0;
         for (int i = 0; i < RAYS; i++) {
             if (primitive.distance(rays.ray(i), Primitive.NO_HIT) < Primitive.NO_HIT) {
                 hits++;
-                assertThat(margins[i])
+                assertThat(overlaps[i])
                         .as("%s, ray %d", primitive.description(), i)
                         .isGreaterThanOrEqualTo(0);
             }
@@ -106,12 +106,12 @@ class QuickRejectionTest {
     @ParameterizedTest
     @MethodSource("thinOnes")
     void rayThatPassesHalfARadiusBesideIsTold(Primitive primitive) {
-        assertThat(marginsOfRaysThatPass(primitive, 0.99)).allMatch(margin -> margin > 0);
-        assertThat(marginsOfRaysThatPass(primitive, 1.5)).allMatch(margin -> margin < 0);
+        assertThat(overlapsOfRaysThatPass(primitive, 0.99)).allMatch(overlap -> overlap > 0);
+        assertThat(overlapsOfRaysThatPass(primitive, 1.5)).allMatch(overlap -> overlap < 0);
     }
 
     /** Two rays from one start, and two from different ones. */
-    private static List<Double> marginsOfRaysThatPass(Primitive primitive, double radii) {
+    private static List<Double> overlapsOfRaysThatPass(Primitive primitive, double radii) {
         Vector3d middle = primitive.bounds().centre();
         Vector3d axis = new Vector3d(7, 1, 1);
         Vector3d direction = axis.cross(0, 0, 1, new Vector3d()).normalize();
@@ -127,10 +127,10 @@ class QuickRejectionTest {
                 rays.set(i, ray(start, direction));
             }
             starts.measure(rays, 0, 2);
-            double[] margins = new double[2];
-            assertThat(primitive.missMargins(rays, starts, margins)).isTrue();
-            all.add(margins[0]);
-            all.add(margins[1]);
+            double[] overlaps = new double[2];
+            assertThat(primitive.overlaps(rays, starts, overlaps)).isTrue();
+            all.add(overlaps[0]);
+            all.add(overlaps[1]);
         }
         return all;
     }

@@ -1,8 +1,13 @@
 package tompkins.studio;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import java.util.Random;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.ray.Colour;
 import tompkins.ray.PixelPicture;
 
@@ -18,27 +23,59 @@ class BackgroundTest {
             rgba[4 * pixel + 1] = pixel / 3;
             rgba[4 * pixel + 3] = 1;
         }
-        Background panorama = new PanoramaBackground(new PixelPicture("nine", 3, 3, rgba, new byte[0]));
-        assertThat(panorama.colour(0, 0, 1)).isEqualTo(new Colour(1, 1, 0));
-        assertThat(panorama.colour(1, 0, 0)).isEqualTo(new Colour(2, 1, 0));
-        assertThat(panorama.colour(-1, 0, 0)).isEqualTo(new Colour(0, 1, 0));
+        Background panorama = new PanoramaBackground(new PixelPicture("nine", 3, 3, rgba, new byte[0]), false);
+        assertThat(panorama.colour(0, 0, 1, 0)).isEqualTo(new Colour(1, 1, 0));
+        assertThat(panorama.colour(1, 0, 0, 0)).isEqualTo(new Colour(2, 1, 0));
+        assertThat(panorama.colour(-1, 0, 0, 0)).isEqualTo(new Colour(0, 1, 0));
         // 70 degrees up and down, straight ahead
         double level = Math.cos(Math.toRadians(70));
         double height = Math.sin(Math.toRadians(70));
-        assertThat(panorama.colour(0, height, level)).isEqualTo(new Colour(1, 0, 0));
-        assertThat(panorama.colour(0, -height, level)).isEqualTo(new Colour(1, 2, 0));
+        assertThat(panorama.colour(0, height, level, 0)).isEqualTo(new Colour(1, 0, 0));
+        assertThat(panorama.colour(0, -height, level, 0)).isEqualTo(new Colour(1, 2, 0));
         // just right and just left of straight behind
-        assertThat(panorama.colour(1e-9, 0, -1)).isEqualTo(new Colour(2, 1, 0));
-        assertThat(panorama.colour(-1e-9, 0, -1)).isEqualTo(new Colour(0, 1, 0));
+        assertThat(panorama.colour(1e-9, 0, -1, 0)).isEqualTo(new Colour(2, 1, 0));
+        assertThat(panorama.colour(-1e-9, 0, -1, 0)).isEqualTo(new Colour(0, 1, 0));
+    }
+
+    /** Against many directions in a cone: ahead, near a pole, and across the edge of the picture. */
+    @ParameterizedTest
+    @CsvSource({"0.3, 0.2, 1", "0.05, 1, -0.04", "0.02, 0.1, -1"})
+    void aFilteredPanoramaShowsTheMeanOfACone(double x, double y, double z) {
+        Random random = new Random(20261126);
+        int width = 512;
+        int height = 256;
+        float[] rgba = new float[4 * width * height];
+        for (int i = 0; i < rgba.length; i++) {
+            rgba[i] = i % 4 == 3 ? 1 : random.nextFloat();
+        }
+        PixelPicture noise = new PixelPicture("noise", width, height, rgba, new byte[0]);
+        Vector3d direction = new Vector3d(x, y, z).normalize();
+        for (double angle : new double[] {0.4, 0.8}) {
+            double sum = 0;
+            int many = 40_000;
+            for (int i = 0; i < many; i++) {
+                Vector3d aside = new Vector3d(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
+                aside.cross(direction).normalize().mul(angle / 2 * Math.sqrt(random.nextDouble()));
+                Vector3d inCone = aside.add(direction).normalize();
+                sum += new PanoramaBackground(noise, false)
+                        .colour(inCone.x, inCone.y, inCone.z, 0)
+                        .red();
+            }
+            double filtered = new PanoramaBackground(noise, true)
+                    .colour(direction.x, direction.y, direction.z, angle)
+                    .red();
+            // one direction alone differs by 0.29
+            assertThat(filtered).isCloseTo(sum / many, within(0.03));
+        }
     }
 
     @Test
     void aSkyFadesWithTheSineOfTheHeight() {
         Background sky = new SkyBackground(new Colour(0, 0, 1), new Colour(1, 0.5, 0), new Colour(0.1, 0.2, 0.3));
-        assertThat(sky.colour(0, 1, 0)).isEqualTo(new Colour(0, 0, 1));
-        assertThat(sky.colour(0, 1 + 1e-15, 0)).isEqualTo(new Colour(0, 0, 1));
-        assertThat(sky.colour(1, 0, 0)).isEqualTo(new Colour(1, 0.5, 0));
-        assertThat(sky.colour(0, 0.25, -Math.sqrt(1 - 0.0625))).isEqualTo(new Colour(0.75, 0.375, 0.25));
-        assertThat(sky.colour(0, -1e-9, 1)).isEqualTo(new Colour(0.1, 0.2, 0.3));
+        assertThat(sky.colour(0, 1, 0, 0)).isEqualTo(new Colour(0, 0, 1));
+        assertThat(sky.colour(0, 1 + 1e-15, 0, 0)).isEqualTo(new Colour(0, 0, 1));
+        assertThat(sky.colour(1, 0, 0, 0)).isEqualTo(new Colour(1, 0.5, 0));
+        assertThat(sky.colour(0, 0.25, -Math.sqrt(1 - 0.0625), 0)).isEqualTo(new Colour(0.75, 0.375, 0.25));
+        assertThat(sky.colour(0, -1e-9, 1, 0)).isEqualTo(new Colour(0.1, 0.2, 0.3));
     }
 }

@@ -174,6 +174,23 @@ class RideMomentTest {
     }
 
     /** A ride is recorded as few legs, and its film leads through the same moments. */
+    /** The numbers of a studio round the event by gamma^2 u of its distance, and the ride does not go on from that. */
+    @Test
+    void roundingGrowsWithTheSquareOfGammaAndDoesNotAddUp() {
+        RideMoment moment = RideMoment.start(Studios.sphere());
+        double worst = 0;
+        for (int i = 1; i <= 80; i++) {
+            moment = moment.after(FORWARDS, 0.1);
+            double gamma = Math.cosh(0.1 * i);
+            double allowed = gamma * gamma * 0x1p-53 * 2 * gamma;
+            Event lens = RenderPlan.of(moment.studio()).lensInScene();
+            assertThat(distance(lens, moment.rider().event())).isLessThan(4 * allowed);
+            worst = Math.max(worst, distance(lens, moment.rider().event()));
+            assertThat(moment.rider().event().time()).isCloseTo(Math.sinh(0.1 * i), within(1e-12 * gamma));
+        }
+        assertThat(worst).isGreaterThan(1e-9);
+    }
+
     @Test
     void recordedRideIsReplayed() {
         Studio start = Studios.lattice();

@@ -41,7 +41,7 @@ class StudioNumberTest {
     void placesAreWrittenAsInMessages(String place, double value) {
         StudioNumber number = StudioNumber.at(place, STUDIO);
         assertThat(number.in(STUDIO)).isCloseTo(value, within(1e-15));
-        assertThat(number.place()).hasToString(place);
+        assertThat(number.path()).hasToString(place);
         Studio changed = number.with(STUDIO, 0.3 + number.in(STUDIO));
         assertThat(number.in(changed)).isCloseTo(0.3 + value, within(1e-15));
         assertThat(number.with(changed, number.in(STUDIO)).scene()).isEqualTo(STUDIO.scene());
@@ -112,19 +112,19 @@ class StudioNumberTest {
     @CsvSource(
             delimiter = ';',
             value = {
-                "velocty.beta; place must be one that begins with title, topic, remarks, scene, cameraFrame,",
-                "velocity; place must be one that goes on after velocity with beta, gamma, rapidity, oneMinusBeta, was velocity",
-                "scene; place must be one that goes on after scene with [0] to [1], was scene",
-                "scene[2].radius; place must be one that goes on after scene with [0] to [1], was scene[2].radius",
-                "scene[1].objects[0].centre.w; place must be one that goes on after scene[1].objects[0].centre with x, y, z",
+                "velocty.beta; number must be the path of a number (the scene has title, topic, remarks, scene, cameraFrame,",
+                "velocity; number must be the path of a number (velocity has beta, gamma, rapidity, oneMinusBeta), was velocity",
+                "scene; number must be the path of a number (scene has [0] to [1]), was scene",
+                "scene[2].radius; number must be the path of a number (scene has [0] to [1]), was scene[2].radius",
+                "scene[1].objects[0].centre.w; number must be the path of a number (scene[1].objects[0].centre has x, y, z)",
                 "cameraFrame[0]; (cameraFrame is not a number that can change step by step), was cameraFrame[0]",
                 "title; (title is not a number that can change step by step), was title",
                 "settings.width; (settings.width is not a number that",
                 "velocity.beta.x; (velocity.beta is not a number that",
-                "scene..x; place must be that of a number, such as velocity.beta,",
-                "scene[99999999999]; place must be that of a number, such as velocity.beta,",
-                "''; place must be that of a number, such as velocity.beta,",
-                "0.9; place must be that of a number, such as velocity.beta,"
+                "scene..x; number must be the path of a number, such as velocity.beta,",
+                "scene[99999999999]; number must be the path of a number, such as velocity.beta,",
+                "''; number must be the path of a number, such as velocity.beta,",
+                "0.9; number must be the path of a number, such as velocity.beta,"
             })
     void otherPlacesAreRefused(String place, String message) {
         assertThatThrownBy(() -> StudioNumber.at(place, STUDIO))

@@ -8,21 +8,21 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.IntUnaryOperator;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.camera.SamplePositions;
+import tompkins.camera.Sampler;
 
 /** The slopes of theory, and what happens if a sampler is broken. */
-@Tag("slow")
 class ApertureStudyTest {
 
     private static final String PROGRAM = SamplingMethod.SOBOL.title();
 
     @Test
     void methodsFallAsTheoryAndTableSay() {
-        ApertureStudy study = study(SamplingMethod.all());
+        ApertureStudy study = study(1024, SamplingMethod.all());
         List<Measurement> all = measure(study);
         assertThat(study.findings(all))
                 .allSatisfy(finding ->
@@ -45,14 +45,12 @@ class ApertureStudyTest {
     @Test
     void samplerThatStaysInTheCentreIsFound() {
         Map<String, SamplingMethod.Factory> broken = randomAlone();
-        broken.put(PROGRAM, (seed, samples, space) -> new SamplePattern(seed) {
-            @Override
-            void startPixel(int column, int row) {}
-
-            @Override
-            void goTo(int sample) {}
+        broken.put(PROGRAM, (seed, samples, space) -> (positions, sample) -> {
+            for (int i = 0; i < positions.count(); i++) {
+                positions.choose(i, 0.5, 0.5, 0, 0, 0.5);
+            }
         });
-        ApertureStudy study = study(broken);
+        ApertureStudy study = study(256, broken);
         assertThat(study.findings(measure(study)))
                 .filteredOn(finding -> !finding.holds())
                 .hasSizeGreaterThan(4);
@@ -62,24 +60,23 @@ class ApertureStudyTest {
     @MethodSource("pixelsThatAreTakenForOne")
     void samplerThatIsTheSameInSeveralPixelsIsFound(IntUnaryOperator column, IntUnaryOperator row) {
         Map<String, SamplingMethod.Factory> broken = randomAlone();
-        broken.put(PROGRAM, (seed, samples, space) -> new SamplePattern(seed) {
-            private final SamplePattern right = SamplingMethod.SOBOL.factory().pattern(seed, samples, space);
-
-            @Override
-            void startPixel(int pixelColumn, int pixelRow) {
-                right.startPixel(column.applyAsInt(pixelColumn), row.applyAsInt(pixelRow));
-            }
-
-            @Override
-            void goTo(int sample) {
-                right.goTo(sample);
-                lensX = right.lensX;
-                lensY = right.lensY;
-                x = right.x;
-                y = right.y;
-            }
+        broken.put(PROGRAM, (seed, samples, space) -> {
+            Sampler right = SamplingMethod.SOBOL.factory().sampler(seed, samples, space);
+            SamplePositions other = new SamplePositions(SamplePattern.PIXELS);
+            Position position = new Position();
+            return (positions, sample) -> {
+                other.clear();
+                for (int i = 0; i < positions.count(); i++) {
+                    other.addPixel(column.applyAsInt(positions.column(i)), row.applyAsInt(positions.row(i)));
+                }
+                right.choose(other, sample);
+                for (int i = 0; i < positions.count(); i++) {
+                    position.goTo(other, i);
+                    positions.choose(i, position.x, position.y, position.lensX, position.lensY, position.moment);
+                }
+            };
         });
-        ApertureStudy study = study(broken);
+        ApertureStudy study = study(64, broken);
         assertThat(study.findings(measure(study)))
                 .filteredOn(finding -> !finding.holds())
                 .anySatisfy(finding -> assertThat(finding.criterion()).contains("err independently"));
@@ -87,9 +84,9 @@ class ApertureStudyTest {
 
     /** All pixels, those of a column, those of a row, and pairs of neighbours in both directions. */
     static Stream<Arguments> pixelsThatAreTakenForOne() {
-        IntUnaryOperator all = place -> 0;
-        IntUnaryOperator none = place -> place;
-        IntUnaryOperator pairs = place -> place / 2;
+        IntUnaryOperator all = position -> 0;
+        IntUnaryOperator none = position -> position;
+        IntUnaryOperator pairs = position -> position / 2;
         return Stream.of(arguments(all, all), arguments(none, all), arguments(all, none), arguments(pairs, pairs));
     }
 
@@ -99,8 +96,8 @@ class ApertureStudyTest {
         return methods;
     }
 
-    private static ApertureStudy study(Map<String, SamplingMethod.Factory> methods) {
-        return new ApertureStudy(Map.of(), 7, 1024, 1, methods, PROGRAM);
+    private static ApertureStudy study(int mostSamples, Map<String, SamplingMethod.Factory> methods) {
+        return new ApertureStudy(Map.of(), new SamplingStudy.Comparison(7, mostSamples, 1, methods, PROGRAM));
     }
 
     private static List<Measurement> measure(Study study) {

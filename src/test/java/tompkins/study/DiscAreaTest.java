@@ -32,34 +32,34 @@ class DiscAreaTest {
     @Test
     void sharesOfGrids() {
         SplittableRandom random = new SplittableRandom(5);
-        for (ExactProblem problem : ExactProblem.values()) {
+        for (ExactProblem problem : LensProblems.ALL) {
             for (int i = 0; i < 4; i++) {
-                ExactProblem.Instance instance = problem.instance(random);
+                ExactProblem.Instance instance = problem.instances().apply(random);
                 double sum = gridMean(
                         problem.space().hasPixel(),
-                        place -> instance.integrand().value(place));
-                assertThat(instance.exact()).as("%s %d", problem, i).isEqualTo(sum, within(3e-3));
+                        position -> instance.integrand().value(position));
+                assertThat(instance.exact()).as("%s %d", problem.key(), i).isEqualTo(sum, within(3e-3));
             }
         }
     }
 
     /** The mean over a grid on the lens and, if wanted, in the pixel; wrong by at most a part of a cell along edges. */
-    private static double gridMean(boolean pixelToo, ToDoubleFunction<SamplePattern> integrand) {
+    private static double gridMean(boolean pixelToo, ToDoubleFunction<Position> integrand) {
         int lens = pixelToo ? 100 : 600;
         int pixel = pixelToo ? 12 : 1;
-        RandomPattern place = new RandomPattern(1, SampledSpace.LENS);
+        Position position = new Position();
         double sum = 0;
         int count = 0;
         for (int i = 0; i < lens * lens; i++) {
-            place.lensX = (i % lens + 0.5) / lens * 2 - 1;
-            place.lensY = (i / lens + 0.5) / lens * 2 - 1;
-            if (place.lensX * place.lensX + place.lensY * place.lensY > 1) {
+            position.lensX = (i % lens + 0.5) / lens * 2 - 1;
+            position.lensY = (i / lens + 0.5) / lens * 2 - 1;
+            if (position.lensX * position.lensX + position.lensY * position.lensY > 1) {
                 continue;
             }
             for (int j = 0; j < pixel * pixel; j++) {
-                place.x = (j % pixel + 0.5) / pixel;
-                place.y = (j / pixel + 0.5) / pixel;
-                sum += integrand.applyAsDouble(place);
+                position.x = (j % pixel + 0.5) / pixel;
+                position.y = (j / pixel + 0.5) / pixel;
+                sum += integrand.applyAsDouble(position);
                 count++;
             }
         }

@@ -8,10 +8,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.Thorough;
+import tompkins.camera.PixelSampler;
 import tompkins.io.BundledScenes;
 import tompkins.studio.Studio;
 
@@ -21,26 +22,30 @@ class ExposureStudyTest {
     private static final String PROGRAM = SamplingMethod.SOBOL.title();
 
     @ParameterizedTest
-    @EnumSource
-    void exactAnswersAreSumsOverGrids(MotionProblem problem) {
+    @MethodSource("problems")
+    void exactAnswersAreSumsOverGrids(ExactProblem problem) {
         SplittableRandom random = new SplittableRandom(3);
         for (int i = 0; i < 6; i++) {
-            ExactProblem.Instance instance = problem.instance(random);
-            assertThat(instance.exact()).as("%s %d", problem, i).isEqualTo(gridMean(instance), within(1e-3));
+            ExactProblem.Instance instance = problem.instances().apply(random);
+            assertThat(instance.exact()).as("%s %d", problem.key(), i).isEqualTo(gridMean(instance), within(1e-3));
         }
     }
 
+    static List<ExactProblem> problems() {
+        return MotionProblems.ALL;
+    }
+
     private static double gridMean(ExactProblem.Instance instance) {
-        RandomPattern place = new RandomPattern(1, SampledSpace.TIME_AND_PIXEL);
+        Position position = new Position();
         int side = 20;
         int times = 4000;
         double sum = 0;
         for (int i = 0; i < side * side; i++) {
-            place.x = (i % side + 0.5) / side;
-            place.y = (i / side + 0.5) / side;
+            position.x = (i % side + 0.5) / side;
+            position.y = (i / side + 0.5) / side;
             for (int j = 0; j < times; j++) {
-                place.moment = (j + 0.5) / times;
-                sum += instance.integrand().value(place);
+                position.moment = (j + 0.5) / times;
+                sum += instance.integrand().value(position);
             }
         }
         return sum / (side * side * times);
@@ -48,7 +53,7 @@ class ExposureStudyTest {
 
     @Test
     void methodsFallAsTheorySays() {
-        ExposureStudy study = study(SamplingMethod.inTime());
+        ExposureStudy study = study(1024, SamplingMethod.inTime());
         List<Measurement> all = measure(study);
         assertThat(study.findings(all))
                 .allSatisfy(finding ->
@@ -60,27 +65,27 @@ class ExposureStudyTest {
     void samplerThatStaysInOneInstantIsFound() {
         Map<String, SamplingMethod.Factory> broken = new LinkedHashMap<>();
         broken.put(SamplingMethod.RANDOM.title(), SamplingMethod.RANDOM.factory());
-        broken.put(PROGRAM, (seed, samples, space) -> new ProgramPattern(seed, SampledSpace.LENS_AND_PIXEL));
-        ExposureStudy study = study(broken);
+        broken.put(PROGRAM, (seed, samples, space) -> new PixelSampler(seed, true, false));
+        ExposureStudy study = study(256, broken);
         assertThat(study.findings(measure(study)))
                 .filteredOn(finding -> !finding.holds())
-                .hasSizeGreaterThanOrEqualTo(2 * MotionProblem.values().length);
+                .hasSizeGreaterThanOrEqualTo(2 * MotionProblems.ALL.size());
     }
 
-    private static ExposureStudy study(Map<String, SamplingMethod.Factory> methods) {
-        return new ExposureStudy(Map.of(), 7, 1024, 1, methods, PROGRAM);
+    private static ExposureStudy study(int mostSamples, Map<String, SamplingMethod.Factory> methods) {
+        return new ExposureStudy(Map.of(), new SamplingStudy.Comparison(7, mostSamples, 1, methods, PROGRAM));
     }
 
     /** What {@code --error} promises, of the scenes with an exposure time or a rolling shutter. */
     @Test
-    @Tag("slow")
+    @Thorough
     void errorIsAsPromisedWithLongExposures() throws IOException {
         Map<String, Studio> exposed = new LinkedHashMap<>();
         for (String name : List.of("long-exposure", "rolling-slit", "rolling-fence")) {
             exposed.put(name, BundledScenes.studio(name + ".json"));
         }
 
-        List<Measurement> all = new PromisedErrors(exposed, 1, 40, 256)
+        List<Measurement> all = new PromisedErrors(exposed, Map.of(), 1, 40, 256)
                 .trials().stream().map(Trial::measure).toList();
 
         assertThat(all).hasSize(27);

@@ -13,16 +13,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.TestRun;
 import tompkins.studio.PaperStudios;
+import tompkins.studio.Studio;
 
 /** The studies find what theory says, keep their figures, and draw them. */
-@Tag("slow")
 class StudiesTest {
 
     private static final Study PRECISION = new PrecisionStudy(5);
@@ -49,12 +49,12 @@ class StudiesTest {
     }
 
     static List<Study> studies() {
-        return List.of(
-                PRECISION,
-                new DepthStudy(),
-                new StabilityStudy(3),
-                new AntialiasingStudy(
-                        Map.of("fig1b", PaperStudios.fig1b()), Map.of("fig1b", PaperStudios.fig1b()), 3, 72, 1024));
+        List<Study> studies = new ArrayList<>(List.of(PRECISION, new DepthStudy(), new StabilityStudy(3)));
+        if (TestRun.THOROUGH) {
+            Map<String, Studio> figure = Map.of("fig1b", PaperStudios.fig1b());
+            studies.add(new AntialiasingStudy(figure, figure, Map.of(), 3, 72, 1024));
+        }
+        return studies;
     }
 
     /** The powers of gamma of the theory: rounding of nearly equal numbers costs gamma twice, half angles once. */
@@ -106,6 +106,23 @@ class StudiesTest {
         assertThat(findings.get(1).holds()).isFalse();
     }
 
+    @Test
+    void lightThatIsMissingIsFound() {
+        for (double error : new double[] {0.0019, 0.0021}) {
+            for (double light : new double[] {0.019, 0.021}) {
+                List<Measurement> all = List.of(sparse("promise", error), sparse("light", light));
+                List<Finding> findings = PromisedErrors.findings(all);
+                assertThat(findings.get(2).holds()).isEqualTo(error < 0.002);
+                assertThat(findings.get(3).holds()).isEqualTo(light < 0.02);
+            }
+        }
+    }
+
+    private static Measurement sparse(String problem, double error) {
+        String run = problem + ":scene:seed 1";
+        return new Measurement(run, "sparse light", 0.001, 1, Spread.exact(1), Spread.exact(error), error, 0);
+    }
+
     /** Runs that err as promised, and runs that err by 1.3 times as much. */
     private static List<Measurement> promised(int kept, int broken, double floor) {
         List<Measurement> runs = new ArrayList<>();
@@ -119,7 +136,7 @@ class StudiesTest {
 
     @Test
     void treeFindsWhatTheListFinds() {
-        Study study = new TreeStudy(3, 1000, 1);
+        Study study = new TreeStudy(3, TestRun.cases(200, 1000), 1);
         assertThat(measure(study))
                 .allSatisfy(point -> assertThat(point.maximum()).isZero());
     }
@@ -174,7 +191,7 @@ class StudiesTest {
     @ValueSource(ints = {0, 1, 3})
     void pictureThatNobodyWaitsForIsMeasuredNoMore(int wanted) {
         List<Measurement> shown = new ArrayList<>();
-        PictureStudy study = new PictureStudy(PaperStudios.fig1b(), () -> shown.size() == wanted);
+        PictureStudy study = new PictureStudy("picture", PaperStudios.fig1b(), 1, 80, 64, () -> shown.size() == wanted);
 
         assertThatThrownBy(() -> study.measure(points -> shown.add(points.get(points.size() - 1))))
                 .isInstanceOf(CancellationException.class);

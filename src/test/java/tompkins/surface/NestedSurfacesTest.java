@@ -26,6 +26,12 @@ class NestedSurfacesTest {
                 return new Tiling(Clear.DEFAULT, inner, 1, 1, true);
             }
         },
+        SIDE {
+            @Override
+            Surface around(Surface inner) {
+                return new TwoSided(inner, Clear.DEFAULT);
+            }
+        },
         DARK {
             @Override
             Surface around(Surface inner) {

@@ -26,7 +26,7 @@ class RefractiveTest {
         Ray ray = Ray.from(0, 0, 0, dx, 0, dz, 0).dimmed(WEAK);
         Hit hit = Hit.blank().set(ray, 1, 0, 0, -1, null, 0, null);
 
-        Response response = new Refractive(1.5).respond(ray, hit, null);
+        Response response = new Refractive(1.5).respond(ray, hit, DarkTracer.DARK);
 
         assertThat(response.next().dz).isCloseTo(mirrored ? -dz : Math.sqrt(1 - dx * dx / 2.25), within(1e-15));
         assertThat(response.next().throughput).isEqualTo(WEAK);

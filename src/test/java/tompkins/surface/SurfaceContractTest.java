@@ -67,7 +67,7 @@ class SurfaceContractTest {
                 Hit hit = hit(ray, surface);
                 Response response = surface.respond(ray, hit, DarkTracer.DARK);
                 Ray next = response.next();
-                if (surface.throwsShadowAt(hit)) {
+                if (surface.throwsShadowAt(ray, hit)) {
                     boolean passes = next != null && hit.cosine(next) * hit.cosine(ray) > 0;
                     assertThat(passes)
                             .as("light passes where %s throws a shadow", surface)
@@ -88,7 +88,8 @@ class SurfaceContractTest {
         for (int seed = 0; seed < SURFACES; seed++) {
             Surface surface = RandomStudio.surface(seed, type);
             for (int i = 0; i < HITS && surface.shadow() != Shadow.BY_POINT; i++) {
-                assertThat(surface.throwsShadowAt(hit(ray(), surface)))
+                Ray ray = ray();
+                assertThat(surface.throwsShadowAt(ray, hit(ray, surface)))
                         .as("shadow of %s", surface)
                         .isEqualTo(surface.shadow() == Shadow.ALWAYS);
             }

@@ -3,7 +3,9 @@ package tompkins.trace;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
@@ -13,10 +15,17 @@ import org.junit.jupiter.params.provider.EnumSource;
 import tompkins.camera.CameraMotion;
 import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
+import tompkins.ray.RayPacket;
+import tompkins.sceneobject.Moving;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
+import tompkins.spacetime.Event;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
+import tompkins.surface.Mirror;
 import tompkins.surface.Refractive;
 
 /** A camera that moves through a ball of glass at rest, in whose middle it is at time 0. */
@@ -48,6 +57,41 @@ class MovingMediumTest {
             assertThat(edge.event().position().length()).isCloseTo(RADIUS, within(1e-12));
             assertThat(edge.event().time()).isCloseTo(-RADIUS * INDEX, within(1e-12));
         }
+    }
+
+    /** To a mirror 1 before the lens that moves with it, back to the lens, and 3 to the edge behind it. */
+    @ParameterizedTest
+    @EnumSource
+    void aMirrorShowsWhatIsBehindACameraAtRest(TransformationLaw law) {
+        Studio studio = plan(law, new Vector3d(), new Vector3d(0, 0, 1))
+                .studio()
+                .withCameraFrame(List.of(new Plane("", new Vector3d(0, 0, 1), new Vector3d(0, 0, -1), Mirror.DEFAULT)));
+        RayLife life = RayLife.of(RenderPlan.of(studio), 0.5, 0.5, 0, 0);
+        Event edge = life.mainHits().get(1).event();
+
+        assertThat(edge.position().distance(new Vector3d(0, 0, -RADIUS))).isLessThan(1e-12);
+        assertThat(edge.time()).isCloseTo(-(1 + 1 + RADIUS) * INDEX, within(1e-12));
+    }
+
+    /** Beside a cone the camera outruns all light, so that the last ray of the block has none. */
+    @Test
+    void aBlockThatEndsInDarknessIsThatOfItsSamples() {
+        Studio studio = plan(TransformationLaw.LORENTZ, new Vector3d(0, 0, 0.9), new Vector3d(0.3, -0.3, 1))
+                .studio();
+        List<SceneObject> scene = new ArrayList<>(studio.scene());
+        scene.add(new Plane("wall", new Vector3d(0, 0, 2), new Vector3d(0, 0, -1), ColouredSurface.DEFAULT));
+        scene.add(new Moving("", Velocity.of(new Vector3d(0.5, 0, 0)), new Vector3d(), 0, List.of(Sphere.DEFAULT)));
+        RenderPlan plan = RenderPlan.of(
+                studio.withScene(scene).withSettings(studio.settings().withSize(RayPacket.SIDE, RayPacket.SIDE)));
+        SampleTracer single = plan.tracer(new RayCounts());
+        List<Colour> colours = new ArrayList<>();
+        plan.tracer(new RayCounts()).sampleBlock(0, 0, RayPacket.SIDE, RayPacket.SIDE, 1, 0, (column, row, colour) -> {
+            assertThat(colour).isEqualTo(single.sample(column, row, 0));
+            colours.add(colour);
+        });
+
+        assertThat(colours).hasSize(RayPacket.MOST).contains(Colour.BLACK).endsWith(Colour.BLACK);
+        assertThat(Set.copyOf(colours)).hasSizeGreaterThan(10);
     }
 
     /**

@@ -7,16 +7,27 @@ import static org.assertj.core.api.InstanceOfAssertFactories.STRING;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.camera.Camera;
 import tompkins.camera.CameraMotion;
 import tompkins.camera.ThinLensCamera;
+import tompkins.light.AmbientLight;
+import tompkins.light.PointLight;
+import tompkins.light.Pulse;
 import tompkins.property.Descriptions;
+import tompkins.property.NumberText;
+import tompkins.ray.Colour;
+import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Cylinder;
+import tompkins.sceneobject.Disc;
+import tompkins.sceneobject.Ellipsoid;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
@@ -31,10 +42,14 @@ import tompkins.shutter.SweepDirection;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.Lighting;
 import tompkins.studio.Studio;
 import tompkins.surface.Clock;
 import tompkins.surface.ColouredSurface;
+import tompkins.surface.IdealLens;
 import tompkins.surface.Mirror;
+import tompkins.surface.Surface;
+import tompkins.surface.TwoSided;
 
 /** Each sentence about a picture, for a scene of which it is true, with numbers that were counted by hand. */
 class PlanSentencesTest {
@@ -44,6 +59,8 @@ class PlanSentencesTest {
             new Plane("wall", new Vector3d(0, 0, 10), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT);
 
     /** A ball at rest before a camera at rest; 64 x 48 pixels. */
+    private static final Vector3d ALONG = new Vector3d(0, 0, 1);
+
     private static final Studio REST = Studio.DEFAULT
             .withScene(List.of(BALL))
             .withSettings(Studio.DEFAULT.settings().withSize(64, 48));
@@ -135,23 +152,20 @@ class PlanSentencesTest {
                 says(
                         "detector",
                         with(MOVING, DetectorPlaneShutter.DEFAULT),
-                        "The time at the lens is worked out for each ray: different pixels may see the scene from different"
-                                + " places."),
+                        "Each ray crosses the lens at its own time, so pixels can have different viewpoints in the scene."),
                 says(
                         "48 rows",
                         rolling,
-                        "The shutter rolls down: each of 48 lines opens 0.125 after the one before it, which costs nothing."),
+                        "The shutter rolls down: each of 48 lines opens 0.125 after the one before it, which is free."),
                 says(
                         "64 columns",
                         aside,
-                        "The shutter rolls right: each of 64 lines opens 0.0938 after the one before it, which costs"
-                                + " nothing."),
+                        "The shutter rolls right: each of 64 lines opens 0.0938 after the one before it, which is free."),
                 says(
                         "unknown blur",
                         exposed.withSettings(exposed.settings().withSize(1, 48)),
-                        "The shutter stays open for 0.5: what is seen in the middle of the picture moves by an unknown length"
-                                + " meanwhile, in the worst corner by an unknown length. Each sample has a moment of its own,"
-                                + " which costs nothing; blur takes more samples."),
+                        "The shutter stays open for 0.5: objects in the middle of the picture move by an unknown length"
+                                + " meanwhile, in a corner by an unknown length. This is free; smooth blur needs more samples."),
                 says(
                         "nothing",
                         REST.withScene(List.of()),
@@ -163,11 +177,11 @@ class PlanSentencesTest {
                 says(
                         "one companion",
                         REST.withCameraFrame(List.of(BALL)),
-                        "1 primitive moves with the camera and is searched first: nothing in the scene can hide it."),
+                        "1 primitive moves with the camera and is drawn in front of everything in the scene."),
                 says(
                         "two companions",
                         REST.withCameraFrame(List.of(BALL, WALL)),
-                        "2 primitives move with the camera and are searched first: nothing in the scene can hide them."),
+                        "2 primitives move with the camera and are drawn in front of everything in the scene."),
                 says("dull", REST, "No mirrors, glass, windows or filters: each ray ends where it hits."),
                 says(
                         "mirror",
@@ -196,7 +210,7 @@ class PlanSentencesTest {
         assertThat(List.of(
                         "The camera",
                         "A wide|A pinhole",
-                        "All light|At each moment|The time at|Nothing in",
+                        "All light|At each moment|Each ray crosses|Nothing in",
                         ".*primitives? in the scene|The scene holds",
                         ".*with the camera",
                         "No mirrors|Some surfaces"))
@@ -225,5 +239,69 @@ class PlanSentencesTest {
 
     private static Studio past(Velocity velocity) {
         return REST.withScene(List.of(new Moving("passing", velocity, new Vector3d(), 0, List.of(BALL))));
+    }
+
+    /** The ball is met at (0, 0, 9), 5 away from the lamp at (0, 3, 5): light is there 14 before the picture. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+                    0 | 0.5 | 0 | 14 too early. It would be lit with an opening time from 14 to 14.5 (now 0).
+                    -20 | 0.5 | 0 | 5.5 too late. It would be lit with an opening time from -6 to -5.5 (now 0).
+                    -14 | 0.5 | 0 | then it was on. It is lit with an opening time from 0 to 0.5 (now 0).
+                    -1 | 0.5 | 4 | 1 too early. It would be lit with an opening time from 1 to 1.5 (now 0).
+                    """)
+    void saysWhenAFlashIsSeen(double start, double duration, double period, String end) {
+        assertThat(RenderPlan.of(flashed(new Pulse(start, duration, period))).sentences())
+                .contains("Lamp 1 flashes for 0.5 at " + NumberText.of(start) + " of its own time"
+                        + (period == 0 ? "" : ", and again every 4")
+                        + ". What the middle of the picture shows was reached by light that left it at -14: " + end);
+    }
+
+    private static Studio flashed(Pulse flash) {
+        PointLight lamp = new PointLight(new Vector3d(0, 3, 5), Colour.WHITE, Colour.WHITE, 1, flash);
+        return Lighting.of(REST, List.of(AmbientLight.DEFAULT, lamp));
+    }
+
+    @Test
+    void saysThatNoFlashLightsTheSky() {
+        String sentence = "Lamps flash, but the middle of the picture shows nothing that they could light.";
+        Studio lit = flashed(new Pulse(-14, 0.5, 0));
+        assertThat(RenderPlan.of(lit).sentences()).doesNotContain(sentence);
+        assertThat(RenderPlan.of(lit.withScene(List.of())).sentences()).contains(sentence);
+        assertThat(RenderPlan.of(REST.withScene(List.of())).sentences()).doesNotContain(sentence);
+    }
+
+    @Test
+    void warnsOfFlashesThatLightNothing() {
+        assertThat(RenderPlan.of(flashed(new Pulse(1, 0.5, 0))).warnings())
+                .singleElement(as(STRING))
+                .startsWith("no flash lights anything in the picture at this opening time: something is lit with");
+        assertThat(RenderPlan.of(flashed(new Pulse(-14, 1e-10, 0))).warnings())
+                .anyMatch(warning -> warning.startsWith("the flash of lamp 1 is so short"));
+        assertThat(RenderPlan.of(flashed(new Pulse(-14, 0.5, 0))).warnings()).isEmpty();
+        Studio lit = Lighting.of(REST, List.of(PointLight.DEFAULT, (PointLight)
+                flashed(new Pulse(1, 0.5, 0)).lights().get(1)));
+        assertThat(RenderPlan.of(lit).warnings()).isEmpty();
+    }
+
+    static Stream<Arguments> lenses() {
+        Surface hidden = new TwoSided(ColouredSurface.DEFAULT, IdealLens.DEFAULT);
+        return Stream.of(
+                Arguments.of(new Sphere("ball", new Vector3d(0, 0, 10), 1, IdealLens.DEFAULT), true),
+                Arguments.of(new Cylinder("rod", new Vector3d(), ALONG, 1, true, hidden), true),
+                Arguments.of(new Ellipsoid("egg", new Vector3d(), new Vector3d(1, 2, 3), Mirror.DEFAULT), false),
+                Arguments.of(new Disc("disc", new Vector3d(0, 0, 10), ALONG, 1, IdealLens.DEFAULT), false),
+                Arguments.of(new Plane("plane", new Vector3d(0, 0, 10), ALONG, IdealLens.DEFAULT), false),
+                Arguments.of(new Box("box", new Vector3d(-1, -1, 9), new Vector3d(1, 1, 10), hidden), false));
+    }
+
+    @ParameterizedTest
+    @MethodSource("lenses")
+    void warnsOfIdealLensesThatAreRound(SceneObject object, boolean isRound) {
+        String warning = "an IdealLens is for flat objects; \"" + object.description()
+                + "\" is round, and what is seen through it means nothing";
+        List<SceneObject> objects = List.of(object);
+        Stream.of(REST.withScene(objects), REST.withScene(List.of()).withCameraFrame(objects))
+                .map(studio -> RenderPlan.of(studio).warnings())
+                .forEach(warnings -> assertThat(warnings).isEqualTo(isRound ? List.of(warning) : List.of()));
     }
 }

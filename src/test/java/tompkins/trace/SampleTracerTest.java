@@ -33,11 +33,6 @@ class SampleTracerTest {
         }
 
         @Override
-        public boolean wants(int column, int row) {
-            return true;
-        }
-
-        @Override
         public boolean isStopped() {
             return rays++ >= raysBefore;
         }

@@ -25,10 +25,12 @@ import tompkins.sceneobject.Cone;
 import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Disc;
+import tompkins.sceneobject.Ellipsoid;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Placed;
+import tompkins.sceneobject.Rotating;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Silhouette;
 import tompkins.sceneobject.Sphere;
@@ -55,14 +57,19 @@ import tompkins.surface.Clear;
 import tompkins.surface.Clock;
 import tompkins.surface.ColourFilter;
 import tompkins.surface.ColouredSurface;
+import tompkins.surface.ConfocalLensletArray;
 import tompkins.surface.CutOut;
 import tompkins.surface.GalileoWindow;
+import tompkins.surface.IdealLens;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.LuminousSurface;
 import tompkins.surface.Mirror;
+import tompkins.surface.Mixture;
 import tompkins.surface.PictureSurface;
 import tompkins.surface.Refractive;
 import tompkins.surface.Surface;
+import tompkins.surface.Tiling;
+import tompkins.surface.TwoSided;
 import tompkins.surface.WindowAxes;
 
 /** Studios in which rays take every kind of way: what makes a search hard, one thing at a time and all at once. */
@@ -138,6 +145,15 @@ public final class VariedStudios {
                         samples(wide(moving(crowd()).withCameraFrame(List.of(window(4, galileo)))), 2)),
                 Named.of("Lorentz window in the scene", moving(with(crowd(), window(2, tilted)))),
                 Named.of("Galileo window in the scene", moving(with(crowd(), window(2, galileo)))),
+                Named.of(
+                        "telescope before the lens",
+                        moving(crowd())
+                                .withCameraFrame(List.of(
+                                        window(1, new IdealLens(-1, 0.5, 0.5, 1)),
+                                        window(3, new IdealLens(3, 0.5, 0.5, 0.9))))),
+                Named.of(
+                        "lenslets in the scene",
+                        moving(with(crowd(), window(2, new ConfocalLensletArray(1.2, -0.8, 0.1, 0, 0.9))))),
                 Named.of(
                         "crowd before the lens",
                         Lighting.of(
@@ -221,6 +237,7 @@ public final class VariedStudios {
                 Metering.MIDDLE,
                 Studio.DEFAULT.settings(),
                 List.of(),
+                List.of(),
                 NoLesson.DEFAULT);
         return studio.withSettings(studio.settings().withSize(80, 60));
     }
@@ -244,6 +261,10 @@ public final class VariedStudios {
                 Named.of("moving crowds", studio),
                 Named.of("moving crowds through a wide aperture", samples(wide(studio), 2)),
                 Named.of("moving crowds before a camera at rest", studio.withVelocity(Velocity.REST)),
+                Named.of("wheels", wheels(lit)),
+                Named.of("wheels, shifted colours", wheels(lit).withColours(ColourLaw.DOPPLER)),
+                Named.of("wheels, Galilean world", wheels(lit).withTransformation(TransformationLaw.GALILEAN)),
+                Named.of("wheels, measured", wheels(lit).withView(View.MEASURED)),
                 Named.of("moving lamps", lit),
                 Named.of("moving lamps, shifted colours", lit.withColours(ColourLaw.DOPPLER)),
                 Named.of("moving lamps, Galilean world", lit.withTransformation(TransformationLaw.GALILEAN)),
@@ -251,6 +272,25 @@ public final class VariedStudios {
                 Named.of(
                         "moving dust",
                         moving(List.of(flying(right, dust()))).withCameraFrame(List.of(window(3, Clear.DEFAULT)))));
+    }
+
+    /** Wheels at rest and in motion, with spokes, a clock, mirrors and parts that light passes. */
+    private static Studio wheels(Studio studio) {
+        List<SceneObject> parts = new ArrayList<>();
+        for (int i = 0; i < 30; i++) {
+            double angle = Math.PI * i / 15;
+            Vector3d end = new Vector3d(Math.cos(angle), Math.sin(angle), 0);
+            parts.add(new Cylinder("spoke", new Vector3d(end).mul(0.1), end, 0.02, i % 3 > 0, GREY));
+        }
+        Vector3d forwards = new Vector3d(0, 0, 1);
+        parts.add(new Cylinder("tyre", new Vector3d(0, 0, -0.1), new Vector3d(0, 0, 0.1), 1, false, Tiling.DEFAULT));
+        parts.add(new Disc(
+                "clock", new Vector3d(0.6, 0.2, -0.2), forwards, 0.2, new Clock(2, GREY, Clear.DEFAULT, true)));
+        parts.add(new Sphere("mirror", new Vector3d(-0.6, 0.2, 0), 0.2, new Mirror(0.9)));
+        Rotating wheel = new Rotating("wheel", new Vector3d(), forwards, -0.9, 20, parts);
+        SceneObject left = new Placed("left", wheel, 0.7, new Vector3d(0, 1, 0), 30, new Vector3d(-0.8, 0, 4));
+        SceneObject right = new Placed("right", wheel, 1, new Vector3d(0, 1, 0), 0, new Vector3d(0.8, 0.2, 5));
+        return studio.withScene(with(List.of(left, few().get(0)), flying(Velocity.of(0.5, 0, 0), List.of(right))));
     }
 
     private static Moving flying(Velocity velocity, List<SceneObject> objects) {
@@ -263,7 +303,7 @@ public final class VariedStudios {
 
     /** Balls of glass that have flown into each other keep most light; all of it would take minutes. */
     private static Studio shallow(Studio studio) {
-        return studio.withSettings(studio.settings().withMaximumDepth(16));
+        return studio.withSettings(studio.settings().withMaximumDepth(10));
     }
 
     private static Studio samples(Studio studio, int samples) {
@@ -286,9 +326,17 @@ public final class VariedStudios {
                         up,
                         new CutOut(chequers, new Mirror(0.9), Clear.DEFAULT)),
                 new Sphere("glass", new Vector3d(0, 0, 6), 0.5, new Refractive(1.5)),
+                new Ellipsoid("ellipsoid", new Vector3d(0.3, -0.7, 5.5), new Vector3d(0.3, 0.15, 0.2), GREY),
                 new Sphere("mirror", new Vector3d(-1, -0.5, 7), 0.4, new Mirror(0.9)),
                 new Sphere("filter", new Vector3d(1, -0.6, 7), 0.3, new ColourFilter(new Colour(0.9, 0.5, 0.2))),
                 new Box("box", new Vector3d(0.8, 0.6, 8), new Vector3d(1.4, 1.2, 9), GREY),
+                new Cylinder(
+                        "tube",
+                        new Vector3d(-0.6, 0.1, 6),
+                        new Vector3d(-0.9, 0.4, 7),
+                        0.15,
+                        false,
+                        new TwoSided(GREY, new Mixture(GREY, Clear.DEFAULT, 0.4))),
                 new Placed(
                         "placed",
                         new Box("box", new Vector3d(), right.add(0, 1, 1, new Vector3d()), Clear.DEFAULT),
@@ -298,7 +346,7 @@ public final class VariedStudios {
                         new Vector3d(-0.5, 0.8, 7)),
                 new Placed(
                         "placed mesh",
-                        new TriangleMesh("mesh", MeshData.OCTAHEDRON, new PictureSurface(chequers, false)),
+                        new TriangleMesh("mesh", MeshData.OCTAHEDRON, new PictureSurface(chequers, false, true), true),
                         0.3,
                         new Vector3d(1, 1, 0),
                         20,

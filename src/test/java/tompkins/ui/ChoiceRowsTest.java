@@ -24,7 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
-import tompkins.ui.panel.ComparePanel;
+import tompkins.ui.compare.ComparePanel;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.Texts;
 

@@ -115,7 +115,7 @@ public final class Components {
     }
 
     /** Lays out a component of a given size with all that is in it. */
-    static void layOut(Component component) {
+    public static void layOut(Component component) {
         component.invalidate();
         component.doLayout();
         if (component instanceof Container container) {

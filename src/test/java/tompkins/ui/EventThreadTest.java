@@ -12,16 +12,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicLong;
 import javax.swing.JSlider;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.Thorough;
 import tompkins.studio.Studios;
 
 /** Drags sliders for ten seconds and reports how long the event thread was busy with one event at most. */
 @Timeout(300)
 @NeedsDisplay
-@Tag("slow")
+@Thorough
 class EventThreadTest {
 
     private static final long DRAG_NANOSECONDS = 10_000_000_000L;
@@ -70,7 +70,7 @@ class EventThreadTest {
             long end = System.nanoTime() + DRAG_NANOSECONDS;
             while (System.nanoTime() < end) {
                 drag(driver, driver.find(JSlider.class, "Speed, slider"));
-                drag(driver, driver.find(JSlider.class, "Opens at, slider"));
+                drag(driver, driver.find(JSlider.class, "Opening time, slider"));
             }
             driver.completePicture();
         } finally {

@@ -14,7 +14,7 @@ import tompkins.io.BundledScenes;
 import tompkins.property.Descriptions;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
-import tompkins.ui.panel.ComparePanel;
+import tompkins.ui.compare.ComparePanel;
 import tompkins.ui.picture.PictureCanvas;
 
 /** What a window shows first: the program's own scene beside itself at rest, a scene of the user alone. */

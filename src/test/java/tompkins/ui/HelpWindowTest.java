@@ -1,11 +1,13 @@
 package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Component;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
 import java.nio.file.Path;
 import java.util.List;
@@ -31,6 +33,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.camera.PanoramicCamera;
 import tompkins.studio.Studios;
+import tompkins.ui.help.HelpPage;
+import tompkins.ui.help.HelpWindow;
 import tompkins.ui.widget.Look;
 
 /** The documents in the window, read with mouse and keys. */
@@ -59,25 +63,34 @@ class HelpWindowTest {
         return ((JDialog) SwingUtilities.getWindowAncestor(text)).getTitle();
     }
 
-    /** Clicks on the first link to an address. */
-    private void follow(String address) {
-        driver.click(place(address));
-    }
-
-    /** The place on the screen of the first link to an address, which is scrolled into view. */
-    private Point place(String address) {
-        WindowDriver.anchor(text);
-        return WindowDriver.onEventThread(() -> {
+    /** Clicks on the first link to an address, right of its beginning and below that. */
+    private void clickBeside(String address, int right, int below) {
+        // at once: a window manager may still move the window
+        WindowDriver.onEventThread(() -> {
             HTMLDocument document = (HTMLDocument) text.getDocument();
             HTMLDocument.Iterator links = document.getIterator(HTML.Tag.A);
             while (!address.equals(href(links.getAttributes()))) {
                 links.next();
             }
-            Rectangle start = text.modelToView2D(links.getStartOffset() + 1).getBounds();
+            Rectangle start = placeOf(links.getStartOffset() + 1).getBounds();
             text.scrollRectToVisible(start);
-            Point onScreen = text.getLocationOnScreen();
-            return new Point(onScreen.x + start.x + 2, onScreen.y + start.y + start.height / 2);
+            for (int event : List.of(MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED, MouseEvent.MOUSE_CLICKED)) {
+                text.dispatchEvent(new MouseEvent(
+                        text,
+                        event,
+                        0,
+                        0,
+                        start.x + right,
+                        start.y + start.height / 2 + below,
+                        1,
+                        false,
+                        MouseEvent.BUTTON1));
+            }
         });
+    }
+
+    private void follow(String address) {
+        clickBeside(address, 2, 0);
     }
 
     private static String href(AttributeSet link) {
@@ -107,7 +120,8 @@ class HelpWindowTest {
         Rectangle owner = driver.window().frame().getBounds();
         Rectangle document = SwingUtilities.getWindowAncestor(text).getBounds();
         assertThat(document.getCenterX()).isGreaterThan(owner.getCenterX());
-        assertThat(document.y).isEqualTo(owner.y);
+        // but for the title bar that a window manager puts on it
+        assertThat(document.y).isCloseTo(owner.y, within(50));
     }
 
     @Test
@@ -189,7 +203,7 @@ class HelpWindowTest {
 
     @Test
     void aDocumentOpensAgainWhereItWasLeft() {
-        WindowDriver.onEventThread(() -> text.scrollRectToVisible(new Rectangle(0, text.getHeight() - 1, 1, 1)));
+        WindowDriver.onEventThread(() -> text.scrollRectToVisible(new Rectangle(0, text.getHeight() / 2, 1, 1)));
         int left = WindowDriver.onEventThread(() -> text.getVisibleRect().y);
         driver.key(KeyEvent.VK_ESCAPE);
         WindowDriver.await("its end", () -> !text.isShowing());
@@ -281,9 +295,8 @@ class HelpWindowTest {
     @Test
     void aClickBesideALinkFollowsNothing() {
         String last = "conventions.md#rays-run-backwards";
-        Point link = place(last);
-        driver.click(new Point(link.x + 400, link.y));
-        driver.click(new Point(link.x, link.y + 20));
+        clickBeside(last, 402, 0);
+        clickBeside(last, 2, 20);
         assertThat(title()).isEqualTo("A guided tour \u2013 Tompkins");
         follow(last);
         WindowDriver.await("the chapter", () -> title().equals("Conventions \u2013 Tompkins"));
@@ -331,7 +344,7 @@ class HelpWindowTest {
         int picture = document.getIterator(HTML.Tag.IMG).getStartOffset();
         try {
             String after = document.getText(0, document.getLength()).substring(picture);
-            int heading = picture + after.indexOf("Velocity");
+            int heading = picture + after.indexOf("Camera velocity");
             return text.modelToView2D(heading).getY()
                     - text.modelToView2D(picture).getY();
         } catch (BadLocationException impossible) {

@@ -204,7 +204,7 @@ class HistoryTest {
     void aRefusedValueThatIsFoldedAwayIsTakenBackToo() {
         JTextField refused = field("Direction x");
         driver.type(refused, "1e400");
-        driver.click(driver.find(JToggleButton.class, "Velocity"));
+        driver.click(driver.find(JToggleButton.class, "Camera velocity"));
         undo();
         assertThat(Components.isMarked(refused)).isFalse();
         assertThat(driver.studio()).isEqualTo(Studios.sphere());

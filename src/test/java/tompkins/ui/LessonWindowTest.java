@@ -3,22 +3,29 @@ package tompkins.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButton;
+import javax.swing.JScrollPane;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,12 +33,12 @@ import tompkins.io.BundledScenes;
 import tompkins.sceneobject.Moving;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
+import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.Texts;
 
 /** A lesson in the window, from its menu to its numbers. */
 @Timeout(600)
 @NeedsDisplay
-@Tag("slow")
 class LessonWindowTest {
 
     @TempDir
@@ -79,22 +86,31 @@ class LessonWindowTest {
         assertThat(Components.all(examples)).noneMatch(item -> cube.title().equals(item.getName()));
     }
 
-    /** Together they leave no room for the picture. */
+    /** Together they would leave no room for the picture. */
     @Test
-    void aLessonClosesTheBarsUnderThePicture() {
-        driver.menu("menu.ride");
-        driver.menu("menu.playPanel");
-        driver.menu("menu.measure");
-        List<String> bars = List.of("ride.close", "play.close", "measure.close");
-        assertThat(bars).allMatch(this::isShown);
+    void oneTabIsOpenAtATime() {
+        Map<String, String> tabs = new LinkedHashMap<>();
+        tabs.put("menu.ride", "ride.replay");
+        tabs.put("menu.playPanel", "play.loop");
+        tabs.put("menu.measure", "measure.copy");
+        assertThat(isShown("strip.close")).isFalse();
+        tabs.forEach((item, button) -> {
+            driver.menu(item);
+            assertThat(tabs.values()).filteredOn(this::isShown).containsExactly(button);
+        });
         begin();
-        assertThat(bars).noneMatch(this::isShown);
+        assertThat(tabs.values()).noneMatch(this::isShown);
+        assertThat(isShown("lesson.again")).isTrue();
+        driver.click(driver.find(JButton.class, Texts.get("strip.close")));
+        assertThat(isShown("lesson.again")).isFalse();
+        driver.menu("menu.measure");
+        driver.click(driver.find(JToggleButton.class, Texts.get("strip.name", Texts.get("strip.LESSON"))));
         assertThat(isShown("lesson.again")).isTrue();
     }
 
     private boolean isShown(String button) {
         return WindowDriver.onEventThread(
-                () -> Components.showing(driver.window().frame(), JButton.class)
+                () -> Components.showing(driver.window().frame(), JComponent.class)
                         .anyMatch(each -> Texts.get(button)
                                 .equals(each.getAccessibleContext().getAccessibleName())));
     }
@@ -117,12 +133,29 @@ class LessonWindowTest {
         List<String> numbers = WindowDriver.onEventThread(
                 () -> Components.showing(driver.window().frame(), JLabel.class)
                         .map(JLabel::getText)
-                        .filter(text -> text.matches("[0-9.]+"))
+                        .filter(text -> text.matches("[0-9.]+|[0-9.]+ \u00b1 [0-9.]+"))
+                        .flatMap(text -> Stream.of(text.split(" \u00b1 ")))
                         .toList());
-        // formula and measurement of both
-        assertThat(numbers).hasSize(4);
+        // formula, measurement and tolerance of both
+        assertThat(numbers).hasSize(6);
         assertThat(Double.parseDouble(numbers.get(1))).isCloseTo(4.0 / 3, within(0.003));
-        assertThat(Double.parseDouble(numbers.get(3))).isCloseTo(0.6, within(0.001));
+        assertThat(numbers.get(2)).isEqualTo("0.0030");
+        assertThat(Double.parseDouble(numbers.get(4))).isCloseTo(0.6, within(0.001));
+        assertThat(drawnMarks()).as("where that was").isGreaterThan(50);
+        driver.click(step("REASON"));
+        assertThat(drawnMarks()).isZero();
+    }
+
+    /** Pixels of the canvas in the colour of marks. */
+    private long drawnMarks() {
+        return WindowDriver.onEventThread(() -> {
+            PictureCanvas canvas = driver.window().view().canvas();
+            BufferedImage image = new BufferedImage(canvas.getWidth(), canvas.getHeight(), BufferedImage.TYPE_INT_RGB);
+            canvas.paint(image.createGraphics());
+            return IntStream.of(image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth()))
+                    .filter(pixel -> (pixel & 0xffffff) == 0x78ffff)
+                    .count();
+        });
     }
 
     /** The step that is marked is the one that is shown, also for the keys. */
@@ -132,6 +165,7 @@ class LessonWindowTest {
         driver.click(driver.find(JRadioButton.class, "Only the front face, but narrower."));
         driver.click(driver.find(JRadioButton.class, Texts.get("lesson.sure")));
         press("lesson.next.LOOK");
+        driver.type(driver.find(JTextField.class, "Speed of the cube (c)"), "0.5");
         press("lesson.next.REASON");
         driver.click(step("PREDICT"));
         for (String name : List.of("LOOK", "REASON")) {
@@ -147,12 +181,32 @@ class LessonWindowTest {
                 .isTrue();
     }
 
+    /** A tap is over before the button that is turned off by it has got the keys. */
+    @Test
+    void afterATapTheKeysMoveTheSlider() {
+        begin();
+        driver.click(driver.find(JRadioButton.class, "Only the front face, but narrower."));
+        driver.click(driver.find(JRadioButton.class, Texts.get("lesson.sure")));
+        JButton next = driver.find(JButton.class, Texts.get("lesson.next.LOOK"));
+        WindowDriver.onEventThread(() -> IntStream.of(MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED)
+                .forEach(id -> next.dispatchEvent(new MouseEvent(
+                        next, id, 0, InputEvent.BUTTON1_DOWN_MASK, 5, 5, 1, false, MouseEvent.BUTTON1))));
+        JSlider slider = Components.find(
+                Components.find(driver.window().frame(), JScrollPane.class, "strip"),
+                JSlider.class,
+                "Speed of the cube (c), slider");
+        WindowDriver.await("the focus", slider::isFocusOwner);
+        driver.key(KeyEvent.VK_END);
+        assertThat(speed()).isEqualTo(0.95);
+    }
+
     private JToggleButton step(String name) {
         return driver.find(JToggleButton.class, Texts.get("lesson.step." + name));
     }
 
     private boolean isShowing(String field) {
-        return Components.showing(driver.window().frame(), JTextField.class)
+        return Components.showing(
+                        Components.find(driver.window().frame(), JScrollPane.class, "strip"), JTextField.class)
                 .anyMatch(each -> field.equals(each.getAccessibleContext().getAccessibleName()));
     }
 

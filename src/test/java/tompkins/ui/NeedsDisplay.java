@@ -9,6 +9,7 @@ import org.junit.jupiter.api.extension.ConditionEvaluationResult;
 import org.junit.jupiter.api.extension.ExecutionCondition;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.extension.ExtensionContext;
+import tompkins.TestRun;
 
 /**
  * A test that opens windows, or a class of such tests. Without a display it is skipped with all that prepares it and
@@ -28,7 +29,11 @@ public @interface NeedsDisplay {
 
         @Override
         public ConditionEvaluationResult evaluateExecutionCondition(ExtensionContext context) {
-            return decide(Displays.usable(), System.getProperty("tompkins.display"));
+            boolean usable = Displays.usable();
+            if (usable && !TestRun.THOROUGH) {
+                OwnEvents.EVENTS.install();
+            }
+            return decide(usable, System.getProperty("tompkins.display"));
         }
 
         static ConditionEvaluationResult decide(boolean usable, String wanted) {

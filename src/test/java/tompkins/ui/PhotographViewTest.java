@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
+import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
@@ -27,15 +28,16 @@ import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studios;
+import tompkins.ui.compare.ComparePanel;
+import tompkins.ui.compare.Compared;
 import tompkins.ui.model.StudioModel;
-import tompkins.ui.panel.ComparePanel;
-import tompkins.ui.panel.Compared;
+import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Comparison;
 import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
-import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.picture.ScreenPicture;
+import tompkins.ui.ray.PixelProbe;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
@@ -134,8 +136,8 @@ class PhotographViewTest {
     @Test
     void aClickBesideAllObjectsLeavesThePickingOn() {
         List<String> told = new ArrayList<>();
-        Container panel =
-                (Container) WindowDriver.onEventThread(() -> new SidePanel(model, view, false, told::add, part -> {}))
+        Container panel = (Container)
+                WindowDriver.onEventThread(() -> new SidePanel(model, view, new JPanel(), false, told::add, part -> {}))
                         .component();
         WindowDriver.onEventThread(() -> {
             model.set(Studios.sphere());

@@ -7,29 +7,44 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
 import org.joml.Vector3d;
+import tompkins.image.BufferedImages;
+import tompkins.image.Levels;
+import tompkins.image.LinearImage;
+import tompkins.image.ToneCurve;
 import tompkins.io.StudioReader;
+import tompkins.render.Quality;
+import tompkins.render.Renderer;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
-import tompkins.ui.panel.RidePilot;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.picture.ScreenPicture;
+import tompkins.ui.ride.RidePilot;
 
 /**
- * Prints how live a ride through scenes is, in a window whose picture has 640 x 480 pixels: the pictures in a second,
- * and milliseconds from thrust to the first picture on the screen that shows it. With {@code beside-rest} before a
- * scene the camera at rest is seen beside it, as when the program starts. Needs a display.
+ * Prints how live a ride through scenes is, in a window whose picture has 826 x 620 pixels: the pictures in a second,
+ * milliseconds from thrust to the first picture on the screen that shows it, samples per pixel, and the root mean
+ * square difference in levels of 255 to the picture with a sample in each pixel, in the median and in the worst second.
+ * If the scene has a ride, all but the second number are those of its replay. With {@code beside-rest} before a scene
+ * the camera at rest is seen beside it, as when the program starts. Needs a display.
  */
 public final class RideBenchmark {
 
     /** Before a scene: it is seen beside the camera at rest. */
     public static final String BESIDE_REST = "beside-rest";
 
-    private static final Dimension SIZE = new Dimension(640, 480);
+    private static final Dimension SIZE = new Dimension(826, 620);
     private static final int WARM_UP = 4;
+
+    /** How many pictures of a second are compared with whole ones. */
+    private static final int COMPARED = 3;
 
     /** How long there is thrust in one direction, and none after it. */
     private static final long THRUST_NANOSECONDS = 600_000_000L;
+
+    private static final long SECOND = 1_000_000_000L;
 
     private static final int COASTING_MILLISECONDS = 150;
 
@@ -38,6 +53,10 @@ public final class RideBenchmark {
     private final int thrusts;
     private final List<Double> answers = new ArrayList<>();
     private final List<Double> rates = new ArrayList<>();
+    private final List<Double> samples = new ArrayList<>();
+
+    /** Pictures to compare, second by second. */
+    private final List<List<ScreenPicture>> seconds = new ArrayList<>();
 
     private RideBenchmark(WindowDriver driver, int thrusts) {
         this.driver = driver;
@@ -55,11 +74,16 @@ public final class RideBenchmark {
                 besideRest = true;
                 continue;
             }
-            FirstScene first = new FirstScene(StudioReader.read(Path.of(argument)), null, "", besideRest);
+            Studio read = StudioReader.read(Path.of(argument));
+            Studio sized = read.withSettings(read.settings().withSize(SIZE.width, SIZE.height));
+            FirstScene first = new FirstScene(sized, null, "", besideRest);
             try (WindowDriver driver = new WindowDriver(settings, first, List.of())) {
                 RideBenchmark benchmark = new RideBenchmark(driver, thrusts);
                 benchmark.resize();
                 benchmark.ride();
+                if (!sized.ride().isEmpty()) {
+                    benchmark.replay(sized);
+                }
                 benchmark.print(Path.of(argument).getFileName() + (besideRest ? ", beside rest" : ""));
             }
             besideRest = false;
@@ -94,6 +118,8 @@ public final class RideBenchmark {
             if (i == WARM_UP) {
                 answers.clear();
                 rates.clear();
+                samples.clear();
+                seconds.clear();
             }
             thrust(sense);
             sense = -sense;
@@ -101,29 +127,80 @@ public final class RideBenchmark {
         WindowDriver.onEventThread(() -> pilot.setRiding(false));
     }
 
+    /** The ride that the scene holds. */
+    private void replay(Studio beginning) throws InterruptedException {
+        rates.clear();
+        samples.clear();
+        seconds.clear();
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().adjust(beginning, this);
+            pilot.replay();
+        });
+        while (WindowDriver.onEventThread(pilot::isReplaying)) {
+            watch(SECOND, shown -> {});
+        }
+        // in the last one the ride ends
+        rates.remove(rates.size() - 1);
+        seconds.remove(seconds.size() - 1);
+    }
+
     private void thrust(double sense) throws InterruptedException {
-        Picture last = driver.picture();
-        Velocity before = last.studio().velocity();
-        int pictures = 0;
-        boolean answered = false;
+        Velocity before = driver.picture().studio().velocity();
+        int answered = answers.size();
         long input = System.nanoTime();
         WindowDriver.onEventThread(() -> pilot.setThrust(new Vector3d(0, 0, sense)));
-        while (System.nanoTime() - input < THRUST_NANOSECONDS) {
-            Picture shown = driver.picture();
-            if (shown.studio() != last.studio()) {
-                pictures++;
-                last = shown;
-            }
-            if (!answered && !shown.studio().velocity().equals(before)) {
-                answered = true;
+        watch(THRUST_NANOSECONDS, shown -> {
+            if (answers.size() == answered && !shown.studio().velocity().equals(before)) {
                 answers.add((System.nanoTime() - input) * 1e-6);
             }
-            Thread.sleep(1);
-        }
-        rates.add(pictures / (THRUST_NANOSECONDS * 1e-9));
+        });
         WindowDriver.onEventThread(pilot::stopThrust);
         // all pictures with thrust are on the screen
         Thread.sleep(COASTING_MILLISECONDS);
+    }
+
+    /** Counts pictures for a while, and keeps some of them. */
+    private void watch(long nanoseconds, Consumer<Picture> look) throws InterruptedException {
+        List<ScreenPicture> kept = new ArrayList<>();
+        Picture last = driver.picture();
+        int pictures = 0;
+        long start = System.nanoTime();
+        for (long time = 0; time < nanoseconds; time = System.nanoTime() - start) {
+            ScreenPicture shown = WindowDriver.onEventThread(
+                    () -> driver.window().view().canvas().shown());
+            if (shown.now().studio() != last.studio()) {
+                pictures++;
+                last = shown.now();
+                samples.add(last.samples());
+                look.accept(last);
+                if (kept.size() <= COMPARED * time / nanoseconds) {
+                    kept.add(shown);
+                }
+            }
+            Thread.sleep(1);
+        }
+        rates.add(pictures / (nanoseconds * 1e-9));
+        seconds.add(kept);
+    }
+
+    /** The differences to whole pictures: the root mean square of each second. */
+    private List<Double> differences() throws InterruptedException {
+        List<Double> differences = new ArrayList<>();
+        try (Renderer renderer = new Renderer()) {
+            for (List<ScreenPicture> second : seconds) {
+                double sum = 0;
+                for (ScreenPicture shown : second) {
+                    LinearImage whole = renderer.render(shown.now().plan(), new Quality.Samples(1))
+                            .image();
+                    ToneCurve curve = shown.now().studio().settings().toneCurve();
+                    double difference =
+                            Levels.difference(shown.nowImage(), BufferedImages.toBufferedImage(whole, curve));
+                    sum += difference * difference;
+                }
+                differences.add(Math.sqrt(sum / Math.max(1, second.size())));
+            }
+        }
+        return differences;
     }
 
     private static double median(List<Double> values) {
@@ -132,7 +209,16 @@ public final class RideBenchmark {
         return sorted.get(sorted.size() / 2);
     }
 
-    private void print(String scene) {
-        System.out.printf(Locale.ROOT, "%s: %.1f %.1f%n", scene, median(rates), median(answers));
+    private void print(String scene) throws InterruptedException {
+        List<Double> differences = differences();
+        System.out.printf(
+                Locale.ROOT,
+                "%s: %.1f %.1f %.3f %.2f %.2f%n",
+                scene,
+                median(rates),
+                median(answers),
+                median(samples),
+                median(differences),
+                Collections.max(differences));
     }
 }

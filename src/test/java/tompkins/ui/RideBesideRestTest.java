@@ -3,6 +3,7 @@ package tompkins.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
@@ -19,9 +20,10 @@ import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.surface.Clock;
 import tompkins.surface.Surface;
+import tompkins.ui.compare.ComparePanel;
+import tompkins.ui.compare.Compared;
 import tompkins.ui.model.StudioModel;
-import tompkins.ui.panel.ComparePanel;
-import tompkins.ui.panel.Compared;
+import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Comparison;
 import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
@@ -33,9 +35,11 @@ import tompkins.ui.widget.Look;
 @Tag("alone")
 class RideBesideRestTest {
 
+    private Pace pace = Pace.RIDE;
+
     private final StudioModel model = new StudioModel(opened(Studios.sphere(), 0), null);
     private final PhotographView view =
-            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener(), () -> Pace.RIDE));
+            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener(), () -> pace));
 
     @BeforeAll
     static void look() {
@@ -70,9 +74,15 @@ class RideBesideRestTest {
                 what,
                 () -> shown().now() != null
                         && shown().other() != null
-                        && shown().now().complete()
-                        && shown().other().complete()
                         && shown().now().studio().equals(model.studio()));
+    }
+
+    /** As the clock of a ride does, which asks again and again. */
+    private void awaitTicking(String what, BooleanSupplier condition) {
+        WindowDriver.await(what, () -> {
+            view.render();
+            return condition.getAsBoolean();
+        });
     }
 
     private static void goOn(StudioModel model, Studio studio) {
@@ -90,9 +100,24 @@ class RideBesideRestTest {
         assertThat(shown().other()).isSameAs(other);
         Studio aside = model.studio();
         goOn(model, aside.withCamera(Descriptions.with(aside.camera(), "position", new Vector3d(0.5, 0, 0))));
-        WindowDriver.await(
+        awaitTicking(
                 "the picture from another place",
                 () -> shown().other().studio().camera().position().x() == 0.5);
+    }
+
+    /** A picture that takes minutes must not stand beside a ride meanwhile. */
+    @Test
+    void aRideDoesNotWaitForThePictureBefore() {
+        awaitPictures("the first pictures");
+        WindowDriver.onEventThread(() -> {
+            pace = Pace.HAND;
+            model.set(Studios.slow());
+            pace = Pace.RIDE;
+        });
+        goOn(model, opened(Studios.sphere(), 3));
+        awaitTicking(
+                "the picture at rest beside the ride",
+                () -> shown().other().studio().scene().equals(Studios.sphere().scene()));
     }
 
     @Test
@@ -102,7 +127,7 @@ class RideBesideRestTest {
         WindowDriver.onEventThread(() -> model.set(clocks));
         awaitPictures("the first pictures");
         goOn(model, opened(clocks, 3));
-        WindowDriver.await(
+        awaitTicking(
                 "a later picture at rest",
                 () -> shown().other().studio().camera().shutter().openingTime() == 3);
     }
@@ -114,7 +139,7 @@ class RideBesideRestTest {
         WindowDriver.onEventThread(() -> view.setRideAtRest(moment::atRest));
         goOn(model, moment.studio());
         double place = Math.cosh(0.5) - 1;
-        WindowDriver.await(
+        awaitTicking(
                 "the picture at rest where the ride is",
                 () -> shown().other() != null
                         && Math.abs(shown().other().studio().camera().position().z() - place) < 1e-12);

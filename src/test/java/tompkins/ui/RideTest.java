@@ -9,6 +9,7 @@ import java.awt.event.KeyEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import javax.swing.JButton;
 import javax.swing.JToggleButton;
 import org.joml.Vector2dc;
@@ -18,15 +19,15 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import tompkins.camera.Aim.PicturePlace;
+import tompkins.camera.Aim.PicturePosition;
 import tompkins.camera.Camera;
 import tompkins.io.StudioReader;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.RideLeg;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
-import tompkins.ui.panel.RidePilot;
 import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.ride.RidePilot;
 
 /** The camera is steered in the real window, with mouse and keys. */
 @Timeout(600)
@@ -66,7 +67,7 @@ class RideTest {
         return WindowDriver.onEventThread(() -> {
             Point corner = canvas().getLocationOnScreen();
             Rectangle bounds = canvas().pictureBounds();
-            return new PicturePlace(
+            return new PicturePosition(
                             (point.x - corner.x + 0.5 - bounds.x) / bounds.width * 640,
                             (point.y - corner.y + 0.5 - bounds.y) / bounds.height * 480,
                             640,
@@ -76,8 +77,8 @@ class RideTest {
     }
 
     private double pixelsBetween(Vector3d direction, Vector3d other, Camera camera) {
-        Vector2dc one = PicturePlace.of(camera, direction, 640, 480);
-        return one.distance(PicturePlace.of(camera, other, 640, 480));
+        Vector2dc one = PicturePosition.of(camera, direction, 640, 480);
+        return one.distance(PicturePosition.of(camera, other, 640, 480));
     }
 
     @Test
@@ -187,15 +188,23 @@ class RideTest {
         assertThat(change).isBetween(-2.0, -0.1);
         double rapidity = recorded.velocity().rapidity();
 
-        driver.click(driver.find(JButton.class, "Replay"));
-        WindowDriver.await("the replay", () -> driver.window().motion().pilot().isReplaying());
-        WindowDriver.await("its end", () -> !driver.window().motion().pilot().isRiding());
+        replay();
         Studio end = driver.studio();
         double signed = end.velocity().rapidity()
                 * Math.signum(end.velocity().direction().z());
         assertThat(signed).isCloseTo(rapidity + change, within(1e-9));
         driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
         assertThat(driver.studio()).isEqualTo(recorded);
+    }
+
+    /** Replays a ride to its end, which may be there before anybody looks. */
+    private void replay() {
+        RidePilot pilot = driver.window().motion().pilot();
+        AtomicBoolean replayed = new AtomicBoolean();
+        WindowDriver.onEventThread(() -> pilot.addListener(() -> replayed.compareAndSet(false, pilot.isReplaying())));
+        driver.click(driver.find(JButton.class, "Replay"));
+        WindowDriver.await("the replay", replayed::get);
+        WindowDriver.await("its end", () -> !pilot.isRiding());
     }
 
     /** At the end of a ride the scene holds none: the one that was shown last comes again. */
@@ -209,10 +218,8 @@ class RideTest {
         WindowDriver.await("the end", () -> !pilot.isRiding() && pilot.moment() != null);
         Studio end = driver.studio();
 
-        driver.click(driver.find(JButton.class, "Replay"));
+        replay();
 
-        WindowDriver.await("the replay", () -> pilot.moment().properTime() < 0.3);
-        WindowDriver.await("its end", () -> !pilot.isRiding());
         assertThat(driver.studio()).isEqualTo(end);
     }
 
@@ -229,10 +236,8 @@ class RideTest {
         JButton replay = driver.find(JButton.class, "Replay");
         assertThat(replay.isEnabled()).isTrue();
 
-        driver.click(replay);
+        replay();
 
-        WindowDriver.await("the replay", pilot::isReplaying);
-        WindowDriver.await("its end", () -> !pilot.isRiding());
         // thrust of 1 for a time of 0.3
         assertThat(driver.studio().velocity().rapidity())
                 .isCloseTo(start.velocity().rapidity() + 0.3, within(1e-9));

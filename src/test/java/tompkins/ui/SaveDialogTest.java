@@ -2,15 +2,19 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import javax.swing.JButton;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
+import javax.swing.JTextField;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -94,6 +98,30 @@ class SaveDialogTest {
         }
     }
 
+    /** As the scene says, or some times as large as on the screen. */
+    @Test
+    void theSizeOfAPhotographIsAsked() throws IOException {
+        driver.menu("menu.savePhotograph");
+        driver.chooser();
+        JTextField width = driver.find(JTextField.class, "Width");
+        assertThat(width.getText()).isEqualTo("" + driver.studio().settings().width());
+        JButton twice = driver.find(JButton.class, Texts.get("photograph.timesName", 2));
+        int onScreen = driver.window().view().size().width;
+        // at first, after a typed size and after a wrong one
+        for (String typed : List.of("96", "0", "96")) {
+            WindowDriver.onEventThread(() -> twice.doClick());
+            assertThat(width.getText()).as("before " + typed).isEqualTo("" + 2 * onScreen);
+            Components.enter(driver.window().frame(), "Width", typed);
+        }
+        Path png = folder.resolve("small.png");
+        driver.choose(png);
+        awaitSaved(png);
+        BufferedImage saved = ImageIO.read(png.toFile());
+        assertThat(saved.getWidth()).isEqualTo(96);
+        assertThat(saved.getHeight()).isEqualTo(72);
+        assertThat(driver.studio().settings().width()).as("the scene").isNotEqualTo(96);
+    }
+
     /** A dot in the name of a scene begins no ending. */
     @Test
     void theProposedNameIsAccepted() {
@@ -147,6 +175,9 @@ class SaveDialogTest {
         driver.menu("menu.playPanel");
         driver.answer(Texts.get("play.export"));
         assertThat(driver.chooser().getCurrentDirectory()).isEqualTo(folder.toFile());
+        assertThat(driver.chooser().getFileFilter().getDescription())
+                .as("the usual format")
+                .isEqualTo(Texts.get("format.GIF"));
         driver.answer("Cancel");
     }
 

@@ -2,14 +2,24 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.Transferable;
+import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import javax.swing.JComponent;
+import javax.swing.JFrame;
 import javax.swing.JLabel;
+import javax.swing.JRootPane;
 import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import javax.swing.TransferHandler;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -17,6 +27,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.camera.Aim;
 import tompkins.image.LinearImage;
 import tompkins.image.PhotographFile;
 import tompkins.image.PictureFormat;
@@ -24,6 +35,7 @@ import tompkins.io.SelfDescription;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.sceneobject.Box;
+import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.ui.file.BackgroundTask;
@@ -126,28 +138,124 @@ class SceneFilesTest {
 
     /** A disk may be slow, and a hand quick. */
     @Test
-    void aFileThatIsBeingSavedIsNotSavedAgainMeanwhile() throws IOException {
+    void aFileThatIsBeingSavedIsSavedAgainAfterwards() throws IOException {
         Studio mine = change("0.5");
         byte[] before = Files.readAllBytes(file);
         CountDownLatch written = new CountDownLatch(1);
         WindowDriver.onEventThread(() -> {
-            driver.window()
-                    .saver()
-                    .awaitEnd(
-                            file,
-                            BackgroundTask.start(
-                                    driver.window().frame(), "saving", task -> written.await(), () -> {}, () -> {}));
+            BackgroundTask.start(driver.window().frame(), "saving", task -> written.await(), () -> {}, () -> {})
+                    .into(file);
         });
         save();
         JLabel what = driver.find(JLabel.class, "status.what");
         WindowDriver.await("the answer", () -> what.getText().startsWith("Still saving " + file));
         assertThat(file).hasBinaryContent(before);
         written.countDown();
-        WindowDriver.await(
-                "the end", () -> !BackgroundTask.showRunning(driver.window().frame()));
-        save();
         awaitSaved();
         assertThat(StudioReader.read(file)).isEqualTo(mine);
+    }
+
+    /** A save that goes on until somebody stops it. */
+    private CountDownLatch saveSlowly() {
+        CountDownLatch stopped = new CountDownLatch(1);
+        WindowDriver.onEventThread(() -> {
+            BackgroundTask.start(
+                            driver.window().frame(),
+                            "Saving slowly",
+                            task -> {
+                                while (!task.isCancelled()) {
+                                    assertThat(stopped.await(1, TimeUnit.MILLISECONDS))
+                                            .isFalse();
+                                }
+                                task.requireWanted();
+                            },
+                            () -> {},
+                            stopped::countDown)
+                    .into(file);
+        });
+        return stopped;
+    }
+
+    @Test
+    void escapeStopsASave() throws InterruptedException {
+        CountDownLatch stopped = saveSlowly();
+        WindowDriver.onEventThread(() -> {
+            JRootPane pane = driver.window().frame().getRootPane();
+            KeyStroke escape = KeyStroke.getKeyStroke("ESCAPE");
+            Object action = pane.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).get(escape);
+            pane.getActionMap().get(action).actionPerformed(new ActionEvent(pane, ActionEvent.ACTION_PERFORMED, ""));
+        });
+        assertThat(stopped.await(60, TimeUnit.SECONDS)).isTrue();
+    }
+
+    @Test
+    void closingDuringASaveAsks() throws InterruptedException {
+        CountDownLatch stopped = saveSlowly();
+        JFrame frame = driver.window().frame();
+        driver.menu("menu.close");
+        driver.answer("Wait");
+        WindowDriver.await(
+                "the end of the question",
+                () -> Components.messages(frame).findAny().isEmpty());
+        assertThat(frame.isDisplayable()).isTrue();
+        driver.menu("menu.close");
+        driver.answer("Stop it and close");
+        assertThat(stopped.await(60, TimeUnit.SECONDS)).isTrue();
+        WindowDriver.await("the end of the window", () -> !frame.isDisplayable());
+    }
+
+    /** Undo brings it back, and what is on the screen is not worth a question. */
+    @Test
+    void whoeverOnlyTurnsTheCameraIsNotAsked() {
+        StudioModel model = driver.window().model();
+        WindowDriver.onEventThread(() -> {
+            Studio studio = model.studio();
+            model.look(studio.withCamera(Aim.along(studio.camera(), new Vector3d(0.1, 0, 1))), new Object());
+        });
+        assertThat(WindowDriver.onEventThread(model::isModified)).isTrue();
+        JFrame frame = driver.window().frame();
+        driver.menu("menu.close");
+        WindowDriver.await("the end of the window", () -> !frame.isDisplayable());
+    }
+
+    @Test
+    void whatIsDroppedIsTakenOnceItWasRead() throws IOException {
+        Path box = folder.resolve("box.json");
+        StudioWriter.save(BOX, box);
+        assertThat(drop(box)).isTrue();
+        awaitStudio(BOX);
+        Path wrong = Files.writeString(folder.resolve("wrong.json"), "no scene");
+        assertThat(drop(wrong)).isFalse();
+        driver.answer("OK");
+        assertThat(drop(folder.resolve("missing.json"))).isFalse();
+        driver.answer("OK");
+        assertThat(driver.studio()).isEqualTo(BOX);
+        assertThat(box).exists();
+    }
+
+    private boolean drop(Path dropped) {
+        JRootPane pane = driver.window().frame().getRootPane();
+        return WindowDriver.onEventThread(() -> pane.getTransferHandler()
+                .importData(new TransferHandler.TransferSupport(pane, new DroppedFile(dropped))));
+    }
+
+    /** A file on its way from another program. */
+    private record DroppedFile(Path file) implements Transferable {
+
+        @Override
+        public DataFlavor[] getTransferDataFlavors() {
+            return new DataFlavor[] {DataFlavor.javaFileListFlavor};
+        }
+
+        @Override
+        public boolean isDataFlavorSupported(DataFlavor flavour) {
+            return flavour.equals(DataFlavor.javaFileListFlavor);
+        }
+
+        @Override
+        public Object getTransferData(DataFlavor flavour) {
+            return List.of(file.toFile());
+        }
     }
 
     @Test
@@ -285,16 +393,16 @@ class SceneFilesTest {
         Path photograph = folder.resolve("photograph.png");
         LinearImage black = new LinearImage(1, 1, new float[3]);
         PhotographFile.write(
-                photograph, black, PictureFormat.PNG, studio.settings().toneCurve(), SelfDescription.of(studio));
+                photograph, black, PictureFormat.PNG, studio.settings().toneCurve(), SelfDescription.of(studio), true);
         return photograph;
     }
 
     @Test
-    void aSceneWithoutAFileCannotBeReloaded() {
+    void anExampleIsReloadedAsItWasOpened() {
         WindowDriver.onEventThread(() -> driver.window().model().open(BOX, null));
-        driver.menu("menu.reload");
-        JLabel what = driver.find(JLabel.class, "status.what");
-        WindowDriver.await("the answer", () -> what.getText().contains("no file"));
-        assertThat(driver.studio()).isEqualTo(BOX);
+        WindowDriver.onEventThread(() -> driver.window().model().set(BOX.withVelocity(Velocity.of(0, 0, 0.5))));
+        driver.key(KeyEvent.VK_F5);
+        awaitStudio(BOX);
+        assertThat(driver.window().model().isModified()).isFalse();
     }
 }

@@ -1,10 +1,11 @@
 package tompkins.ui;
 
+import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Picture;
-import tompkins.ui.picture.PixelProbe;
+import tompkins.ui.ray.PixelProbe;
 
 /** Nobody who listens to a photograph. */
-class SilentListener implements PhotographView.Listener {
+public class SilentListener implements PhotographView.Listener {
 
     @Override
     public void shown(Picture picture) {}

@@ -43,7 +43,7 @@ public final class WindowBenchmark {
     public static void main(String[] arguments) throws Exception {
         Path settings = Files.createTempDirectory("tompkins-benchmark");
         Studio studio = StudioReader.read(Path.of(arguments[0]));
-        try (WindowDriver driver = new WindowDriver(settings, studio, null, List.of())) {
+        try (WindowDriver driver = new WindowDriver(settings, new FirstScene(studio, null), List.of())) {
             WindowBenchmark benchmark = new WindowBenchmark(studio, driver, System.out);
             benchmark.changes();
             benchmark.drag();

@@ -15,7 +15,10 @@ import java.awt.event.AWTEventListener;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.lang.reflect.InvocationTargetException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -32,15 +35,23 @@ import javax.swing.JMenuItem;
 import javax.swing.JToggleButton;
 import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
+import tompkins.TestRun;
+import tompkins.Waiting;
 import tompkins.studio.Studio;
 import tompkins.ui.picture.Picture;
+import tompkins.ui.widget.Look;
 
-/** Uses a real window as a person does, with mouse and keys. */
+/**
+ * Uses a real window as a person does, with mouse and keys: those of its components alone, or those of the whole screen
+ * if everything is tried.
+ */
 public final class WindowDriver implements AutoCloseable {
+
+    /** Large enough for the panel beside a picture. */
+    private static final Dimension SMALL = new Dimension(820, 620);
 
     private static final int MOST_CLICKS = 5;
     private static final long CLICK_NANOSECONDS = 3_000_000_000L;
-    private static final long LONGEST_WAIT_SECONDS = 60;
 
     /** How long an event may be on its way from the display to the event queue. */
     private static final int HANDLED_MILLISECONDS = 30;
@@ -54,19 +65,32 @@ public final class WindowDriver implements AutoCloseable {
     private final TompkinsWindow window;
 
     /**
-     * Opens a window, as {@link TompkinsWindow#opened} does; a test that does this is one that {@link NeedsDisplay}.
+     * Opens a small window, whose pictures take little time; a test that does this is one that {@link NeedsDisplay}.
      *
      * @param settings the folder of the settings
      */
     WindowDriver(Path settings, Studio studio, Path file, List<Studio> examples) {
-        this(settings, new FirstScene(studio, file), examples);
+        this(withSmallWindow(settings), new FirstScene(studio, file), examples);
     }
 
-    /** Opens a window, as above, with what it shows first. */
+    private static Path withSmallWindow(Path settings) {
+        Path kept = settings.resolve("window.properties");
+        try {
+            if (!Files.exists(kept)) {
+                Files.createDirectories(settings);
+                Files.writeString(kept, "width=" + SMALL.width + "\nheight=" + SMALL.height + "\n");
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return settings;
+    }
+
+    /** Opens a window of the usual size, as {@link TompkinsWindow#opened} does, with what it shows first. */
     WindowDriver(Path settings, FirstScene first, List<Studio> examples) {
         System.setProperty("tompkins.settings", settings.toString());
         try {
-            robot = new Robot();
+            robot = TestRun.THOROUGH ? new Robot() : new ComponentRobot();
         } catch (AWTException e) {
             throw new IllegalStateException(e);
         }
@@ -74,9 +98,18 @@ public final class WindowDriver implements AutoCloseable {
         Toolkit.getDefaultToolkit().addAWTEventListener(listener, AWTEvent.KEY_EVENT_MASK | AWTEvent.MOUSE_EVENT_MASK);
         window = onEventThread(() -> TompkinsWindow.opened(first, () -> examples, new NamedCommands()));
         await("a picture on the screen", () -> picture() != null);
-        await("the panel", () -> window.side().isFurnished());
+        await("the panel", () -> window.side().isThere());
         // which keys reach only then
         await("the focus", () -> window.frame().isFocused());
+    }
+
+    /** Makes a small window as large as it would usually be. */
+    void enlarge() {
+        onEventThread(() -> {
+            window.frame().setSize(Look.pixels(84), Look.pixels(60));
+            window.frame().validate();
+        });
+        completePicture();
     }
 
     private void note(AWTEvent event) {
@@ -104,19 +137,9 @@ public final class WindowDriver implements AutoCloseable {
         }
     }
 
+    /** Waits until something is true that the event thread is asked for, at most a minute. */
     public static void await(String what, BooleanSupplier condition) {
-        long end = System.nanoTime() + LONGEST_WAIT_SECONDS * 1_000_000_000L;
-        while (!onEventThread(condition::getAsBoolean)) {
-            if (System.nanoTime() > end) {
-                throw new AssertionError("waited in vain for " + what);
-            }
-            try {
-                Thread.sleep(10);
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-                throw new IllegalStateException(e);
-            }
-        }
+        Waiting.until(what, () -> onEventThread(condition::getAsBoolean));
     }
 
     /**
@@ -183,7 +206,7 @@ public final class WindowDriver implements AutoCloseable {
      * of the screen, and then clicks miss it.
      */
     static void anchor(Component component) {
-        if (SwingUtilities.windowForComponent(component) instanceof Dialog dialog) {
+        if (TestRun.THOROUGH && SwingUtilities.windowForComponent(component) instanceof Dialog dialog) {
             onEventThread(() -> {
                 Point place = dialog.getLocation();
                 dialog.setLocation(place.x + 1, place.y);
@@ -217,6 +240,10 @@ public final class WindowDriver implements AutoCloseable {
             }
         });
         settle();
+        return place(component);
+    }
+
+    private static Point place(JComponent component) {
         return onEventThread(() -> {
             Point corner = component.getLocationOnScreen();
             Dimension size = component.getSize();
@@ -225,7 +252,14 @@ public final class WindowDriver implements AutoCloseable {
     }
 
     void click(JComponent component) {
-        click(centre(component));
+        Point place = centre(component);
+        robot.mouseMove(place.x, place.y);
+        // a window manager may move a window some time after it has come up
+        for (int tries = 0; tries < MOST_CLICKS && !place(component).equals(place); tries++) {
+            place = place(component);
+            robot.mouseMove(place.x, place.y);
+        }
+        press(InputEvent.BUTTON1_DOWN_MASK);
     }
 
     void click(Point point) {

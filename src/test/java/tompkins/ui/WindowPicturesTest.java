@@ -6,20 +6,26 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.image.BufferedImage;
+import java.awt.image.IndexColorModel;
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import javax.imageio.ImageIO;
-import javax.imageio.ImageWriter;
-import javax.imageio.stream.ImageOutputStream;
+import java.util.zip.CRC32;
+import java.util.zip.Deflater;
+import java.util.zip.DeflaterOutputStream;
 import javax.swing.AbstractButton;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButton;
+import javax.swing.JSlider;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTextPane;
@@ -29,6 +35,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import tompkins.image.FewColours;
 import tompkins.io.BundledScenes;
 import tompkins.io.StudioReader;
 import tompkins.measure.MeasureKind;
@@ -37,9 +44,9 @@ import tompkins.measure.Overlays;
 import tompkins.measure.Projection;
 import tompkins.measure.SceneShapes;
 import tompkins.studio.Studio;
-import tompkins.ui.panel.ComparePanel;
-import tompkins.ui.panel.RidePilot;
+import tompkins.ui.compare.ComparePanel;
 import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.ride.RidePilot;
 import tompkins.ui.widget.Texts;
 
 /**
@@ -53,7 +60,7 @@ class WindowPicturesTest {
     /** On board, between the halt before the tower and the flight through its gate. */
     private static final double RIDE_TIME = 5;
 
-    private static final long LARGEST = 200_000;
+    private static final long LARGEST = 100_000;
 
     /** The pictures. */
     enum Shot {
@@ -122,13 +129,7 @@ class WindowPicturesTest {
             Rectangle bounds =
                     WindowDriver.onEventThread(() -> driver.window().frame().getBounds());
             BufferedImage picture = new Robot().createScreenCapture(bounds);
-            write(
-                    switch (shot) {
-                        case WIDE_APERTURE -> withoutLowBits(picture, 0xf0);
-                        case MEASURING -> withoutLowBits(picture, 0xf8);
-                        default -> picture;
-                    },
-                    shot.file());
+            write(FewColours.of(picture), shot.file());
         }
     }
 
@@ -137,19 +138,6 @@ class WindowPicturesTest {
             driver.window().frame().setSize(960, 700);
             driver.window().frame().validate();
         });
-    }
-
-    /** The low bits of a blurred picture are noise, and most of its file. */
-    private static BufferedImage withoutLowBits(BufferedImage picture, int highBits) {
-        int high = highBits * 0x010101;
-        int middle = (0x100 - highBits) / 2 * 0x010101;
-        BufferedImage plain = new BufferedImage(picture.getWidth(), picture.getHeight(), BufferedImage.TYPE_INT_RGB);
-        for (int y = 0; y < picture.getHeight(); y++) {
-            for (int x = 0; x < picture.getWidth(); x++) {
-                plain.setRGB(x, y, picture.getRGB(x, y) & high | middle);
-            }
-        }
-        return plain;
     }
 
     private static void arrange(Shot shot, WindowDriver driver) {
@@ -206,7 +194,9 @@ class WindowPicturesTest {
     private static void lead(WindowDriver driver) {
         press(driver, JRadioButton.class, "Only the front face, but narrower.");
         press(driver, JRadioButton.class, "I am sure");
+        JSlider speed = driver.find(JSlider.class, "Speed of the cube (c), slider");
         for (String step : List.of("LOOK", "REASON", "MEASURE")) {
+            WindowDriver.onEventThread(() -> speed.setValue(700));
             press(driver, JButton.class, Texts.get("lesson.next." + step));
         }
         WindowDriver.await(
@@ -240,14 +230,45 @@ class WindowPicturesTest {
         WindowDriver.onEventThread(() -> button.doClick());
     }
 
+    /** Writes a PNG with a palette and without filters, which would make a window a third larger. */
     private static void write(BufferedImage picture, Path file) throws IOException {
-        Files.createDirectories(file.getParent());
-        ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
-        try (ImageOutputStream out = ImageIO.createImageOutputStream(Files.newOutputStream(file))) {
-            writer.setOutput(out);
-            writer.write(picture);
-        } finally {
-            writer.dispose();
+        IndexColorModel colours = (IndexColorModel) picture.getColorModel();
+        int width = picture.getWidth();
+        int height = picture.getHeight();
+        ByteBuffer header = ByteBuffer.allocate(13).putInt(width).putInt(height);
+        header.put(new byte[] {8, 3, 0, 0, 0});
+        ByteBuffer palette = ByteBuffer.allocate(3 * colours.getMapSize());
+        for (int i = 0; i < colours.getMapSize(); i++) {
+            palette.put((byte) colours.getRed(i))
+                    .put((byte) colours.getGreen(i))
+                    .put((byte) colours.getBlue(i));
         }
+        ByteArrayOutputStream pixels = new ByteArrayOutputStream();
+        try (DeflaterOutputStream packed = new DeflaterOutputStream(pixels, new Deflater(Deflater.BEST_COMPRESSION))) {
+            for (int row = 0; row < height; row++) {
+                packed.write(0);
+                for (int column = 0; column < width; column++) {
+                    packed.write(picture.getRaster().getSample(column, row, 0));
+                }
+            }
+        }
+        Files.createDirectories(file.getParent());
+        try (DataOutputStream out = new DataOutputStream(Files.newOutputStream(file))) {
+            out.write(new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'});
+            writeChunk(out, "IHDR", header.array());
+            writeChunk(out, "PLTE", palette.array());
+            writeChunk(out, "IDAT", pixels.toByteArray());
+            writeChunk(out, "IEND", new byte[0]);
+        }
+    }
+
+    private static void writeChunk(DataOutputStream out, String type, byte[] content) throws IOException {
+        CRC32 check = new CRC32();
+        check.update(type.getBytes(StandardCharsets.US_ASCII));
+        check.update(content);
+        out.writeInt(content.length);
+        out.write(type.getBytes(StandardCharsets.US_ASCII));
+        out.write(content);
+        out.writeInt((int) check.getValue());
     }
 }

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.ui.model.Settings;
 
 /** What is remembered of a window that is maximised, by a frame that does so without a window manager. */
 @NeedsDisplay

@@ -18,7 +18,7 @@ final class AimedRay {
     /**
      * A ray.
      *
-     * @param point the point in its own frame
+     * @param point the point in its rest frame
      * @param camera where and when the ray starts, in the camera frame
      * @param towards where it goes, of any length
      * @param measures whether the point is measured instead of seen
@@ -42,7 +42,7 @@ final class AimedRay {
     private record Scene(MovingRow row) {
         Vector3d ownDirection(Event camera, Vector3d towards, boolean measures) {
             int frame = row.world.frameCount() - 1;
-            Ray ray = row.routes.transform(0, frame, row.inScene(camera, towards, measures), Ray.blank());
+            Ray ray = row.routes.transform(row.inScene(camera, towards, measures), frame, Ray.blank());
             return new Vector3d(ray.dx, ray.dy, ray.dz);
         }
     }

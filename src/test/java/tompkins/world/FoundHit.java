@@ -16,10 +16,8 @@ final class FoundHit {
 
     FoundHit(MovingRow row, WorldSearch search, NearestHit nearest) {
         ray = search.ray();
-        hit = nearest.hit(ray, Hit.blank());
-        Hit event = Hit.blank();
-        search.event(event);
-        inScene = row.inScene(search.startFrame(), new Event(event.x, event.y, event.z, event.time));
+        hit = search.hit(Hit.blank());
+        inScene = row.inScene(hit.event.frame, new Event(hit.event.x, hit.event.y, hit.event.z, hit.event.time));
         own = nearest.primitive().restFrame().own(traced());
     }
 
@@ -29,7 +27,7 @@ final class FoundHit {
 
     /** Distance in units of the direction with which the ray has left the camera. */
     double lambda() {
-        return hit.distance / ray.stretch;
+        return hit.distance / ray.directionLength;
     }
 
     /** The event in the frame in which the object is described. */

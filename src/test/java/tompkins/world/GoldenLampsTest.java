@@ -132,13 +132,14 @@ class GoldenLampsTest {
                     false);
             Hit hit = Hit.blank();
             Vector3d x = row.vector("x_");
-            hit.setPlace(x.x, x.y, x.z, row.number("t"));
+            hit.setPlace(0, x.x, x.y, x.z, row.number("t"));
+            hit.eventMemory().setPlace(0, x.x, x.y, x.z, row.number("t"));
             Sightline sight = new Sightline();
-            LampWays ways = scene.lampWays();
-            if (!ways.find(0, 0, hit, 0, hit, sight)) {
+            RetardedLight ways = scene.retardedLight();
+            if (!ways.find(0, hit, sight)) {
                 throw new IllegalStateException("no light");
             }
-            isBlocked = !ways.isClear(0, 0, hit, 0, hit, sight);
+            isBlocked = !ways.isClear(0, hit, sight);
             Vector3d to = new Vector3d(sight.x, sight.y, sight.z);
             length = to.length();
             to.div(length);

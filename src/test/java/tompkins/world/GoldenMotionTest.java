@@ -77,7 +77,7 @@ class GoldenMotionTest {
                                     share(row, nested.own.time(), "t2")),
                             Math.max(
                                     MovingQuantity.share(row, row.distance(direction, "dir2_"), "dir2"),
-                                    share(row, nested.ray.stretch, "len2")));
+                                    share(row, nested.ray.directionLength, "len2")));
                 }))
                 .matches(Worst::passes);
     }
@@ -138,9 +138,9 @@ class GoldenMotionTest {
             int frame = scene.world.frameCount() - 1;
             RestFrame rest = scene.world.objects(frame).primitives().get(0).restFrame();
             motion = rest.motion();
-            own = rest.own(scene.routes.transform(0, frame, event(row)));
+            own = rest.own(scene.routes.route(0, frame).transform(event(row)));
             Vector3d d = Vectors.unit(row.vector("d_"));
-            ray = scene.routes.transform(0, frame, Ray.from(0, 0, 0, d.x, d.y, d.z, 0), Ray.blank());
+            ray = scene.routes.transform(Ray.from(0, 0, 0, d.x, d.y, d.z, 0), frame, Ray.blank());
         }
     }
 }

@@ -50,7 +50,8 @@ class GoldenMovingSurfacesTest {
     void lightGoesOnInTheScene() {
         assertThat(Worst.of(decidable(), row -> {
                     Passage passage = new Passage(row);
-                    double tangentTime = -passage.inScene.slowness * passage.inScene.stretch / passage.after.stretch;
+                    double tangentTime =
+                            -passage.inScene.slowness * passage.inScene.directionLength / passage.after.directionLength;
                     return Math.max(
                             MovingQuantity.share(row, row.distance(direction(passage.inScene), "sdir_"), "sdir"),
                             MovingQuantity.share(row, row.difference(tangentTime, "st"), "st"));
@@ -124,7 +125,7 @@ class GoldenMovingSurfacesTest {
                 start.slowness = from;
                 before = start;
             } else {
-                before = scene.routes.transform(0, frame, start, Ray.blank());
+                before = scene.routes.transform(start, frame, Ray.blank());
             }
             if (!isMirror && direction(before).dot(normal) > 0 != leaves) {
                 normal.negate();
@@ -150,7 +151,7 @@ class GoldenMovingSurfacesTest {
                             || direction(ray).dot(normal) * direction(before).dot(normal) > 0 == bends)
                     .findFirst()
                     .orElseThrow();
-            inScene = scene.routes.transform(frame, 0, after, Ray.blank());
+            inScene = scene.routes.route(frame, 0).transform(after, Ray.blank());
         }
     }
 }

@@ -31,16 +31,15 @@ final class LampWay {
         int frame = row.vector("vs_").length() == 0 ? 0 : 1;
         find(scene, frame, atSurface);
         find(scene, 0, atRest);
-        lampFrameEmission = scene.routes.transform(0, scene.world.frameOfLight(0), emission());
+        lampFrameEmission = scene.routes.route(0, scene.world.frameOfLight(0)).transform(emission());
     }
 
     private void find(MovingRow scene, int frame, Sightline sight) {
-        Event there = scene.routes.transform(0, frame, hit);
+        Event there = scene.routes.route(0, frame).transform(hit);
         Hit memory = Hit.blank();
-        memory.setPlace(there.x(), there.y(), there.z(), there.time());
-        Hit inScene = Hit.blank();
-        inScene.setPlace(hit.x(), hit.y(), hit.z(), hit.time());
-        if (!scene.lampWays().find(0, frame, memory, 0, inScene, sight)) {
+        memory.setPlace(frame, there.x(), there.y(), there.z(), there.time());
+        memory.eventMemory().setPlace(0, hit.x(), hit.y(), hit.z(), hit.time());
+        if (!scene.retardedLight().find(0, memory, sight)) {
             throw new IllegalStateException("no light");
         }
     }

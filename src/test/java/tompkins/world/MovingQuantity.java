@@ -57,14 +57,14 @@ enum MovingQuantity {
         @Override
         double excess(GoldenRow row, FoundHit hit, boolean measures) {
             // what measures has a tangent, not a direction
-            Vector3d direction = hit.ownDirection().mul(measures ? hit.ray.stretch : 1);
+            Vector3d direction = hit.ownDirection().mul(measures ? hit.ray.directionLength : 1);
             return share(row, row.distance(direction, "kd"), "kd");
         }
     },
     TANGENT_TIME {
         @Override
         double excess(GoldenRow row, FoundHit hit, boolean measures) {
-            double time = -hit.ray.slowness * hit.ray.stretch;
+            double time = -hit.ray.slowness * hit.ray.directionLength;
             return measures ? share(row, row.difference(time, "kdt"), "kd") : 0;
         }
     },

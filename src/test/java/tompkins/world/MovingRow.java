@@ -6,6 +6,7 @@ import tompkins.golden.GoldenRow;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
+import tompkins.light.Pulse;
 import tompkins.math.Vectors;
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
@@ -20,6 +21,7 @@ import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.search.NearestHit;
 import tompkins.spacetime.Event;
+import tompkins.spacetime.FrameTree;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Lighting;
@@ -30,7 +32,7 @@ import tompkins.surface.ColouredSurface;
 final class MovingRow {
 
     final World world;
-    final FrameCrossing crossing;
+    final FrameTree frames;
     final FrameRoutes routes;
     final TransformationLaw law;
 
@@ -39,9 +41,9 @@ final class MovingRow {
         Studio studio = Lighting.of(Studio.DEFAULT.withScene(scene), lights)
                 .withVelocity(Velocity.of(beta))
                 .withTransformation(law);
-        crossing = new FrameCrossing(studio.sceneFromCamera(), law, lens);
-        world = new World(studio, crossing, point -> Event.ORIGIN, true);
-        routes = world.routes(crossing);
+        frames = FrameTree.near(lens, law, studio.velocity());
+        world = new World(studio, frames, point -> Event.ORIGIN, true);
+        routes = world.routes(frames);
     }
 
     /** A scene without lamps. */
@@ -58,6 +60,25 @@ final class MovingRow {
                 new Vector3d(),
                 Event.ORIGIN,
                 galilean);
+    }
+
+    /** A scene that the lamp of a row lights with its flash. */
+    static MovingRow flashed(GoldenRow row, List<SceneObject> scene, String place, Vector3d beta, Event lens) {
+        PointLight lamp = new PointLight(row.vector("q_"), Colour.WHITE, Colour.BLACK, 1, flash(row));
+        MovingLights moving = new MovingLights(Velocity.of(row.vector("vl_")), row.vector(place), List.of(lamp));
+        boolean galilean = row.id().startsWith("m10f") && row.has("law", "galilean");
+        return new MovingRow(scene, List.of(moving), beta, lens, galilean);
+    }
+
+    /** The flash of a row. */
+    static Pulse flash(GoldenRow row) {
+        return new Pulse(
+                row.number("start"), row.number("duration"), row.isNumber("period") ? row.number("period") : 0);
+    }
+
+    /** A scene with a lamp that rests in it. */
+    static MovingRow lit(List<SceneObject> scene, Vector3d lamp, Vector3d beta, Event lens, boolean galilean) {
+        return new MovingRow(scene, List.of(new PointLight(lamp, Colour.WHITE, Colour.WHITE, 1)), beta, lens, galilean);
     }
 
     /** Objects that move. */
@@ -89,23 +110,23 @@ final class MovingRow {
         if (measures) {
             rays.measure();
         }
-        return crossing.cross(rays.ray(0));
+        return routes.route(routes.camera(), 0).transform(rays.ray(0), Ray.blank());
     }
 
     /** The search for what a ray of the scene frame meets first; null if it meets nothing. */
     FoundHit find(Ray ray) {
         NearestHit nearest = new NearestHit(new RayCounts());
         WorldSearch search = new WorldSearch(world, routes, nearest);
-        return search.nearest(ray, 0) ? new FoundHit(this, search, nearest) : null;
+        return search.nearest(ray) ? new FoundHit(this, search, nearest) : null;
     }
 
     /** The ways of light from the lamps. */
-    LampWays lampWays() {
-        return new LampWays(world, routes, law, new RayCounts());
+    RetardedLight retardedLight() {
+        return new RetardedLight(world, routes, law, new RayCounts());
     }
 
     /** An event of a frame in the scene. */
     Event inScene(int frame, Event event) {
-        return routes.transform(frame, 0, event).plus(crossing.origin());
+        return routes.route(frame, 0).transform(event).plus(frames.origin(null));
     }
 }

@@ -21,6 +21,7 @@ import tompkins.sceneobject.Sphere;
 import tompkins.search.NearestHit;
 import tompkins.search.RandomAims;
 import tompkins.spacetime.Event;
+import tompkins.spacetime.FrameTree;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
@@ -99,9 +100,9 @@ class WorldSearchTest {
 
         Found(List<SceneObject> scene) {
             Studio studio = Studio.DEFAULT.withScene(scene);
-            FrameCrossing crossing = new FrameCrossing(studio.sceneFromCamera(), studio.transformation(), Event.ORIGIN);
-            world = new World(studio, crossing, point -> Event.ORIGIN, false);
-            routes = world.routes(crossing);
+            FrameTree frames = FrameTree.near(Event.ORIGIN, studio.transformation(), studio.velocity());
+            world = new World(studio, frames, point -> Event.ORIGIN, false);
+            routes = world.routes(frames);
             search = new WorldSearch(world, routes, nearest);
         }
 
@@ -110,21 +111,21 @@ class WorldSearchTest {
         }
 
         Nearest alone(Ray ray) {
-            return result(search.nearest(ray, 0));
+            return result(search.nearest(ray));
         }
 
         private Nearest result(boolean isFound) {
             assertThat(nearest.primitive() != null).isEqualTo(isFound);
-            return isFound ? new Nearest(nearest.primitive(), search.frame()) : new Nearest(null, 0);
+            return isFound ? new Nearest(nearest.primitive(), search.ray().frame) : new Nearest(null, 0);
         }
 
         Nearest byAsking(Ray ray) {
             Nearest best = new Nearest(null, 0);
             double least = Double.POSITIVE_INFINITY;
             for (int frame = 0; frame < world.frameCount(); frame++) {
-                Ray inFrame = routes.transform(0, frame, ray, Ray.blank());
+                Ray inFrame = routes.transform(ray, frame, Ray.blank());
                 for (Primitive primitive : world.objects(frame).primitives()) {
-                    double distance = primitive.distance(inFrame, Primitive.NO_HIT) / inFrame.stretch;
+                    double distance = primitive.distance(inFrame, Primitive.NO_HIT) / inFrame.directionLength;
                     if (distance < least) {
                         least = distance;
                         best = new Nearest(primitive, frame);

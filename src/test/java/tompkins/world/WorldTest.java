@@ -23,6 +23,7 @@ import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Event;
+import tompkins.spacetime.FrameTree;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Lighting;
@@ -45,16 +46,16 @@ class WorldTest {
         return new Moving("moving", Velocity.of(speed, 0, 0), new Vector3d(place, 0, 0), 0, List.of(objects));
     }
 
-    private static FrameCrossing crossing(Studio studio, Event lens) {
-        return new FrameCrossing(studio.sceneFromCamera(), studio.transformation(), lens);
+    private static FrameTree frames(Studio studio, Event lens) {
+        return FrameTree.near(lens, studio.transformation(), studio.velocity());
     }
 
     private static World world(Studio studio) {
-        return new World(studio, crossing(studio, AT_THE_ORIGIN), point -> Event.ORIGIN, false);
+        return new World(studio, frames(studio, AT_THE_ORIGIN), point -> Event.ORIGIN, false);
     }
 
     private static boolean serves(Studio before, Studio after, Event lens) {
-        return world(before).isOf(after, crossing(after, lens));
+        return world(before).isOf(after, frames(after, lens));
     }
 
     @Test
@@ -143,7 +144,7 @@ class WorldTest {
     void boxesAreInCoordinatesOfTheScene() {
         Studio studio =
                 studio(new Sphere("far", new Vector3d(1e7, 0, 0), 1, COLOUR)).withVelocity(Velocity.of(0, 0.3, 0));
-        World world = new World(studio, crossing(studio, FAR_AWAY), point -> Event.ORIGIN, false);
+        World world = new World(studio, frames(studio, FAR_AWAY), point -> Event.ORIGIN, false);
 
         assertThat(world.objects(0).primitives().get(0).bounds().centre().length())
                 .isLessThan(1e-6);
@@ -173,7 +174,7 @@ class WorldTest {
     void plainWorldSavesNoTime() {
         Studio studio = Lighting.of(crowd(), List.of(lamp(50)));
 
-        World plain = new World(studio, crossing(studio, AT_THE_ORIGIN), point -> Event.ORIGIN, true);
+        World plain = new World(studio, frames(studio, AT_THE_ORIGIN), point -> Event.ORIGIN, true);
 
         assertThat(plain.lampShadows(0)).isNull();
         assertThat(plain.lampTrack(0, 1)).isNull();
@@ -203,7 +204,7 @@ class WorldTest {
                                 .toArray(SceneObject[]::new)));
     }
 
-    /** Lamps in motion light the camera's own frame as if at rest, where they are at time 0. */
+    /** Lamps in motion light the camera's rest frame as if at rest, where they are at time 0. */
     @Test
     void lampsStandAtTheirPlaceAtTimeZero() {
         LightSource inner = new MovingLights(Velocity.of(0, 0, 0.3), new Vector3d(0, 5, 0), List.of(lamp(1)));

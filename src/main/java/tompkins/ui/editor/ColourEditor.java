@@ -2,39 +2,40 @@ package tompkins.ui.editor;
 
 import java.awt.Color;
 import java.awt.Component;
-import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.util.List;
 import java.util.function.Consumer;
-import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JColorChooser;
-import javax.swing.JComponent;
-import javax.swing.JPanel;
 import org.joml.Vector3d;
 import tompkins.property.NumberText;
 import tompkins.ray.Colour;
+import tompkins.ui.widget.Drawing;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberKind;
+import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.VectorFields;
 import tompkins.ui.widget.Wording;
 
 /** Controls for a colour: three numbers, which may be above 1, and a patch that opens a colour chooser. */
-final class ColourEditor implements ValueEditor {
+final class ColourEditor extends Part implements ValueEditor {
 
     private static final int LEVELS = 255;
+    private static final int PATCH_WIDTH = 16;
+    private static final int PATCH_HEIGHT = 14;
     private static final List<String> PARTS = List.of("red", "green", "blue");
 
-    private final JPanel panel = Rows.of("gap 4", "[pref!][grow,fill][grow,fill][grow,fill]");
     private final VectorFields fields;
     private final Consumer<Object> commit;
     private Colour colour = Colour.BLACK;
 
     ColourEditor(String property, String tip, Note note, Consumer<Object> commit) {
+        super(Rows.of("gap 4", "[pref!][grow,fill][grow,fill][grow,fill]"));
         this.commit = commit;
-        JButton patch = new JButton(new Patch());
+        JButton patch = new JButton(new Drawing(PATCH_WIDTH, PATCH_HEIGHT, (g, button) -> paintPatch(g)));
         String name = Texts.get("colour.choose", Wording.label(property));
         Naming.name(patch, name, name);
         patch.addActionListener(event -> choose(patch, note));
@@ -68,6 +69,11 @@ final class ColourEditor implements ValueEditor {
         return NumberText.rounded(brightness() * level / LEVELS, 4);
     }
 
+    private void paintPatch(Graphics2D g) {
+        g.setColor(screenColour());
+        g.fillRect(0, 0, PATCH_WIDTH, PATCH_HEIGHT);
+    }
+
     private Color screenColour() {
         return new Color(level(colour.red()), level(colour.green()), level(colour.blue()));
     }
@@ -77,33 +83,9 @@ final class ColourEditor implements ValueEditor {
     }
 
     @Override
-    public JComponent component() {
-        return panel;
-    }
-
-    @Override
     public void show(Object value) {
         colour = (Colour) value;
         fields.show(new Vector3d(colour.red(), colour.green(), colour.blue()));
         panel.repaint();
-    }
-
-    private final class Patch implements Icon {
-
-        @Override
-        public void paintIcon(Component component, Graphics graphics, int x, int y) {
-            graphics.setColor(screenColour());
-            graphics.fillRect(x, y, getIconWidth(), getIconHeight());
-        }
-
-        @Override
-        public int getIconWidth() {
-            return 16;
-        }
-
-        @Override
-        public int getIconHeight() {
-            return 14;
-        }
     }
 }

@@ -12,14 +12,14 @@ import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.Wording;
 
 /** Controls for a record of a sealed family: a combo box of its types, and under it the form of the chosen one. */
-final class FamilyEditor implements ValueEditor {
+final class FamilyEditor extends Part implements ValueEditor {
 
-    private final JPanel panel = Rows.column();
     private final JPanel formPanel = Rows.column();
     private final Consumer<Object> commit;
     private final Note note;
@@ -29,31 +29,26 @@ final class FamilyEditor implements ValueEditor {
     private Class<?> shownType;
     private Object shown;
 
-    /**
-     * The value that was last made by choosing a type, and the parts of the values from which it came, the latest
-     * first.
-     */
+    /** The value that was last made by choosing a type. */
     private Object made;
 
-    private final List<Part> parts = new ArrayList<>();
+    /** What the values from which it came had of their own, the latest first. */
+    private final List<KeptPart> kept = new ArrayList<>();
+
     private RecordForm form;
 
     FamilyEditor(Class<?> family, String name, Note note, Consumer<Object> commit) {
+        super(Rows.column());
         this.commit = commit;
         this.note = note;
         Hiding.types(family).forEach(types::addItem);
-        Naming.items(types, Wording::label);
+        Naming.items(types, Wording::label, TypeIcon::of);
         types.setName(name);
         types.getAccessibleContext().setAccessibleName(name);
         types.addActionListener(event -> updating.unless(this::choose));
         types.setVisible(types.getItemCount() > 1);
         panel.add(types, "wmin 0");
         panel.add(meaning.component(), "wmin 0");
-    }
-
-    @Override
-    public JComponent component() {
-        return panel;
     }
 
     @Override
@@ -71,7 +66,7 @@ final class FamilyEditor implements ValueEditor {
         if (chosen == shownType) {
             return;
         }
-        parts.addAll(0, ownParts());
+        kept.addAll(0, ownParts());
         made = alike(chosen);
         if (!note.attempt(() -> commit.accept(made))) {
             updating.during(() -> types.setSelectedItem(shownType));
@@ -85,10 +80,10 @@ final class FamilyEditor implements ValueEditor {
     private Object alike(Class<?> type) {
         Object standard = Descriptions.standard(type);
         Object[] values = Descriptions.components(type).stream()
-                .map(component -> parts.stream()
+                .map(component -> kept.stream()
                         .filter(part -> part.fits(component))
                         .findFirst()
-                        .map(Part::value)
+                        .map(KeptPart::value)
                         .orElse(Descriptions.value(component, standard)))
                 .toArray();
         try {
@@ -99,18 +94,18 @@ final class FamilyEditor implements ValueEditor {
     }
 
     /** The parts that differ from the default. */
-    private List<Part> ownParts() {
+    private List<KeptPart> ownParts() {
         Object usual = Descriptions.standard(shownType);
         return Descriptions.components(shownType).stream()
                 .filter(own -> !Descriptions.value(own, shown).equals(Descriptions.value(own, usual)))
-                .map(own -> new Part(own, Descriptions.value(own, shown)))
+                .map(own -> new KeptPart(own, Descriptions.value(own, shown)))
                 .toList();
     }
 
     /**
      * A part of a value. Numbers and yes-or-no choices are left out, because they mean something else in another type.
      */
-    private record Part(RecordComponent component, Object value) {
+    private record KeptPart(RecordComponent component, Object value) {
 
         boolean fits(RecordComponent other) {
             return other.getName().equals(component.getName())
@@ -122,7 +117,7 @@ final class FamilyEditor implements ValueEditor {
     @Override
     public void show(Object value) {
         if (!value.equals(made)) {
-            parts.clear();
+            kept.clear();
         }
         shown = value;
         if (value.getClass() != shownType) {

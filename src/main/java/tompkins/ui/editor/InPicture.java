@@ -26,7 +26,7 @@ final class InPicture {
     }
 
     private static boolean shows(Projection projection, FrameMotion motion, Vector3dc point) {
-        Vector2dc place = projection.place(new SeenFrame(projection.studio(), motion), point);
+        Vector2dc place = projection.position(new SeenFrame(projection.studio(), motion), point);
         return place != null
                 && place.x() >= 0
                 && place.y() >= 0

@@ -16,6 +16,7 @@ import tompkins.property.Descriptions;
 import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.sceneobject.Rotating;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.sceneobject.TriangleMesh;
@@ -176,9 +177,17 @@ final class NewObject {
     }
 
     private static SceneObject moved(SceneObject object, double right) {
-        return Descriptions.changed(
-                object,
-                (name, value) -> PLACES.contains(name) ? new Vector3d((Vector3dc) value).add(right, 0, 0) : value);
+        return Descriptions.changed(object, (name, value) -> {
+            if (PLACES.contains(name)) {
+                return new Vector3d((Vector3dc) value).add(right, 0, 0);
+            }
+            // what turns stays at its axis
+            return object instanceof Rotating rotating && name.equals("objects")
+                    ? rotating.objects().stream()
+                            .map(inner -> moved(inner, right))
+                            .toList()
+                    : value;
+        });
     }
 
     private static boolean overlap(Bounds first, Bounds second) {

@@ -5,11 +5,10 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
-import javax.swing.JComponent;
 import javax.swing.JLabel;
-import javax.swing.JPanel;
 import tompkins.property.Descriptions;
 import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Wording;
@@ -18,12 +17,11 @@ import tompkins.ui.widget.Wording;
  * A form for a record, made from its components: names become labels, meanings tooltips, types controls. A value that
  * the record does not accept is marked where it was entered.
  */
-public final class RecordForm {
+public final class RecordForm extends Part {
 
     /** How far the form of a part stands to the right of its label, in pixels. */
     private static final int INDENT = 16;
 
-    private final JPanel panel = Rows.of("wrap 2, hidemode 3, gap 8 5", "[::150,pref][grow,fill]");
     private final Map<RecordComponent, ValueEditor> editors = new LinkedHashMap<>();
     private Object value;
 
@@ -39,6 +37,7 @@ public final class RecordForm {
 
     /** The same, with one note for the messages of all fields, which has its place elsewhere. */
     public RecordForm(Class<?> type, Predicate<RecordComponent> which, Note messages, Consumer<Object> commit) {
+        super(Rows.of("wrap 2, hidemode 3, gap 8 5", "[::150,pref][grow,fill]"));
         for (RecordComponent component : Descriptions.components(type)) {
             if (which.test(component)) {
                 Note note = messages == null ? new Note("") : messages;
@@ -60,11 +59,6 @@ public final class RecordForm {
         panel.add(label, editor.isTall() ? "aligny top, gaptop 3" : "");
         panel.add(editor.component(), "growx, wmin 0");
         editor.parts().ifPresent(parts -> panel.add(parts, "span, growx, wmin 0, gapleft " + INDENT));
-    }
-
-    /** The form itself, to be put into a panel. */
-    public JComponent component() {
-        return panel;
     }
 
     /** Shows a record of the form's type. */

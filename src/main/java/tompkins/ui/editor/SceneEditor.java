@@ -19,52 +19,43 @@ import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.Column;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Keys;
-import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Wording;
 
 /** All of the studio: a tree of its parts, and a form for the chosen one. */
-public final class SceneEditor {
+public final class SceneEditor extends Part {
 
     private static final StudioPath SCENE = StudioPath.ROOT.then("scene");
 
     private final StudioModel model;
-    private final JPanel panel = new JPanel(
-            new MigLayout("novisualpadding, insets 10, fill, wrap 1, gap 0 8", "[grow,fill]", "[grow,fill][]"));
     private final StudioTree tree = new StudioTree(this::leaveFor);
     private final Column formPanel = new Column();
     private final TreeAndForm parts = new TreeAndForm(tree.component(), formPanel);
     private final Note note = new Note("");
-    private final JButton add = button("add");
-    private final JButton duplicate = button("duplicate");
-    private final JButton hide = button("hide");
-    private final JButton up = button("up");
-    private final JButton down = button("down");
-    private final JButton remove = button("remove");
+    private final JButton add = Buttons.of("tree.add", this::offerTypes);
+    private final JButton duplicate = button("duplicate", list -> ListEdits.duplicated(list, place()), 1);
+    private final JButton hide = button("hide", list -> ListEdits.hiddenOrShown(list, place()), 0);
+    private final JButton up = button("up", list -> ListEdits.moved(list, place(), place() - 1), -1);
+    private final JButton down = button("down", list -> ListEdits.moved(list, place(), place() + 1), 1);
+    private final JButton remove = Buttons.of("tree.remove", this::remove);
     private StudioTree.Line line;
     private FamilyEditor form;
     private Studio shown;
 
     /** An editor of the studio in a model, which follows its changes. */
     public SceneEditor(StudioModel model) {
+        super(new JPanel(
+                new MigLayout("novisualpadding, insets 10, fill, wrap 1, gap 0 8", "[grow,fill]", "[grow,fill][]")));
         this.model = model;
         panel.add(parts.component());
         panel.add(buttons());
-        add.addActionListener(event -> offerTypes());
-        duplicate.addActionListener(event -> changeList(list -> ListEdits.duplicated(list, place()), 1));
-        hide.addActionListener(event -> changeList(list -> ListEdits.hiddenOrShown(list, place()), 0));
-        up.addActionListener(event -> changeList(list -> ListEdits.moved(list, place(), place() - 1), -1));
-        down.addActionListener(event -> changeList(list -> ListEdits.moved(list, place(), place() + 1), 1));
-        remove.addActionListener(event -> {
-            // what was typed is removed with its entry
-            EntryField.in(formPanel).forEach(EntryField::revert);
-            changeList(list -> ListEdits.removed(list, place()), 0);
-        });
         Keys.bindFocused(tree.component(), KeyStroke.getKeyStroke("DELETE"), remove::doClick);
         model.addListener(this::update);
         update();
@@ -75,10 +66,14 @@ public final class SceneEditor {
         parts.fitToLook();
     }
 
-    private static JButton button(String key) {
-        JButton button = new JButton(Texts.get("tree." + key));
-        Naming.name(button, button.getText(), Texts.get("tree." + key + "Tip"));
-        return button;
+    private JButton button(String key, UnaryOperator<List<?>> change, int step) {
+        return Buttons.of("tree." + key, () -> changeList(change, step));
+    }
+
+    private void remove() {
+        // what was typed is removed with its entry
+        EntryField.in(formPanel).forEach(EntryField::revert);
+        changeList(list -> ListEdits.removed(list, place()), 0);
     }
 
     private JComponent buttons() {
@@ -87,11 +82,6 @@ public final class SceneEditor {
             row.add(each);
         }
         return row;
-    }
-
-    /** The editor itself, to be put into a window. */
-    public JComponent component() {
-        return panel;
     }
 
     private void update() {
@@ -228,7 +218,7 @@ public final class SceneEditor {
                         ? SceneObject.class
                         : Descriptions.elementType(line.type()).orElseThrow();
         for (Class<?> type : Hiding.types(family)) {
-            JMenuItem item = new JMenuItem(Wording.label(type));
+            JMenuItem item = new JMenuItem(Wording.label(type), TypeIcon.of(type));
             item.setToolTipText(Tips.wrapped(Wording.meaning(type)));
             item.addActionListener(event -> addElement(type));
             menu.add(item);

@@ -3,10 +3,14 @@ package tompkins.ui.editor;
 import java.awt.event.MouseEvent;
 import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JTree;
 import javax.swing.ToolTipManager;
@@ -77,11 +81,8 @@ final class StudioTree {
         @Override
         public String getToolTipText(MouseEvent event) {
             TreePath path = getPathForLocation(event.getX(), event.getY());
-            if (path == null) {
-                return null;
-            }
-            Line line = (Line) ((DefaultMutableTreeNode) path.getLastPathComponent()).getUserObject();
-            return line.label().equals(line.toString()) ? null : Tips.wrapped(line.label());
+            Line line = path == null ? null : line(path);
+            return line == null || line.label().equals(line.toString()) ? null : Tips.wrapped(line.label());
         }
     }
 
@@ -92,9 +93,14 @@ final class StudioTree {
     /** The chosen line; the studio itself if none is. */
     Line chosenLine() {
         TreePath path = tree.getSelectionPath();
-        DefaultMutableTreeNode node =
-                (DefaultMutableTreeNode) (path == null ? tree.getModel().getRoot() : path.getLastPathComponent());
-        return (Line) node.getUserObject();
+        return line(path == null ? new TreePath(tree.getModel().getRoot()) : path);
+    }
+
+    /** What a line of the tree holds; null for those that Swing shows before there is a studio. */
+    private static Line line(TreePath path) {
+        return ((DefaultMutableTreeNode) path.getLastPathComponent()).getUserObject() instanceof Line line
+                ? line
+                : null;
     }
 
     /** Shows a studio, and chooses the line of one of its parts. */
@@ -104,7 +110,7 @@ final class StudioTree {
         updating.during(() -> {
             tree.setModel(new DefaultTreeModel(root));
             open.add(StudioPath.ROOT);
-            openAgain(root, open);
+            openAgain(new TreePath(root), open);
             select(selected);
         });
     }
@@ -112,56 +118,52 @@ final class StudioTree {
     private Set<StudioPath> openPaths() {
         Set<StudioPath> open = new HashSet<>();
         for (int row = 0; row < tree.getRowCount(); row++) {
-            TreePath path = tree.getPathForRow(row);
-            Object line = ((DefaultMutableTreeNode) path.getLastPathComponent()).getUserObject();
-            if (tree.isExpanded(path) && line instanceof Line known) {
-                open.add(known.path());
+            Line line = line(tree.getPathForRow(row));
+            if (tree.isExpanded(row) && line != null) {
+                open.add(line.path());
             }
         }
         return open;
     }
 
-    private void openAgain(DefaultMutableTreeNode node, Set<StudioPath> open) {
-        if (open.contains(((Line) node.getUserObject()).path())) {
-            tree.expandPath(new TreePath(node.getPath()));
-            for (int i = 0; i < node.getChildCount(); i++) {
-                openAgain((DefaultMutableTreeNode) node.getChildAt(i), open);
-            }
+    private void openAgain(TreePath path, Set<StudioPath> open) {
+        if (open.contains(line(path).path())) {
+            tree.expandPath(path);
+            children(path).forEach(child -> openAgain(child, open));
         }
+    }
+
+    private static Stream<TreePath> children(TreePath path) {
+        return Collections.list(((DefaultMutableTreeNode) path.getLastPathComponent()).children()).stream()
+                .map(path::pathByAddingChild);
     }
 
     /** The nearest entry of a list that the chosen line is or belongs to; null if there is none. */
     Line entry() {
-        TreePath path = tree.getSelectionPath();
-        while (path != null) {
-            Line line = (Line) ((DefaultMutableTreeNode) path.getLastPathComponent()).getUserObject();
-            if (line.isEntry()) {
-                return line;
-            }
-            path = path.getParentPath();
-        }
-        return null;
+        return Stream.iterate(tree.getSelectionPath(), Objects::nonNull, TreePath::getParentPath)
+                .map(StudioTree::line)
+                .filter(Line::isEntry)
+                .findFirst()
+                .orElse(null);
     }
 
     /** Chooses the line of a part, or of the nearest part above it that exists, without telling anybody. */
     void select(StudioPath path) {
-        DefaultMutableTreeNode node = (DefaultMutableTreeNode) tree.getModel().getRoot();
-        boolean found = true;
-        while (found && !((Line) node.getUserObject()).path().equals(path)) {
-            found = false;
-            for (int i = 0; i < node.getChildCount() && !found; i++) {
-                DefaultMutableTreeNode child = (DefaultMutableTreeNode) node.getChildAt(i);
-                List<Object> steps = ((Line) child.getUserObject()).path().steps();
-                if (steps.size() <= path.steps().size()
-                        && steps.equals(path.steps().subList(0, steps.size()))) {
-                    node = child;
-                    found = true;
-                }
-            }
+        Optional<TreePath> next = Optional.of(new TreePath(tree.getModel().getRoot()));
+        TreePath nearest = next.get();
+        while (next.isPresent()) {
+            nearest = next.get();
+            next = children(nearest)
+                    .filter(child -> leadsTo(line(child).path().steps(), path.steps()))
+                    .findFirst();
         }
-        TreePath chosen = new TreePath(node.getPath());
+        TreePath chosen = nearest;
         updating.during(() -> tree.setSelectionPath(chosen));
         tree.scrollPathToVisible(chosen);
+    }
+
+    private static boolean leadsTo(List<Object> first, List<Object> all) {
+        return first.size() <= all.size() && first.equals(all.subList(0, first.size()));
     }
 
     private static DefaultMutableTreeNode node(Object value, StudioPath path, Type type, String label) {

@@ -9,6 +9,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.ScrollPaneConstants;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Texts;
 
 /** The tree and the form of the editor beside each other: the tree gets the room that it needs, the form the rest. */
 final class TreeAndForm {
@@ -33,6 +34,7 @@ final class TreeAndForm {
         forms.setBorder(BorderFactory.createEmptyBorder());
         split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, trees, forms);
         split.setResizeWeight(0.4);
+        split.getAccessibleContext().setAccessibleName(Texts.get("tree.split"));
         fitToLook();
         tree.addComponentListener(new ComponentAdapter() {
             @Override

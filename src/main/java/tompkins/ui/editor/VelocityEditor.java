@@ -1,15 +1,14 @@
 package tompkins.ui.editor;
 
 import java.util.function.Consumer;
-import javax.swing.JComponent;
 import javax.swing.JLabel;
-import javax.swing.JPanel;
 import javax.swing.JTextField;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.SpeedText;
 import tompkins.ui.widget.Texts;
@@ -17,14 +16,14 @@ import tompkins.ui.widget.VectorFields;
 import tompkins.ui.widget.Wording;
 
 /** Controls for a velocity in a form: its speed as it is written, and its direction. */
-final class VelocityEditor implements ValueEditor {
+final class VelocityEditor extends Part implements ValueEditor {
 
-    private final JPanel panel = Rows.of("wrap 3, gap 4", "[grow,fill][grow,fill][grow,fill]");
     private final EntryField speed;
     private final VectorFields direction;
     private Velocity velocity = Velocity.REST;
 
     VelocityEditor(String tip, Note note, Consumer<Object> commit) {
+        super(Rows.of("wrap 3, gap 4", "[grow,fill][grow,fill][grow,fill]"));
         speed = new EntryField(
                 new JTextField(),
                 Texts.get("speed.name"),
@@ -36,11 +35,6 @@ final class VelocityEditor implements ValueEditor {
         panel.add(speed.field(), "span, growx, wmin 0");
         panel.add(new JLabel(Wording.label("direction")), "span");
         direction.addInRow(panel);
-    }
-
-    @Override
-    public JComponent component() {
-        return panel;
     }
 
     @Override

@@ -1,12 +1,14 @@
 package tompkins.ui.file;
 
 import java.awt.Window;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
@@ -53,12 +55,26 @@ public final class BackgroundTask implements Progress {
     /** The tasks that run at the moment; used by the event thread alone. */
     private static final List<BackgroundTask> RUNNING = new ArrayList<>();
 
+    /** What waits for the end of tasks, in its order; used by the event thread alone. */
+    private static final List<Waiting> WAITING = new ArrayList<>();
+
+    /** A step of a window that is done when none of some tasks runs any more. */
+    private record Waiting(Window owner, Predicate<BackgroundTask> blocking, Runnable step) {
+
+        boolean isFree() {
+            return RUNNING.stream().noneMatch(blocking);
+        }
+    }
+
     private final Window owner;
     private final String title;
     private final JProgressBar bar = new JProgressBar(0, STEPS);
     private final long start = System.nanoTime();
     private volatile double progress;
     private volatile boolean cancelled;
+
+    /** The file that it writes; null if there is none. */
+    private Path file;
 
     /** The small window, or null before it is shown for the first time: most work is done before that. */
     private JDialog dialog;
@@ -128,22 +144,63 @@ public final class BackgroundTask implements Progress {
                 () -> {});
     }
 
-    /**
-     * Brings forward the tasks that still run for a window, which should not be closed before they end. Called by the
-     * event thread.
-     *
-     * @return whether anything runs
-     */
-    public static boolean showRunning(Window owner) {
-        List<BackgroundTask> running =
-                RUNNING.stream().filter(task -> task.owner == owner).toList();
-        running.forEach(BackgroundTask::show);
-        return !running.isEmpty();
+    /** Says which file the task writes, and no other task meanwhile. Called by the event thread. */
+    public void into(Path written) {
+        file = written.toAbsolutePath().normalize();
     }
 
-    /** Whether the work is not done yet. Called by the event thread. */
-    public boolean isRunning() {
-        return RUNNING.contains(this);
+    /**
+     * Does a step of a window, such as saving, when no task writes a file any more. Called by the event thread.
+     *
+     * @return false if it has to wait
+     */
+    public static boolean whenFree(Window owner, Path wanted, Runnable step) {
+        Path whole = wanted.toAbsolutePath().normalize();
+        return await(new Waiting(owner, task -> whole.equals(task.file), step));
+    }
+
+    /** Does something when no task of a window runs any more. Called by the event thread. */
+    public static void whenIdle(Window owner, Runnable step) {
+        await(new Waiting(owner, task -> task.owner == owner, step));
+    }
+
+    private static boolean await(Waiting waiting) {
+        boolean free = waiting.isFree();
+        if (free) {
+            waiting.step.run();
+        } else {
+            WAITING.add(waiting);
+        }
+        return free;
+    }
+
+    private static void goOn() {
+        for (Waiting waiting : List.copyOf(WAITING)) {
+            // a step may begin a task for which others wait
+            if (waiting.isFree() && WAITING.remove(waiting)) {
+                waiting.step.run();
+            }
+        }
+    }
+
+    /** The titles of the tasks that run for a window, which should not be closed before they end. */
+    public static List<String> running(Window owner) {
+        return RUNNING.stream()
+                .filter(task -> task.owner == owner)
+                .map(task -> task.title)
+                .toList();
+    }
+
+    /** Brings forward the tasks that run for a window. Called by the event thread. */
+    public static void showRunning(Window owner) {
+        RUNNING.stream().filter(task -> task.owner == owner).forEach(BackgroundTask::show);
+    }
+
+    /** Cancels the tasks of a window, and drops what waits for them; false if none runs. Called by the event thread. */
+    public static boolean cancel(Window owner) {
+        WAITING.removeIf(waiting -> waiting.owner == owner);
+        RUNNING.stream().filter(task -> task.owner == owner).forEach(task -> task.cancelled = true);
+        return !running(owner).isEmpty();
     }
 
     private void run(Work work, Timer timer, Runnable done, Runnable notDone) {
@@ -165,7 +222,11 @@ public final class BackgroundTask implements Progress {
             if (dialog != null) {
                 dialog.dispose();
             }
-            last.run();
+            try {
+                last.run();
+            } finally {
+                goOn();
+            }
         });
     }
 

@@ -5,23 +5,36 @@ import java.awt.datatransfer.UnsupportedFlavorException;
 import java.io.File;
 import java.io.IOException;
 import java.util.List;
-import java.util.function.Consumer;
+import java.util.function.Predicate;
 import javax.swing.TransferHandler;
 
-/** Takes files that are dropped on the window. */
+/** Reads files that are dropped on the window. They are copied, and stay where they are. */
 @SuppressWarnings("serial") // never written to a stream
 public final class FileDrop extends TransferHandler {
 
-    private final transient Consumer<File> taker;
+    private final transient Predicate<File> taker;
 
-    /** A handler that gives the dropped file, the first of several, to {@code taker}, on the event thread. */
-    public FileDrop(Consumer<File> taker) {
+    /**
+     * A handler that gives the dropped file, the first of several, to {@code taker}, on the event thread. The taker
+     * says whether it could read the file.
+     */
+    public FileDrop(Predicate<File> taker) {
         this.taker = taker;
     }
 
     @Override
     public boolean canImport(TransferSupport support) {
-        return support.isDataFlavorSupported(DataFlavor.javaFileListFlavor);
+        if (!support.isDataFlavorSupported(DataFlavor.javaFileListFlavor)) {
+            return false;
+        }
+        if (support.isDrop()) {
+            if ((support.getSourceDropActions() & COPY) == 0) {
+                return false;
+            }
+            // whoever lets a file be moved may delete it afterwards
+            support.setDropAction(COPY);
+        }
+        return true;
     }
 
     @Override
@@ -31,8 +44,7 @@ public final class FileDrop extends TransferHandler {
         }
         try {
             List<?> dropped = (List<?>) support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
-            dropped.stream().limit(1).forEach(file -> taker.accept((File) file));
-            return !dropped.isEmpty();
+            return !dropped.isEmpty() && taker.test((File) dropped.get(0));
         } catch (UnsupportedFlavorException | IOException notFiles) {
             return false;
         }

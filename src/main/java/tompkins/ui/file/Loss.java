@@ -5,9 +5,9 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import tompkins.image.PhotographFile;
-import tompkins.io.SceneFileException;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
+import tompkins.property.MistakeException;
 import tompkins.studio.Studio;
 
 /** What is lost when a scene is saved over its file. */
@@ -38,7 +38,7 @@ public enum Loss {
             return StudioReader.read(file).equals(held) ? HANDWRITING : OTHER_SCENE;
         } catch (NoSuchFileException gone) {
             return NOTHING;
-        } catch (IOException | SceneFileException noScene) {
+        } catch (IOException | MistakeException noScene) {
             return OTHER_SCENE;
         }
     }

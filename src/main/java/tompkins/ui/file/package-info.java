@@ -1,2 +1,2 @@
-/** Opening and saving: dialogs, files that are dropped, the clipboard, and work that takes a while. */
+/** Building blocks for opening and saving: dialogs, files that are dropped, and work that takes a while. */
 package tompkins.ui.file;

@@ -9,7 +9,9 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.UnaryOperator;
+import tompkins.measure.LessonStudio;
 import tompkins.studio.Studio;
+import tompkins.ui.widget.Faults;
 
 /**
  * The studio that the window shows, with its history. A panel never changes a studio: it proposes another one. Used by
@@ -23,11 +25,16 @@ public final class StudioModel {
      * @param studio the studio
      * @param file where it was read from or saved to, or null
      * @param opened the studio as it was then
+     * @param edited whether it was changed since, and not only looked at
      */
-    private record Step(Studio studio, Path file, Studio opened) {
+    private record Step(Studio studio, Path file, Studio opened, boolean edited) {
 
-        Step with(Studio other) {
-            return new Step(other, file, opened);
+        Step editedTo(Studio other) {
+            return new Step(other, file, opened, true);
+        }
+
+        Step seenAs(Studio other) {
+            return new Step(other, file, opened, edited);
         }
 
         /** Whether another step changed the same opened studio. */
@@ -42,7 +49,7 @@ public final class StudioModel {
     private final List<Runnable> liveListeners = new ArrayList<>();
 
     private final List<Runnable> listeners = new ArrayList<>();
-    private final Seldom seldom = new Seldom();
+    private final Throttle throttle = new Throttle();
     private boolean untold;
 
     private final Deque<Step> past = new ArrayDeque<>();
@@ -54,7 +61,7 @@ public final class StudioModel {
 
     /** A model of a studio; the file may be null. */
     public StudioModel(Studio studio, Path file) {
-        current = new Step(studio, file, studio);
+        current = new Step(studio, file, studio, false);
     }
 
     /**
@@ -90,9 +97,14 @@ public final class StudioModel {
         return !current.studio().equals(current.opened());
     }
 
+    /** Whether the studio differs from what was opened or saved by more than where its camera was turned or ridden. */
+    public boolean isEdited() {
+        return isModified() && current.edited();
+    }
+
     /**
      * Whether the studio is an example that was changed, so that its title and its remarks no longer fit the picture:
-     * something other than size and quality has changed, but they have not.
+     * something other than size, quality and the number of a lesson has changed, but they have not.
      */
     public boolean isChangedExample() {
         Studio now = studio();
@@ -101,12 +113,14 @@ public final class StudioModel {
                 && !before.topic().equals(Studio.DEFAULT.topic())
                 && now.title().equals(before.title())
                 && now.remarks().equals(before.remarks())
-                && !now.withSettings(before.settings()).equals(before);
+                && !LessonStudio.unmoved(now, before)
+                        .withSettings(before.settings())
+                        .equals(before);
     }
 
     /** Takes another studio, as a step that can be undone. */
     public void set(Studio studio) {
-        change(current.with(studio), null);
+        change(current.editedTo(studio), null);
     }
 
     /**
@@ -114,18 +128,23 @@ public final class StudioModel {
      * step, with those of other gestures between them, up to a change that belongs to none.
      */
     public void adjust(Studio studio, Object duringGesture) {
-        change(current.with(studio), duringGesture);
+        change(current.editedTo(studio), duringGesture);
+    }
+
+    /** As {@link #adjust}, while a hand turns or moves the camera: nobody needs to save that. */
+    public void look(Studio studio, Object duringGesture) {
+        change(current.seenAs(studio), duringGesture);
     }
 
     /**
-     * As {@link #adjust}, of changes that follow each other by themselves faster than anybody reads: only the live
+     * As {@link #look}, of changes that follow each other by themselves faster than anybody reads: only the live
      * listeners are told of each. Whoever does so calls {@link #endGesture} in the end.
      */
     public void flow(Studio studio, Object duringGesture) {
-        if (take(current.with(studio), duringGesture)) {
+        if (take(current.seenAs(studio), duringGesture)) {
             untold = true;
             tell(liveListeners);
-            if (seldom.mayHappen()) {
+            if (throttle.admits()) {
                 tellOthers();
             }
         }
@@ -141,7 +160,7 @@ public final class StudioModel {
 
     /** Takes a studio that was read from a file, as a step that can be undone. */
     public void open(Studio studio, Path file) {
-        change(new Step(studio, file, studio), null);
+        change(new Step(studio, file, studio, false), null);
     }
 
     /**
@@ -150,7 +169,13 @@ public final class StudioModel {
      */
     public void saved(Studio written, Path file) {
         Step before = current;
-        UnaryOperator<Step> save = step -> step.isOfSameFile(before) ? new Step(step.studio(), file, written) : step;
+        UnaryOperator<Step> save = step -> step.isOfSameFile(before)
+                ? new Step(
+                        step.studio(),
+                        file,
+                        written,
+                        step != before || !step.studio().equals(written))
+                : step;
         replaceAll(past, save);
         replaceAll(future, save);
         current = save.apply(current);
@@ -165,7 +190,7 @@ public final class StudioModel {
 
     /** Takes the studio as it was when it was opened or last saved. */
     public void reset() {
-        change(current.with(current.opened()), null);
+        change(current.seenAs(current.opened()), null);
     }
 
     /** Whether there is a step to take back. */
@@ -207,7 +232,7 @@ public final class StudioModel {
 
     /** False if it is no change. */
     private boolean take(Step next, Object gesture) {
-        if (next.equals(current)) {
+        if (next.equals(new Step(current.studio(), current.file(), current.opened(), next.edited()))) {
             return false;
         }
         if (gesture == null) {
@@ -235,6 +260,13 @@ public final class StudioModel {
     }
 
     private static void tell(List<Runnable> listeners) {
-        List.copyOf(listeners).forEach(Runnable::run);
+        for (Runnable listener : List.copyOf(listeners)) {
+            try {
+                listener.run();
+            } catch (RuntimeException fault) {
+                // the studio has changed: the others must know, and whoever changed it goes on
+                Faults.tell(fault);
+            }
+        }
     }
 }

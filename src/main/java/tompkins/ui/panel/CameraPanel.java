@@ -13,6 +13,7 @@ import tompkins.camera.Camera;
 import tompkins.camera.CameraMotion;
 import tompkins.math.Vectors;
 import tompkins.primitive.Bounds;
+import tompkins.property.Require;
 import tompkins.ray.Ray;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.IdentityTransformation;
@@ -22,10 +23,11 @@ import tompkins.studio.LensEvent;
 import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Picture;
-import tompkins.ui.widget.Naming;
+import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.VectorFields;
@@ -34,7 +36,7 @@ import tompkins.ui.widget.VectorFields;
  * Where the camera is and where it looks in the scene when the picture is taken; also in the camera frame, if that
  * differs.
  */
-public final class CameraPanel {
+public final class CameraPanel extends Part {
 
     /** The most objects that are used to find the middle of the scene. */
     private static final int MOST_OBJECTS = 100_000;
@@ -43,7 +45,6 @@ public final class CameraPanel {
 
     private final StudioModel model;
     private final Supplier<Picture> shown;
-    private final JPanel panel = Rows.column();
     private final Note note = new Note("");
     private final Note inCamera = new Note("");
     private final VectorFields place;
@@ -51,6 +52,7 @@ public final class CameraPanel {
 
     /** A panel for the camera of a model; {@code shown} gives the picture on the screen. */
     public CameraPanel(StudioModel model, Supplier<Picture> shown) {
+        super(Rows.column());
         this.model = model;
         this.shown = shown;
         place = new VectorFields(
@@ -66,7 +68,7 @@ public final class CameraPanel {
                 VectorFields.AXES,
                 Texts.get("camera.viewTip"),
                 note,
-                vector -> look(inCamera(vector)));
+                vector -> look(inCamera(Require.direction("viewDirection", vector))));
         addRow("camera.place", place);
         addRow("camera.view", view);
         panel.add(note.component(), "wmin 0");
@@ -96,18 +98,10 @@ public final class CameraPanel {
     }
 
     private JButton button(String key, Runnable action) {
-        JButton button = new JButton(Texts.get("camera." + key));
-        Naming.name(button, "camera." + key);
-        button.addActionListener(event -> {
+        return Buttons.of("camera." + key, () -> {
             note.setText("");
             action.run();
         });
-        return button;
-    }
-
-    /** The panel itself. */
-    public JComponent component() {
-        return panel;
     }
 
     private void hold(Camera camera) {

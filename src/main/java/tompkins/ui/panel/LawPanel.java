@@ -1,12 +1,14 @@
 package tompkins.ui.panel;
 
+import com.formdev.flatlaf.FlatClientProperties;
+import java.util.List;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import javax.swing.ButtonGroup;
 import javax.swing.JCheckBox;
-import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JRadioButton;
+import javax.swing.JToggleButton;
 import tompkins.light.ColourLaw;
 import tompkins.light.Metering;
 import tompkins.spacetime.TransformationLaw;
@@ -16,20 +18,54 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Wording;
 
 /** A choice between a few laws of nature, or between the views of a scene. */
-public final class LawPanel {
-
-    private final JPanel panel = Rows.column();
+public final class LawPanel extends Part {
 
     private <L extends Enum<L>> LawPanel(
             StudioModel model, L[] laws, Function<Studio, L> reading, BiFunction<Studio, L, Studio> change) {
+        super(Rows.column());
+        add(panel, model, List.of(laws), law -> new JRadioButton(Wording.label(law)), reading, change);
+    }
+
+    /** A row of buttons for what the motion does to the colours. */
+    public static JPanel quickColours(StudioModel model) {
+        List<ColourLaw> laws = List.of(ColourLaw.UNCHANGED, ColourLaw.DOPPLER, ColourLaw.SEARCHLIGHT);
+        return quick(model, laws, Studio::colours, Studio::withColours);
+    }
+
+    /** A row of buttons for what is seen, or measured. */
+    public static JPanel quickView(StudioModel model) {
+        return quick(model, List.of(View.values()), Studio::view, Studio::withView);
+    }
+
+    private static <L extends Enum<L>> JPanel quick(
+            StudioModel model, List<L> laws, Function<Studio, L> reading, BiFunction<Studio, L, Studio> change) {
+        JPanel row = Rows.of("gap 2", "[]".repeat(laws.size()));
+        add(row, model, laws, LawPanel::quick, reading, change);
+        return row;
+    }
+
+    private static JToggleButton quick(Enum<?> law) {
+        JToggleButton button = new JToggleButton(Texts.get("quick." + law.name()));
+        button.putClientProperty(FlatClientProperties.STYLE, ChoiceRow.STYLE);
+        return button;
+    }
+
+    private static <L extends Enum<L>> void add(
+            JPanel panel,
+            StudioModel model,
+            List<L> laws,
+            Function<L, JToggleButton> buttons,
+            Function<Studio, L> reading,
+            BiFunction<Studio, L, Studio> change) {
         ButtonGroup group = new ButtonGroup();
         for (L law : laws) {
-            JRadioButton button = new JRadioButton(Wording.label(law));
+            JToggleButton button = buttons.apply(law);
             Naming.name(button, button.getText(), Texts.get("law." + law.name()));
             ChoiceRow.whenChosen(button, () -> {
                 if (reading.apply(model.studio()) != law) {
@@ -81,10 +117,5 @@ public final class LawPanel {
 
     private static String missingEffectOnColours(Studio studio) {
         return studio.shiftsColours() || studio.colours() == ColourLaw.UNCHANGED ? "" : Texts.get("colours.noEffect");
-    }
-
-    /** The panel itself. */
-    public JComponent component() {
-        return panel;
     }
 }

@@ -1,11 +1,10 @@
 package tompkins.ui.panel;
 
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
-import java.util.function.DoubleFunction;
-import javax.swing.JComponent;
-import javax.swing.JPanel;
+import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
 import javax.swing.JToggleButton;
-import tompkins.camera.Camera;
 import tompkins.camera.FieldOfView;
 import tompkins.camera.FocusDistance;
 import tompkins.camera.ThinLensCamera;
@@ -14,100 +13,96 @@ import tompkins.property.NumberText;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.number.NumberRow;
+import tompkins.ui.number.SceneSize;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.widget.MessageRoom;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Range;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Wording;
 
 /** Aperture, focus, field of view, exposure, and how many samples the blur gets. */
-public final class LensPanel {
+public final class LensPanel extends Part {
 
     private final StudioModel model;
     private final SceneSize size = new SceneSize();
-    private final JPanel panel = Rows.panel();
-    private final NumberRow aperture;
-    private final NumberRow focus;
-    private final NumberRow samples;
     private final Note refused = new Note("");
     private final Note samplesNote = new Note("");
     private final JToggleButton pick = new JToggleButton(Texts.get("lens.pick"));
 
     /** The panel; {@code picking} is told when a point of the picture should be picked, and when no longer. */
     public LensPanel(StudioModel model, Consumer<Boolean> picking) {
+        super(Rows.panel());
         this.model = model;
-        Class<?> lens = ThinLensCamera.class;
-        aperture = row(
-                "apertureRadius",
-                apertures(),
-                Wording.meaning(lens, "apertureRadius"),
-                value -> camera("apertureRadius", value));
-        focus = new NumberRow(
-                model,
-                "focusDistance",
-                NumberKind.DOUBLE,
-                Texts.get("lens.focusTip"),
-                distances(),
-                refused,
-                value -> model.studio()
-                        .withCamera(FocusDistance.with(model.studio().camera(), value)));
-        NumberRow field = row(
-                "horizontalAngleDegrees",
-                Range.even(1, 170),
-                Wording.meaning(lens, "horizontalAngleDegrees"),
-                value -> model.studio()
-                        .withCamera(FieldOfView.with(model.studio().camera(), value)));
-        NumberRow exposure = row(
-                "exposureStops",
-                Range.even(-5, 5),
-                Wording.meaning(lens, "exposureStops"),
-                value -> camera("exposureStops", value));
-        samples = new NumberRow(
-                model,
-                "samples",
-                NumberKind.INT,
-                Texts.get("lens.samplesTip"),
-                new Range(1, 256, 4),
-                refused,
-                value -> model.studio().withSettings(model.studio().settings().withSamples((int) Math.rint(value))));
-        Naming.name(pick, Texts.get("lens.pick"), Texts.get("lens.pickTip"));
+        Naming.name(pick, "lens.pick");
         pick.addActionListener(event -> picking.accept(pick.isSelected()));
-        aperture.addTo(panel);
-        focus.addTo(panel);
+        add("apertureRadius", LensPanel::aperture, LensPanel::withAperture, this::apertures);
+        add(
+                new NumberRow.Quantity(
+                        "focusDistance",
+                        Texts.get("lens.focusTip"),
+                        studio -> NumberText.rounded(FocusDistance.of(studio.camera()), 9),
+                        (studio, value) -> studio.withCamera(FocusDistance.with(studio.camera(), value)),
+                        this::distances),
+                NumberKind.DOUBLE);
         panel.add(pick, "span 3, growx");
-        field.addTo(panel);
-        exposure.addTo(panel);
-        samples.addTo(panel);
+        add(
+                "horizontalAngleDegrees",
+                studio -> studio.camera().horizontalAngleDegrees(),
+                (studio, value) -> studio.withCamera(FieldOfView.with(studio.camera(), value)),
+                studio -> Range.even(1, 170));
+        add(
+                "exposureStops",
+                studio -> studio.camera().exposureStops(),
+                (studio, value) -> studio.withCamera(Descriptions.with(studio.camera(), "exposureStops", value)),
+                studio -> Range.even(-5, 5));
+        add(
+                new NumberRow.Quantity(
+                        "samples",
+                        Texts.get("lens.samplesTip"),
+                        studio -> studio.settings().samples(),
+                        (studio, value) -> studio.withSettings(studio.settings().withSamples((int) Math.rint(value))),
+                        studio -> new Range(1, 256, 4)),
+                NumberKind.INT);
         panel.add(new MessageRoom(2, refused, samplesNote).component(), "span, growx, wmin 0");
-        model.addListener(() -> update(field, exposure));
-        update(field, exposure);
     }
 
-    private NumberRow row(String property, Range range, String tip, DoubleFunction<Studio> change) {
-        return new NumberRow(model, property, NumberKind.DOUBLE, tip, range, refused, change);
+    private void add(
+            String property,
+            ToDoubleFunction<Studio> reading,
+            BiFunction<Studio, Double, Studio> change,
+            Function<Studio, Range> range) {
+        String tip = Wording.meaning(ThinLensCamera.class, property);
+        add(new NumberRow.Quantity(property, tip, reading, change, range), NumberKind.DOUBLE);
     }
 
-    private Studio camera(String property, double value) {
-        return model.studio().withCamera(Descriptions.with(model.studio().camera(), property, value));
+    private void add(NumberRow.Quantity quantity, NumberKind kind) {
+        new NumberRow(model, quantity, kind, refused).addTo(panel);
     }
 
-    private Range apertures() {
-        return new Range(0, Numbers.niceCeiling(Math.max(0.05 * size.of(model.studio()), 1e-3)), 2);
+    /** NaN if the camera has no lens. */
+    private static double aperture(Studio studio) {
+        return studio.camera() instanceof ThinLensCamera lens ? lens.apertureRadius() : Double.NaN;
     }
 
-    private Range distances() {
-        double far = Numbers.niceCeiling(3 * size.of(model.studio()));
+    private static Studio withAperture(Studio studio, double radius) {
+        return studio.withCamera(Descriptions.with(studio.camera(), "apertureRadius", radius));
+    }
+
+    private Range apertures(Studio studio) {
+        double usual = Numbers.niceCeiling(Math.max(0.05 * size.of(studio), 1e-3));
+        return new Range(0, aperture(studio) > usual ? Numbers.niceCeiling(aperture(studio)) : usual, 2);
+    }
+
+    private Range distances(Studio studio) {
+        double far = Numbers.niceCeiling(3 * size.of(studio));
         return new Range(far / 1000, far, 2);
-    }
-
-    /** The panel itself. */
-    public JComponent component() {
-        return panel;
     }
 
     /**
@@ -123,26 +118,5 @@ public final class LensPanel {
     /** Ends the picking of a point. */
     public void endPicking() {
         pick.setSelected(false);
-    }
-
-    private void update(NumberRow field, NumberRow exposure) {
-        Studio studio = model.studio();
-        Camera camera = studio.camera();
-        boolean hasLens = camera instanceof ThinLensCamera;
-        aperture.setEnabled(hasLens);
-        if (camera instanceof ThinLensCamera lens) {
-            aperture.setRange(
-                    lens.apertureRadius() > apertures().maximum()
-                            ? new Range(0, Numbers.niceCeiling(lens.apertureRadius()), 2)
-                            : apertures());
-            aperture.show(lens.apertureRadius());
-        } else {
-            aperture.show(0);
-        }
-        focus.setRange(distances());
-        focus.show(NumberText.rounded(FocusDistance.of(camera), 9));
-        field.show(camera.horizontalAngleDegrees());
-        exposure.show(camera.exposureStops());
-        samples.show(studio.settings().samples());
     }
 }

@@ -13,10 +13,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
-import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -33,15 +33,16 @@ import tompkins.study.ChartStyle;
 import tompkins.study.Measurement;
 import tompkins.study.PictureStudy;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.MessageRoom;
 import tompkins.ui.widget.Messages;
-import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberField;
 import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Screens;
 import tompkins.ui.widget.Texts;
@@ -49,7 +50,7 @@ import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Wording;
 
 /** How good the picture has to be: the target error, and a chart of speed against accuracy to choose from. */
-public final class QualityPanel {
+public final class QualityPanel extends Part {
 
     /** The size of the chart at first, in sizes of the type. */
     private static final double CHART_WIDTH = 66;
@@ -59,10 +60,10 @@ public final class QualityPanel {
     /** How far from a point the mouse still selects it, in pixels. */
     private static final double REACH = 12;
 
-    private final JPanel panel = Rows.panel();
     private final Note asked = new Note("");
     private final NumberField error;
     private final StudioModel model;
+    private final BiConsumer<PictureStudy, Consumer<List<Measurement>>> measuring;
     private Quality shown;
 
     /** The window that is open, which replaces the previous one; null if none is. */
@@ -70,7 +71,14 @@ public final class QualityPanel {
 
     /** The panel. */
     public QualityPanel(StudioModel model) {
+        this(model, PictureStudy::measure);
+    }
+
+    /** The panel, with another way to the points of the chart. */
+    QualityPanel(StudioModel model, BiConsumer<PictureStudy, Consumer<List<Measurement>>> measuring) {
+        super(Rows.panel());
         this.model = model;
+        this.measuring = measuring;
         String title = Wording.label("targetError");
         String meaning = Wording.meaning(RenderSettings.class, "targetError");
         Note refused = new Note("");
@@ -79,26 +87,20 @@ public final class QualityPanel {
         JLabel label = new JLabel(title);
         label.setToolTipText(Tips.wrapped(meaning));
         label.setLabelFor(error.field());
-        JButton measure = new JButton(Texts.get("quality.measure"));
-        Naming.name(measure, Texts.get("quality.measure"), Texts.get("quality.measureTip"));
-        measure.addActionListener(event -> {
-            if (chartWindow != null) {
-                chartWindow.dialog.dispose();
-            }
-            chartWindow = new ChartWindow(SwingUtilities.getWindowAncestor(panel));
-            chartWindow.start();
-        });
         panel.add(label, "span 2");
         panel.add(error.field());
         panel.add(new MessageRoom(2, refused, asked).component(), "span, growx, wmin 0");
-        panel.add(measure, "span 3, growx");
+        panel.add(Buttons.of("quality.measure", this::chart), "span 3, growx");
         model.addListener(this::update);
         update();
     }
 
-    /** The panel itself. */
-    public JComponent component() {
-        return panel;
+    private void chart() {
+        if (chartWindow != null) {
+            chartWindow.dialog.dispose();
+        }
+        chartWindow = new ChartWindow(SwingUtilities.getWindowAncestor(panel));
+        chartWindow.start();
     }
 
     private void want(double targetError) {
@@ -212,7 +214,7 @@ public final class QualityPanel {
             try {
                 PictureStudy made = new PictureStudy(studio, () -> closed);
                 SwingUtilities.invokeLater(() -> study = made);
-                made.measure(measured -> SwingUtilities.invokeLater(() -> draw(measured)));
+                measuring.accept(made, measured -> SwingUtilities.invokeLater(() -> draw(measured)));
                 SwingUtilities.invokeLater(
                         () -> end(Texts.get(made.chart().drawn(shown).isEmpty() ? "quality.exact" : "quality.choose")));
             } catch (CancellationException stopped) {

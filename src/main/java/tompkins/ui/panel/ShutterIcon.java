@@ -2,16 +2,14 @@ package tompkins.ui.panel;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Component;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.geom.Arc2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.Consumer;
 import javax.swing.Icon;
 import javax.swing.UIManager;
 import tompkins.shutter.AperturePlaneShutter;
@@ -20,12 +18,13 @@ import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.FixedPointSurfaceShutter;
 import tompkins.shutter.FocusSurfaceShutter;
 import tompkins.shutter.LensHologramShutter;
+import tompkins.ui.widget.Drawing;
 
 /**
  * A tiny drawing of a camera from the side, detector to the left, lens in the middle, the surface in focus to the
  * right, with the shutter in the accent colour.
  */
-final class ShutterIcon implements Icon {
+final class ShutterIcon {
 
     private static final int WIDTH = 64;
     private static final int HEIGHT = 28;
@@ -36,12 +35,7 @@ final class ShutterIcon implements Icon {
     private static final double BOTTOM = HEIGHT - 4;
     private static final double MIDDLE = HEIGHT / 2.0;
 
-    /** Draws a shutter. */
-    private interface Drawing {
-        void draw(Graphics2D g);
-    }
-
-    private static final Map<Class<?>, Drawing> DRAWINGS = Map.of(
+    private static final Map<Class<?>, Consumer<Graphics2D>> DRAWINGS = Map.of(
             AperturePlaneShutter.class, g -> g.draw(line(LENS, LENS)),
             DetectorPlaneShutter.class, g -> g.draw(line(DETECTOR, DETECTOR)),
             LensHologramShutter.class, g -> g.draw(line(DETECTOR, DETECTOR)),
@@ -51,11 +45,16 @@ final class ShutterIcon implements Icon {
                     g -> g.draw(new Arc2D.Double(FOCUS - 13, 2, 16, HEIGHT - 4, -75, 150, Arc2D.OPEN)));
 
     private final Class<?> shutter;
-    private final Drawing drawing;
+    private final Consumer<Graphics2D> drawing;
     private final Color ink;
 
     /** A drawing for a shutter model, all in one ink, or in the colours of the look if that is null. */
-    ShutterIcon(Class<?> shutter, Color ink) {
+    static Icon of(Class<?> shutter, Color ink) {
+        ShutterIcon icon = new ShutterIcon(shutter, ink);
+        return new Drawing(WIDTH, HEIGHT, (g, component) -> icon.paint(g));
+    }
+
+    private ShutterIcon(Class<?> shutter, Color ink) {
         this.shutter = shutter;
         drawing = Objects.requireNonNull(DRAWINGS.get(shutter), () -> "no drawing for " + shutter);
         this.ink = ink;
@@ -69,12 +68,7 @@ final class ShutterIcon implements Icon {
         return new Line2D.Double(bottom, BOTTOM, top, TOP);
     }
 
-    @Override
-    public void paintIcon(Component component, Graphics graphics, int x, int y) {
-        Graphics2D g = (Graphics2D) graphics.create();
-        g.translate(x, y);
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+    private void paint(Graphics2D g) {
         g.setColor(colour("Tompkins.note"));
         g.setStroke(new BasicStroke(1));
         paintRays(g);
@@ -84,8 +78,7 @@ final class ShutterIcon implements Icon {
         g.draw(line(FOCUS, FOCUS));
         g.setColor(colour("Component.accentColor"));
         g.setStroke(new BasicStroke(3, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-        drawing.draw(g);
-        g.dispose();
+        drawing.accept(g);
     }
 
     private static void paintRays(Graphics2D g) {
@@ -109,15 +102,5 @@ final class ShutterIcon implements Icon {
         } else {
             g.draw(new Ellipse2D.Double(LENS - 2.5, TOP, 5, BOTTOM - TOP));
         }
-    }
-
-    @Override
-    public int getIconWidth() {
-        return WIDTH;
-    }
-
-    @Override
-    public int getIconHeight() {
-        return HEIGHT;
     }
 }

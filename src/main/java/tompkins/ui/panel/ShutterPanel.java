@@ -22,6 +22,8 @@ import tompkins.studio.Studio;
 import tompkins.ui.editor.RecordForm;
 import tompkins.ui.model.Shutters;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.number.NumberRow;
+import tompkins.ui.number.SceneSize;
 import tompkins.ui.widget.CardPanel;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Look;
@@ -30,6 +32,7 @@ import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Tips;
@@ -37,18 +40,16 @@ import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.Wording;
 
 /** Where the shutter is, when and how it opens, and where the aperture is in the scene then. */
-public final class ShutterPanel {
+public final class ShutterPanel extends Part {
 
     private final StudioModel model;
     private final SceneSize size = new SceneSize();
-    private final JPanel panel = Rows.column();
     private final JComboBox<Class<?>> models = new JComboBox<>();
     private final Updating updating = new Updating();
     private final Note place = new Note("");
     private final Note note = new Note("");
     private final JPanel details = Rows.column();
     private final Note refused = new Note("");
-    private final NumberRow time;
     private final JPanel timeRow = Rows.panel();
     private final ShutterTimingPanel timing;
 
@@ -62,6 +63,7 @@ public final class ShutterPanel {
 
     /** A panel for the shutter of the studio in a model, which follows its changes. */
     public ShutterPanel(StudioModel model) {
+        super(Rows.column());
         this.model = model;
         Descriptions.members(Shutter.class).forEach(models::addItem);
         Naming.name(models, Texts.get("shutter.name"), "");
@@ -69,16 +71,15 @@ public final class ShutterPanel {
         models.setRenderer(new ModelRenderer());
         models.setMaximumRowCount(models.getItemCount());
         models.addActionListener(event -> updating.unless(this::choose));
-        time = new NumberRow(
-                model,
+        NumberRow.Quantity time = new NumberRow.Quantity(
                 "openingTime",
-                NumberKind.DOUBLE,
                 Texts.get("shutter.timeTip"),
-                size.times(model.studio()),
-                note,
-                value -> withShutter(shutter().openedAt(requireFinite(value))));
-        time.addTo(timeRow);
+                ShutterPanel::openingTime,
+                (studio, value) -> withShutter(shutter().openedAt(Require.finite("openingTime", value))),
+                size::times);
+        new NumberRow(model, time, NumberKind.DOUBLE, note).addTo(timeRow);
         timing = new ShutterTimingPanel(model, size);
+        timing.exposure(note).addTo(timeRow);
         details.add(timing.component(), "wmin 0");
         details.add(parameters.component(), "wmin 0");
         details.add(new MessageRoom(1, refused).component(), "wmin 0");
@@ -90,16 +91,13 @@ public final class ShutterPanel {
         update();
     }
 
-    private static double requireFinite(double value) {
-        return Require.finite("openingTime", value);
+    /** NaN if the shutter has none. */
+    private static double openingTime(Studio studio) {
+        Shutter shutter = studio.camera().shutter();
+        return shutter.hasOpeningTime() ? shutter.openingTime() : Double.NaN;
     }
 
-    /** The panel itself. */
-    public JComponent component() {
-        return panel;
-    }
-
-    /** Further numbers of the shutter: where it is, how long it stays open, and how it rolls. */
+    /** Further numbers of the shutter, such as where it is. */
     public JComponent details() {
         return details;
     }
@@ -134,19 +132,13 @@ public final class ShutterPanel {
         if (shutter.getClass() != shownModel) {
             // what was typed for the previous model is removed with it
             EntryField.in(details).forEach(EntryField::revert);
+            EntryField.in(timeRow).forEach(EntryField::revert);
             shownModel = shutter.getClass();
             updating.during(() -> models.setSelectedItem(shownModel));
             models.setToolTipText(Tips.wrapped(Wording.meaning(shownModel)));
             parameters.show(shownModel);
         }
-        boolean hasTime = shutter.hasOpeningTime();
-        timeRow.setVisible(hasTime);
-        if (!hasTime) {
-            EntryField.in(timeRow).forEach(EntryField::revert);
-        } else {
-            time.setRange(size.times(model.studio()));
-            time.show(shutter.openingTime());
-        }
+        timeRow.setVisible(shutter.hasOpeningTime());
         timing.update();
         forms.get(shownModel).show(shutter);
     }
@@ -196,7 +188,7 @@ public final class ShutterPanel {
             boolean inList = index >= 0;
             boolean marked = inList && selected;
             Color ink = marked ? list.getSelectionForeground() : list.getForeground();
-            icon.setIcon(new ShutterIcon(model, marked ? ink : null));
+            icon.setIcon(ShutterIcon.of(model, marked ? ink : null));
             name.setText(model == null ? "" : Wording.label(model));
             cell.getAccessibleContext().setAccessibleName(name.getText());
             line.setVisible(inList);

@@ -1,8 +1,9 @@
 package tompkins.ui.panel;
 
 import java.awt.Component;
+import java.util.function.BiFunction;
+import java.util.function.ToDoubleFunction;
 import javax.swing.JComboBox;
-import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.ListCellRenderer;
@@ -11,12 +12,15 @@ import tompkins.shutter.RollingShutter;
 import tompkins.shutter.SweepDirection;
 import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.number.NumberRow;
+import tompkins.ui.number.SceneSize;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.MessageRoom;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Updating;
@@ -26,47 +30,33 @@ import tompkins.ui.widget.Wording;
  * For how long the shutter stays open, and how it rolls across the picture. Shown for shutters with an opening time;
  * for others it only says what the camera has of both, because they act there, too.
  */
-final class ShutterTimingPanel {
+final class ShutterTimingPanel extends Part {
 
     private final StudioModel model;
     private final SceneSize size;
-    private final JPanel panel = Rows.column();
     private final JPanel controls = Rows.panel();
-    private final NumberRow exposure;
-    private final NumberRow sweep;
     private final JComboBox<SweepDirection> directions = new JComboBox<>(SweepDirection.values());
     private final Updating updating = new Updating();
     private final Note hidden = new Note("");
     private final Note refused = new Note("");
 
     ShutterTimingPanel(StudioModel model, SceneSize size) {
+        super(Rows.column());
         this.model = model;
         this.size = size;
-        exposure = new NumberRow(
-                model,
-                "exposureTime",
-                NumberKind.DOUBLE,
-                Texts.get("shutter.exposureTip"),
-                size.spans(model.studio(), 0),
+        NumberRow sweep = row(
                 refused,
-                value -> with(camera().withExposureTime(value)));
-        exposure.setIcon(TimingIcon.exposure());
-        sweep = new NumberRow(
-                model,
                 "sweep",
-                NumberKind.DOUBLE,
-                Texts.get("shutter.sweepTip"),
-                size.spans(model.studio(), 0),
-                refused,
-                value -> with(
-                        camera().withRollingShutter(new RollingShutter(rolling().direction(), value))));
+                "shutter.sweepTip",
+                camera -> camera.rollingShutter().sweep(),
+                (camera, value) -> camera.withRollingShutter(
+                        new RollingShutter(camera.rollingShutter().direction(), value)));
         Naming.items(directions, Wording::label);
         Naming.name(directions, "shutter.direction");
         directions.setRenderer(withIcons(directions.getRenderer()));
         directions.addActionListener(event ->
                 updating.unless(() -> model.set(with(camera().withRollingShutter(new RollingShutter(
                         (SweepDirection) directions.getSelectedItem(), rolling().sweep()))))));
-        exposure.addTo(controls);
         sweep.addTo(controls);
         JLabel rolls = new JLabel(Texts.get("shutter.rolls"));
         rolls.setLabelFor(directions);
@@ -86,8 +76,30 @@ final class ShutterTimingPanel {
         };
     }
 
-    JComponent component() {
-        return panel;
+    /**
+     * The row for the exposure time, to be put beside the opening time; {@code problems} says what is wrong with it.
+     */
+    NumberRow exposure(Note problems) {
+        NumberRow exposure =
+                row(problems, "exposureTime", "shutter.exposureTip", Camera::exposureTime, Camera::withExposureTime);
+        exposure.setIcon(TimingIcon.exposure());
+        return exposure;
+    }
+
+    private NumberRow row(
+            Note problems,
+            String property,
+            String tip,
+            ToDoubleFunction<Camera> reading,
+            BiFunction<Camera, Double, Camera> change) {
+        ToDoubleFunction<Studio> span = studio -> reading.applyAsDouble(studio.camera());
+        NumberRow.Quantity quantity = new NumberRow.Quantity(
+                property,
+                Texts.get(tip),
+                span,
+                (studio, value) -> studio.withCamera(change.apply(studio.camera(), value)),
+                studio -> size.spans(studio, span.applyAsDouble(studio)));
+        return new NumberRow(model, quantity, NumberKind.DOUBLE, problems);
     }
 
     private Camera camera() {
@@ -118,10 +130,6 @@ final class ShutterTimingPanel {
             EntryField.in(controls).forEach(EntryField::revert);
             return;
         }
-        exposure.setRange(size.spans(model.studio(), camera().exposureTime()));
-        exposure.show(camera().exposureTime());
-        sweep.setRange(size.spans(model.studio(), rolling().sweep()));
-        sweep.show(rolling().sweep());
         updating.during(() -> directions.setSelectedItem(rolling().direction()));
         directions.setEnabled(rolling().rolls());
     }

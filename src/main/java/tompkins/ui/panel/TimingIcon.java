@@ -1,10 +1,7 @@
 package tompkins.ui.panel;
 
 import java.awt.BasicStroke;
-import java.awt.Component;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
@@ -12,22 +9,19 @@ import java.util.function.Consumer;
 import javax.swing.Icon;
 import javax.swing.UIManager;
 import tompkins.shutter.SweepDirection;
+import tompkins.ui.widget.Drawing;
 
-/** A tiny drawing of how the shutter takes its time, with what opens in the accent colour. */
-final class TimingIcon implements Icon {
+/** Tiny drawings of when the shutter opens, with what opens in the accent colour. */
+final class TimingIcon {
 
     private static final int WIDTH = 20;
     private static final int HEIGHT = 16;
 
-    private final Consumer<Graphics2D> drawing;
-
-    private TimingIcon(Consumer<Graphics2D> drawing) {
-        this.drawing = drawing;
-    }
+    private TimingIcon() {}
 
     /** A time line with the part in which the shutter is open. */
-    static TimingIcon exposure() {
-        return new TimingIcon(g -> {
+    static Icon exposure() {
+        return drawing(g -> {
             double middle = HEIGHT / 2.0;
             g.draw(new Line2D.Double(1, middle, WIDTH - 1, middle));
             accent(g);
@@ -39,8 +33,8 @@ final class TimingIcon implements Icon {
     }
 
     /** A picture, the line in it that is open, and an arrow that shows where the shutter rolls. */
-    static TimingIcon rolling(SweepDirection direction) {
-        return new TimingIcon(g -> {
+    static Icon rolling(SweepDirection direction) {
+        return drawing(g -> {
             g.draw(new Rectangle2D.Double(2.5, 1.5, WIDTH - 5, HEIGHT - 3));
             accent(g);
             g.translate(WIDTH / 2.0, HEIGHT / 2.0);
@@ -70,25 +64,11 @@ final class TimingIcon implements Icon {
         g.setStroke(new BasicStroke(1.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
     }
 
-    @Override
-    public void paintIcon(Component component, Graphics graphics, int x, int y) {
-        Graphics2D g = (Graphics2D) graphics.create();
-        g.translate(x, y);
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        g.setColor(UIManager.getColor("Tompkins.note"));
-        g.setStroke(new BasicStroke(1));
-        drawing.accept(g);
-        g.dispose();
-    }
-
-    @Override
-    public int getIconWidth() {
-        return WIDTH;
-    }
-
-    @Override
-    public int getIconHeight() {
-        return HEIGHT;
+    private static Icon drawing(Consumer<Graphics2D> painter) {
+        return new Drawing(WIDTH, HEIGHT, (g, component) -> {
+            g.setColor(UIManager.getColor("Tompkins.note"));
+            g.setStroke(new BasicStroke(1));
+            painter.accept(g);
+        });
     }
 }

@@ -1,8 +1,6 @@
 package tompkins.ui.panel;
 
-import java.awt.event.ActionEvent;
 import java.util.List;
-import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
@@ -16,12 +14,13 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.DirectionSphere;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.MessageRoom;
-import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Range;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.SpeedText;
@@ -30,13 +29,12 @@ import tompkins.ui.widget.ValueSlider;
 import tompkins.ui.widget.VectorFields;
 
 /** How fast the camera moves, and in which direction. */
-public final class VelocityPanel {
+public final class VelocityPanel extends Part {
 
     /** The speeds of the slider, as rapidities: from rest to gamma 202. */
     private static final Range RAPIDITIES = Range.even(0, 6);
 
     private final StudioModel model;
-    private final JPanel panel = Rows.column();
     private final Note note = new Note("");
     private final ValueSlider slider;
     private final EntryField speed;
@@ -48,6 +46,7 @@ public final class VelocityPanel {
 
     /** A panel for the camera's velocity in the studio of a model, which follows its changes. */
     public VelocityPanel(StudioModel model) {
+        super(Rows.column());
         this.model = model;
         slider = new ValueSlider(
                 Texts.get("speed.slider"), Texts.get("speed.sliderTip"), RAPIDITIES, this::slide, model::endGesture);
@@ -65,11 +64,6 @@ public final class VelocityPanel {
         panel.add(new MessageRoom(3, note, warning, numbers).component(), "wmin 0");
         model.addListener(this::update);
         update();
-    }
-
-    /** The panel itself. */
-    public JComponent component() {
-        return panel;
     }
 
     private JComponent scaleSwitch() {
@@ -99,10 +93,10 @@ public final class VelocityPanel {
 
     private JComponent buttons() {
         JPanel row = Rows.of("wrap 2, gap 4", "[grow,fill,sg][grow,fill,sg]");
-        row.add(button("rest", this::rest));
-        row.add(button("forwards", () -> turn(camera().viewDirection(), null)));
-        row.add(button("backwards", () -> turn(new Vector3d().sub(camera().viewDirection()), null)));
-        row.add(button("sideways", () -> turn(camera().rightDirection(), null)));
+        row.add(Buttons.of("velocity.rest", this::rest));
+        row.add(Buttons.of("velocity.forwards", () -> turn(camera().viewDirection(), null)));
+        row.add(Buttons.of("velocity.backwards", () -> turn(new Vector3d().sub(camera().viewDirection()), null)));
+        row.add(Buttons.of("velocity.sideways", () -> turn(camera().rightDirection(), null)));
         return row;
     }
 
@@ -110,13 +104,6 @@ public final class VelocityPanel {
         take(Velocity.of(SpeedScale.BETA, 0, velocity().givenDirection()));
         // a speed that was refused: the camera was at rest already
         speed.revert();
-    }
-
-    private JButton button(String key, Runnable action) {
-        JButton button = new JButton(Texts.get("velocity." + key));
-        Naming.name(button, button.getText(), Texts.get("velocity." + key + ".tip"));
-        button.addActionListener((ActionEvent event) -> action.run());
-        return button;
     }
 
     private Camera camera() {

@@ -3,7 +3,6 @@ package tompkins.ui.panel;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
-import javax.swing.JComponent;
 import javax.swing.JPanel;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
@@ -12,16 +11,18 @@ import tompkins.surface.LorentzWindow;
 import tompkins.surface.Surface;
 import tompkins.ui.editor.RecordForm;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.Wording;
 
 /** The window in front of the lens: none, or one that can undo what the motion does to the picture. */
-public final class WindowPanel {
+public final class WindowPanel extends Part {
 
     /** The kinds of window. */
     private enum Kind {
@@ -36,9 +37,8 @@ public final class WindowPanel {
     }
 
     private final StudioModel model;
-    private final JPanel panel = Rows.column();
     private final JComboBox<Kind> kinds = new JComboBox<>(Kind.values());
-    private final JButton match = new JButton(Texts.get("window.match"));
+    private final JButton match = Buttons.of("window.match", this::matchCamera);
     private final Note note = Note.ofLines(2);
     private final JPanel details = Rows.column();
     private final Updating updating = new Updating();
@@ -47,23 +47,17 @@ public final class WindowPanel {
 
     /** A panel for the window before the lens in the studio of a model, which follows its changes. */
     public WindowPanel(StudioModel model) {
+        super(Rows.column());
         this.model = model;
         Naming.items(kinds, Wording::label);
         Naming.name(kinds, Texts.get("window.name"), Texts.get("window.tip"));
         kinds.addActionListener(event -> updating.unless(() -> choose((Kind) kinds.getSelectedItem())));
-        Naming.name(match, Texts.get("window.match"), Texts.get("window.matchTip"));
-        match.addActionListener(event -> matchCamera());
         panel.add(kinds, "wmin 0");
         panel.add(match);
         panel.add(note.component(), "wmin 0");
         panel.add(details, "wmin 0");
         model.addListener(this::update);
         update();
-    }
-
-    /** The panel itself. */
-    public JComponent component() {
-        return panel;
     }
 
     private void choose(Kind kind) {

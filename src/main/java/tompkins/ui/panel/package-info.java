@@ -1,2 +1,2 @@
-/** The parts of the side panel, and the panel that runs a number as an animation. */
+/** The parts of the side panel. */
 package tompkins.ui.panel;

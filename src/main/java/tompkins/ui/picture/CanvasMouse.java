@@ -9,7 +9,7 @@ import java.awt.event.MouseWheelEvent;
 import javax.swing.SwingUtilities;
 
 /** What the mouse does on a canvas: it points, clicks, and drags the divider. */
-final class CanvasMouse extends MouseAdapter {
+public final class CanvasMouse extends MouseAdapter {
 
     private static final int GRIP = 6;
 
@@ -36,12 +36,12 @@ final class CanvasMouse extends MouseAdapter {
     }
 
     /** Whether a drag that begins at a point is not one of the divider, while no click is expected. */
-    boolean isFreeAt(Point point) {
+    public boolean isFreeAt(Point point) {
         return !canvas.isPicking() && !isNearDivider(point);
     }
 
     /** Whether the mouse has moved too far since its button was pressed for a click. */
-    boolean isDragging() {
+    public boolean isDragging() {
         return dragged;
     }
 
@@ -51,6 +51,17 @@ final class CanvasMouse extends MouseAdapter {
         draggingDivider = isNearDivider(event.getPoint());
         pressed = event.getPoint();
         dragged = false;
+        offerMenu(event);
+    }
+
+    /** Some systems ask for a menu when a button is pressed, others when it is released. */
+    private void offerMenu(MouseEvent event) {
+        if (event.isPopupTrigger() && !dragged) {
+            // it is no click then
+            dragged = true;
+            canvas.pointMouse(event.getPoint());
+            canvas.askForMenu();
+        }
     }
 
     @Override
@@ -102,6 +113,7 @@ final class CanvasMouse extends MouseAdapter {
 
     @Override
     public void mouseReleased(MouseEvent event) {
+        offerMenu(event);
         if (!draggingDivider && !dragged && event.getButton() == MouseEvent.BUTTON1) {
             canvas.pointMouse(event.getPoint());
             if (event.getClickCount() == 2) {

@@ -56,8 +56,7 @@ public final class CanvasZoom {
     /** The width of a pixel of the photograph in pixels of the screen when it fits into its room. */
     private double fittingScale(Picture picture) {
         Dimension room = canvas.arrangement().room().getSize();
-        return (double) Fit.size(picture.ownWidth(), picture.ownHeight(), room.width, room.height).width
-                / picture.ownWidth();
+        return (double) Room.fitting(picture.ownWidth(), picture.ownHeight(), room).width / picture.ownWidth();
     }
 
     private void change(Zoom next) {

@@ -1,12 +1,13 @@
 package tompkins.ui.picture;
 
+import java.awt.Component;
 import java.awt.Point;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
 import java.awt.geom.Point2D;
+import java.util.List;
 import javax.swing.KeyStroke;
-import tompkins.ui.widget.FocusFollower;
 import tompkins.ui.widget.Keys;
 
 /**
@@ -35,10 +36,13 @@ final class KeyPointer {
         Keys.bindFocused(canvas, KeyStroke.getKeyStroke("ctrl LEFT"), () -> moveDivider(-DIVIDER_STEP));
         Keys.bindFocused(canvas, KeyStroke.getKeyStroke("ctrl RIGHT"), () -> moveDivider(DIVIDER_STEP));
         Keys.bindFocused(canvas, KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), this::click);
+        for (String key : List.of("CONTEXT_MENU", "shift F10")) {
+            Keys.bindFocused(canvas, KeyStroke.getKeyStroke(key), canvas::askForMenu);
+        }
         canvas.addFocusListener(new FocusAdapter() {
             @Override
             public void focusGained(FocusEvent event) {
-                if (FocusFollower.isTraversal(event)) {
+                if (isTraversal(event)) {
                     move(0, 0);
                 }
             }
@@ -51,6 +55,18 @@ final class KeyPointer {
                 }
             }
         });
+    }
+
+    /** Whether the Tab key brought the focus. */
+    private static boolean isTraversal(FocusEvent event) {
+        boolean forward = event.getCause() == FocusEvent.Cause.TRAVERSAL_FORWARD;
+        return forward && !isLost(event.getOppositeComponent())
+                || event.getCause() == FocusEvent.Cause.TRAVERSAL_BACKWARD;
+    }
+
+    /** Whether a component had to give up the focus, which then goes forward by itself. */
+    private static boolean isLost(Component before) {
+        return before != null && !(before.isShowing() && before.isEnabled());
     }
 
     private void bind(String key, int right, int down) {
@@ -77,6 +93,11 @@ final class KeyPointer {
         canvas.zoom().show(place());
         canvas.tellPointed();
         canvas.repaint();
+    }
+
+    /** Points at the middle of the picture, if it points nowhere. */
+    void pointAtMiddle() {
+        move(0, 0);
     }
 
     /** The middle of the pixel in the ring, as a place of the photograph; null if there is none. */

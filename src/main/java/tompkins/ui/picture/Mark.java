@@ -6,12 +6,12 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.Shape;
-import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
+import tompkins.ui.widget.Drawing;
 
 /** Marks on a picture, white within black, so that they are visible on any colour. */
-final class Mark {
+public final class Mark {
 
     private static final double RADIUS = 7;
     private static final double INNER = 5;
@@ -36,7 +36,7 @@ final class Mark {
 
     /** A ring around the place at which the keys point. */
     static void paintRing(Graphics2D g, double x, double y) {
-        paint(g, new Ellipse2D.Double(x - RADIUS, y - RADIUS, 2 * RADIUS, 2 * RADIUS));
+        paint(g, Drawing.circle(x, y, RADIUS));
     }
 
     /** A line from top to bottom with a handle, below the middle, where it would lie over what is ahead. */
@@ -53,9 +53,8 @@ final class Mark {
     }
 
     /** Coloured lines along a shape; fine ones hide less of the picture. */
-    static void paintLines(Graphics2D g, Shape shape, Color colour, boolean fine) {
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+    public static void paintLines(Graphics2D g, Shape shape, Color colour, boolean fine) {
+        Drawing.smooth(g);
         g.setColor(new Color(0, 0, 0, fine ? 110 : 190));
         g.setStroke(new BasicStroke(fine ? 2.4f : 3.4f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(shape);
@@ -65,7 +64,7 @@ final class Mark {
     }
 
     /** Lines along a shape. */
-    static void paint(Graphics2D g, Shape shape) {
+    public static void paint(Graphics2D g, Shape shape) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setColor(Color.BLACK);
         g.setStroke(new BasicStroke(3.5f));
@@ -76,12 +75,12 @@ final class Mark {
     }
 
     /** A text that begins at a point of its base line. */
-    static void paintText(Graphics2D g, Font font, String text, double x, double y) {
+    public static void paintText(Graphics2D g, Font font, String text, double x, double y) {
         paintText(g, font, text, x, y, Color.WHITE);
     }
 
     /** A coloured text that begins at a point of its base line. */
-    static void paintText(Graphics2D g, Font font, String text, double x, double y, Color colour) {
+    public static void paintText(Graphics2D g, Font font, String text, double x, double y, Color colour) {
         if (text.isEmpty()) {
             return;
         }

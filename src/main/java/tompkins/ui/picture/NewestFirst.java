@@ -10,7 +10,7 @@ import java.util.function.Consumer;
  * A thread that works on the newest thing that it is given; anything that it has not begun when a newer one comes is
  * dropped.
  */
-final class NewestFirst<T> implements AutoCloseable {
+public final class NewestFirst<T> implements AutoCloseable {
 
     /** As much as the threads of the renderer have: here, too, rays may be followed through deep recursions. */
     private static final long STACK_BYTES = 16 << 20;
@@ -23,7 +23,7 @@ final class NewestFirst<T> implements AutoCloseable {
      * A thread with a name that does the given work. It survives work that throws, so that the next thing is done all
      * the same; the thread tells {@code failed} the thing and what went wrong.
      */
-    NewestFirst(String name, Consumer<T> work, BiConsumer<T, Throwable> failed) {
+    public NewestFirst(String name, Consumer<T> work, BiConsumer<T, Throwable> failed) {
         this.work = work;
         this.failed = failed;
         thread = new ThreadPoolExecutor(
@@ -41,7 +41,7 @@ final class NewestFirst<T> implements AutoCloseable {
     }
 
     /** Replaces the thing that waits. */
-    void submit(T thing) {
+    public void submit(T thing) {
         thread.execute(() -> work(thing));
     }
 

@@ -14,10 +14,10 @@ public enum Pace {
     FILM(Duration.ofMillis(80), Duration.ZERO, 1),
 
     /**
-     * Pictures follow each other while somebody steers: each is shown once, as good as thirty a second allow, and is
-     * good enough with a sample in each pixel.
+     * Pictures follow each other while somebody steers: each is a {@link tompkins.render.Renderer#startGlimpse
+     * glimpse}, as good as more than thirty a second allow, and shown once.
      */
-    RIDE(Duration.ofMillis(28), Duration.ZERO, 1);
+    RIDE(Duration.ofMillis(20), Duration.ZERO, 0);
 
     private final long patience;
     private final long frame;
@@ -29,9 +29,14 @@ public enum Pace {
         this.enough = enough;
     }
 
-    /** That of a picture beside: who steers looks at the one in front of him. */
-    public Pace ofOther() {
-        return this == RIDE ? FILM : this;
+    /** Whether each picture is a glimpse. */
+    boolean isGlimpse() {
+        return enough == 0;
+    }
+
+    /** How long the rays of a glimpse may take, in seconds. */
+    double glimpseSeconds() {
+        return patience * 1e-9;
     }
 
     /**

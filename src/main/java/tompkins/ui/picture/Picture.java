@@ -46,19 +46,6 @@ public record Picture(
         EMPTY
     }
 
-    /** A picture without a known flaw. */
-    public Picture(
-            Studio studio,
-            RenderPlan plan,
-            LinearImage image,
-            boolean complete,
-            Duration time,
-            double samples,
-            double error,
-            List<String> warnings) {
-        this(studio, plan, image, complete, time, samples, error, warnings, Flaw.NONE);
-    }
-
     /** Which samples it gets. */
     public Quality quality() {
         return Quality.of(studio());
@@ -80,12 +67,12 @@ public record Picture(
     }
 
     /** The width of the photograph in its own size, in pixels. */
-    int ownWidth() {
+    public int ownWidth() {
         return studio.settings().width();
     }
 
     /** The height of the photograph in its own size, in pixels. */
-    int ownHeight() {
+    public int ownHeight() {
         return studio.settings().height();
     }
 

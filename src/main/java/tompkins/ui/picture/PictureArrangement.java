@@ -4,6 +4,7 @@ import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.geom.Point2D;
+import java.awt.image.BufferedImage;
 import java.util.List;
 
 /**
@@ -33,9 +34,11 @@ record PictureArrangement(
         if (picture == null) {
             return new Rectangle(room);
         }
-        return zoom == null
-                ? Fit.place(picture.ownWidth(), picture.ownHeight(), room.width, room.height)
-                : zoom.place(picture.ownWidth(), picture.ownHeight(), room);
+        if (zoom != null) {
+            return zoom.place(picture.ownWidth(), picture.ownHeight(), room);
+        }
+        Dimension size = Room.fitting(picture.ownWidth(), picture.ownHeight(), room);
+        return new Rectangle((room.width - size.width) / 2, (room.height - size.height) / 2, size.width, size.height);
     }
 
     /** Where the other picture lies, of the same size. */
@@ -64,29 +67,47 @@ record PictureArrangement(
      * A picture on the canvas.
      *
      * @param picture the picture
+     * @param image what is seen of it
+     * @param isOther whether it is the one with which the picture is compared
      * @param bounds where it lies
      * @param part the part of the canvas in which it is seen
      */
-    record Pane(Picture picture, Rectangle bounds, Rectangle part) {}
+    record Pane(Picture picture, BufferedImage image, boolean isOther, Rectangle bounds, Rectangle part) {
 
-    /** The pictures that are seen, that of the studio first; if their difference is shown, that of the studio only. */
+        /** The part of it that is seen. */
+        Rectangle visible() {
+            return bounds.intersection(part);
+        }
+    }
+
+    /** The pictures that are seen, that of the studio first; if their difference is shown, in place of that. */
     List<Pane> panes() {
         Rectangle bounds = bounds();
         if (showsOtherAlone()) {
-            return List.of(new Pane(shown.other(), bounds, room()));
+            return List.of(other(bounds, room()));
         }
         if (splits()) {
             int x = dividerX();
             Rectangle left = new Rectangle(bounds.x, bounds.y, x - bounds.x, bounds.height);
             Rectangle right = new Rectangle(x, bounds.y, bounds.x + bounds.width - x, bounds.height);
-            return List.of(
-                    new Pane(shown.now(), bounds, left.intersection(room())),
-                    new Pane(shown.other(), bounds, right.intersection(room())));
+            return List.of(now(bounds, left.intersection(room())), other(bounds, right.intersection(room())));
         }
-        Pane now = new Pane(shown.now(), bounds, room());
         return isBeside() && shown.otherImage() != null
-                ? List.of(now, new Pane(shown.other(), otherBounds(), otherRoom()))
-                : List.of(now);
+                ? List.of(now(bounds, room()), other(otherBounds(), otherRoom()))
+                : List.of(now(bounds, room()));
+    }
+
+    /** The studio's picture, in all of its room. */
+    Pane studioPane() {
+        return now(bounds(), room());
+    }
+
+    private Pane now(Rectangle bounds, Rectangle part) {
+        return new Pane(shown.now(), showsDifference() ? shown.difference() : shown.nowImage(), false, bounds, part);
+    }
+
+    private Pane other(Rectangle bounds, Rectangle part) {
+        return new Pane(shown.other(), shown.otherImage(), true, bounds, part);
     }
 
     /** The part of the canvas that the picture may cover. */

@@ -33,6 +33,9 @@ public final class PictureCanvas extends JPanel {
         /** The mouse was clicked at a place of the picture that is seen there. */
         void clicked(Point2D place, Picture seen);
 
+        /** A menu is asked for at a place of the picture that is seen there, which is a point of the canvas. */
+        default void asksForMenu(Point2D place, Picture seen, Point at) {}
+
         /** What was taken for a click was the first half of a double click, which means something else. */
         default void clickedTwice() {}
     }
@@ -101,7 +104,7 @@ public final class PictureCanvas extends JPanel {
     }
 
     /** The place of the picture that the keys or else the mouse points at; null if there is none. */
-    Point2D pointedPlace() {
+    public Point2D pointedPlace() {
         Point2D keys = keyPointer.place();
         return keys != null || mouseAt == null ? keys : pictureAt(mouseAt);
     }
@@ -128,6 +131,21 @@ public final class PictureCanvas extends JPanel {
         Point2D place = pointedPlace();
         if (place != null) {
             mouse.clicked(place, pointedPicture());
+        }
+    }
+
+    /** Asks for a menu where the keys or the mouse point, or else in the middle, if there is a picture. */
+    void askForMenu() {
+        if (pointedPlace() == null) {
+            keyPointer.pointAtMiddle();
+        }
+        Point2D place = pointedPlace();
+        if (place != null) {
+            Rectangle bounds = pictureBounds();
+            double x = place.getX() / shown.now().ownWidth();
+            double y = place.getY() / shown.now().ownHeight();
+            Point keys = new Point((int) (bounds.x + x * bounds.width), (int) (bounds.y + y * bounds.height));
+            mouse.asksForMenu(place, pointedPicture(), keyPointer.place() != null ? keys : mouseAt);
         }
     }
 
@@ -291,7 +309,7 @@ public final class PictureCanvas extends JPanel {
             if (overlay.isOfAllPictures()) {
                 seen.panes().forEach(pane -> paint(g, overlay, pane, free));
             } else {
-                paint(g, overlay, new PictureArrangement.Pane(shown.now(), seen.bounds(), seen.room()), free);
+                paint(g, overlay, seen.studioPane(), free);
             }
         }
     }
@@ -314,7 +332,7 @@ public final class PictureCanvas extends JPanel {
      * Where the picture lies that is seen at a point of this component, which may be the other one; null if there is
      * none.
      */
-    Rectangle boundsAt(Point point) {
+    public Rectangle boundsAt(Point point) {
         Rectangle bounds = arrangement().boundsAt(inPixels(point));
         return bounds == null ? null : PicturePainter.inUnits(bounds, scale());
     }
@@ -342,8 +360,14 @@ public final class PictureCanvas extends JPanel {
         mouseAt = point;
     }
 
+    /** Shows the picture of another scene: as large as it fits, and nothing in it is pointed at by keys. */
+    public void beginScene() {
+        zoom.fit();
+        keyPointer.forget();
+    }
+
     /** What the mouse does. */
-    CanvasMouse hand() {
+    public CanvasMouse hand() {
         return hand;
     }
 

@@ -29,61 +29,38 @@ record PicturePainter(
 
     /** Paints on an empty canvas. */
     void paint(Graphics2D g) {
-        ScreenPicture shown = seen.shown();
-        Rectangle bounds = seen.bounds();
-        Rectangle room = seen.room();
-        if (seen.showsDifference()) {
-            paint(g, shown.difference(), bounds, room);
-            label(g, Texts.get("compare.differenceLabel", otherName), visible(), Corner.TOP_LEFT);
-            caption(g, shown.now(), visible(), Corner.BOTTOM_LEFT);
-        } else if (seen.showsOtherAlone()) {
-            paint(g, shown.otherImage(), bounds, room);
-            label(g, otherName, visible(), Corner.TOP_LEFT);
-            caption(g, shown.other(), visible(), Corner.BOTTOM_LEFT);
-        } else if (seen.splits()) {
-            paintSplit(g, bounds, room);
-        } else {
-            paint(g, shown.nowImage(), bounds, room);
-            caption(g, shown.now(), visible(), Corner.BOTTOM_LEFT);
+        for (PictureArrangement.Pane pane : seen.panes()) {
+            paint(g, pane.image(), pane.bounds(), pane.part());
+            Graphics2D clipped = (Graphics2D) g.create();
+            clipped.clip(inUnits(pane.visible()));
+            boolean right = seen.splits() && pane.isOther();
+            label(clipped, title(pane), pane.visible(), right ? Corner.TOP_RIGHT : Corner.TOP_LEFT);
+            String caption =
+                    captions == null ? "" : captions.apply(pane.picture().studio());
+            label(clipped, caption, pane.visible(), right ? Corner.BOTTOM_RIGHT : Corner.BOTTOM_LEFT);
+            clipped.dispose();
         }
-        if (seen.comparison() != Comparison.NONE && shown.other() != null && shown.otherImage() == null) {
+        if (seen.splits()) {
+            Rectangle visible = inUnits(visible());
+            Mark.paintDivider(g, (int) Math.round(seen.dividerX() / scale), visible.y, visible.height);
+        }
+        if (seen.comparison() != Comparison.NONE
+                && seen.shown().other() != null
+                && seen.shown().otherImage() == null) {
             label(g, Texts.get("compare.otherShape", otherName), visible(), Corner.TOP_LEFT);
         }
-        if (seen.isBeside() && shown.otherImage() != null) {
-            paintBeside(g);
+    }
+
+    /** What a picture is called; empty if it is shown alone. */
+    private String title(PictureArrangement.Pane pane) {
+        if (seen.showsDifference()) {
+            return Texts.get("compare.differenceLabel", otherName);
         }
+        return pane.isOther() ? otherName : seen.showsTwo() ? Texts.get("compare.now") : "";
     }
 
     private Rectangle visible() {
         return seen.bounds().intersection(seen.room());
-    }
-
-    private void paintBeside(Graphics2D g) {
-        Rectangle there = seen.otherBounds();
-        paint(g, seen.shown().otherImage(), there, seen.otherRoom());
-        Rectangle visible = there.intersection(seen.otherRoom());
-        label(g, otherName, visible, Corner.TOP_LEFT);
-        caption(g, seen.shown().other(), visible, Corner.BOTTOM_LEFT);
-        label(g, Texts.get("compare.now"), visible(), Corner.TOP_LEFT);
-    }
-
-    private void paintSplit(Graphics2D g, Rectangle bounds, Rectangle room) {
-        int x = seen.dividerX();
-        Rectangle left = new Rectangle(bounds.x, bounds.y, x - bounds.x, bounds.height).intersection(room);
-        Rectangle right = new Rectangle(x, bounds.y, bounds.x + bounds.width - x, bounds.height).intersection(room);
-        paint(g, seen.shown().otherImage(), bounds, right);
-        paint(g, seen.shown().nowImage(), bounds, left);
-        Graphics2D half = (Graphics2D) g.create();
-        half.clip(inUnits(right));
-        label(half, otherName, right, Corner.TOP_RIGHT);
-        caption(half, seen.shown().other(), right, Corner.BOTTOM_RIGHT);
-        half.setClip(g.getClip());
-        half.clip(inUnits(left));
-        label(half, Texts.get("compare.now"), left, Corner.TOP_LEFT);
-        caption(half, seen.shown().now(), left, Corner.BOTTOM_LEFT);
-        half.dispose();
-        Rectangle visible = inUnits(visible());
-        Mark.paintDivider(g, (int) Math.round(x / scale), visible.y, visible.height);
     }
 
     /** Paints an image, clipped to a part of the canvas. */
@@ -121,15 +98,10 @@ record PicturePainter(
         return free;
     }
 
-    private void caption(Graphics2D g, Picture picture, Rectangle bounds, Corner corner) {
-        String text = captions == null ? "" : captions.apply(picture.studio());
-        if (!text.isEmpty()) {
-            label(g, text, bounds, corner);
-        }
-    }
-
     private void label(Graphics2D g, String text, Rectangle bounds, Corner corner) {
-        PictureLabel.paint(g, font, text, inUnits(bounds), corner);
+        if (!text.isEmpty()) {
+            PictureLabel.paint(g, font, text, inUnits(bounds), corner);
+        }
     }
 
     private Rectangle inUnits(Rectangle pixels) {

@@ -130,7 +130,9 @@ public final class RenderController implements AutoCloseable {
             return;
         }
         Run next = new Run(request);
-        next.job = renderer.startCoarse(plan, Quality.of(request.studio), next);
+        next.job = request.pace.isGlimpse()
+                ? renderer.startGlimpse(plan, request.pace.glimpseSeconds(), next)
+                : renderer.startCoarse(plan, Quality.of(request.studio), next);
         run = next;
         if (wanted.get() == null) {
             // it may have been stopped too early for the run to be seen
@@ -188,6 +190,9 @@ public final class RenderController implements AutoCloseable {
 
         @Override
         public void passDone(RenderJob rendered) {
+            if (request.pace.isGlimpse()) {
+                return;
+            }
             long now = System.nanoTime();
             // each coarse pass takes three times as many samples as all passes before it
             long nextPass = now - request.time + 3 * (now - startTime);
@@ -211,7 +216,7 @@ public final class RenderController implements AutoCloseable {
         /** Delivers the last image, for which there may be no memory, because it is the largest. */
         private void deliverLast(RenderJob rendered, boolean wasWanted) {
             try {
-                deliver(rendered, true);
+                deliver(rendered, !request.pace.isGlimpse());
             } catch (RuntimeException | Error error) {
                 if (wasWanted) {
                     failures.accept(error);
@@ -233,7 +238,8 @@ public final class RenderController implements AutoCloseable {
         private void deliver(RenderJob rendered, boolean complete) {
             Duration time = Duration.ofNanos(System.nanoTime() - request.time);
             // the error takes a moment to work out, so it is left out while the picture follows a hand
-            boolean tellsError = complete || System.nanoTime() - startTime > LONGEST_WAIT.toNanos();
+            boolean tellsError =
+                    complete || System.nanoTime() - startTime > LONGEST_WAIT.toNanos() && !request.pace.isGlimpse();
             RenderReport report = tellsError ? rendered.report() : null;
             Picture picture = new Picture(
                     request.studio,

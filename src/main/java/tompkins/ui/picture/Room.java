@@ -15,6 +15,13 @@ public record Room(Dimension size, boolean ownPixels) {
     public Dimension sizeOf(RenderSettings photograph) {
         return ownPixels
                 ? new Dimension(photograph.width(), photograph.height())
-                : Fit.size(photograph.width(), photograph.height(), size.width, size.height);
+                : fitting(photograph.width(), photograph.height(), size);
+    }
+
+    /** The largest size of a picture of the given proportions in a room. */
+    static Dimension fitting(int width, int height, Dimension room) {
+        double scale = Math.min((double) room.width / width, (double) room.height / height);
+        return new Dimension(
+                Math.max(1, (int) Math.round(width * scale)), Math.max(1, (int) Math.round(height * scale)));
     }
 }

@@ -5,19 +5,12 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 
 /** Parts of which one is shown, in the room of the largest, so that nothing moves when another one is shown. */
-public final class CardPanel {
-
-    private final CardLayout cards = new CardLayout();
-    private final JPanel panel = new JPanel(cards);
+public final class CardPanel extends Part {
 
     /** No parts yet. */
     public CardPanel() {
+        super(new JPanel(new CardLayout()));
         panel.setOpaque(false);
-    }
-
-    /** The panel itself. */
-    public JComponent component() {
-        return panel;
     }
 
     /** Adds the part for a type. */
@@ -29,6 +22,6 @@ public final class CardPanel {
 
     /** Shows the part for a type. */
     public void show(Class<?> type) {
-        cards.show(panel, type.getName());
+        ((CardLayout) panel.getLayout()).show(panel, type.getName());
     }
 }

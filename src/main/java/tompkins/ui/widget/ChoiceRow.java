@@ -12,6 +12,10 @@ import javax.swing.JToggleButton;
 /** A row of buttons of which one is chosen, at first the first. */
 public final class ChoiceRow {
 
+    /** The style of a button in a row of which one is chosen. */
+    public static final String STYLE = "margin: 2,4,2,4; minimumWidth: 0; selectedBackground: $Component.accentColor;"
+            + " selectedForeground: $Tompkins.chosen; focusedBorderColor: $Tompkins.chosen";
+
     private ChoiceRow() {}
 
     /**
@@ -33,10 +37,7 @@ public final class ChoiceRow {
         for (T value : values) {
             JToggleButton button = new JToggleButton(text.apply(value), group.getButtonCount() == 0);
             Naming.name(button, name.apply(value), tip.apply(value));
-            button.putClientProperty(
-                    FlatClientProperties.STYLE,
-                    "margin: 2,4,2,4; minimumWidth: 0; selectedBackground: $Component.accentColor;"
-                            + " selectedForeground: $Tompkins.chosen; focusedBorderColor: $Tompkins.chosen");
+            button.putClientProperty(FlatClientProperties.STYLE, STYLE);
             whenChosen(button, () -> chosen.accept(value));
             group.add(button);
             row.add(button, "wmin 0");

@@ -6,14 +6,12 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RadialGradientPaint;
-import java.awt.RenderingHints;
 import java.awt.event.ActionEvent;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.AffineTransform;
-import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
@@ -36,7 +34,7 @@ import tompkins.property.NumberText;
 public final class DirectionSphere extends JPanel {
 
     /** In sizes of the type. */
-    private static final double SIZE = 8.2;
+    private static final double SIZE = 6.4;
 
     private static final double STEP = Math.toRadians(5);
 
@@ -164,8 +162,7 @@ public final class DirectionSphere extends JPanel {
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = (Graphics2D) graphics.create();
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        Drawing.smooth(g);
         paintBall(g);
         paintAxis(g, new Vector3d(1, 0, 0), "x");
         paintAxis(g, new Vector3d(0, 1, 0), "y");
@@ -184,10 +181,10 @@ public final class DirectionSphere extends JPanel {
                 new Point2D.Double(x - r / 3, y - r / 3), (float) (1.5 * r), new float[] {0, 1}, new Color[] {
                     light, dark
                 }));
-        g.fill(new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r));
+        g.fill(Drawing.circle(x, y, r));
         g.setColor(UIManager.getColor(isFocusOwner() ? "Component.focusColor" : "Tompkins.line"));
         g.setStroke(new BasicStroke(isFocusOwner() ? 2.5f : 1));
-        g.draw(new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r));
+        g.draw(Drawing.circle(x, y, r));
         g.setStroke(new BasicStroke(1));
         g.setColor(UIManager.getColor("Tompkins.line"));
         Path2D equator = new Path2D.Double();

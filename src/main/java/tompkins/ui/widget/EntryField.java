@@ -47,7 +47,8 @@ public final class EntryField {
      * @param name what a screen reader calls it
      * @param tip its meaning, unit and range
      * @param note where messages go; fields may share one
-     * @param commit takes the text, or throws {@link InvalidPropertyException}
+     * @param commit takes the text, or throws {@link InvalidPropertyException}; whatever else it throws marks the
+     *     field, too, and does not keep what happens after the field is left, such as saving
      */
     public EntryField(JTextComponent field, String name, String tip, Note note, Consumer<String> commit) {
         this.field = field;
@@ -190,11 +191,17 @@ public final class EntryField {
             // in the form in which it is shown, however it was typed
             revert();
         } catch (InvalidPropertyException wrong) {
-            field.putClientProperty(FlatClientProperties.OUTLINE, FlatClientProperties.OUTLINE_ERROR);
-            String message = Wording.message(wrong);
-            field.getAccessibleContext().setAccessibleDescription(message);
-            note.setErrorAfterPress(message);
+            refuse(Wording.message(wrong));
+        } catch (RuntimeException fault) {
+            refuse(Messages.of(fault));
+            Faults.tell(fault);
         }
+    }
+
+    private void refuse(String message) {
+        field.putClientProperty(FlatClientProperties.OUTLINE, FlatClientProperties.OUTLINE_ERROR);
+        field.getAccessibleContext().setAccessibleDescription(message);
+        note.setErrorAfterPress(message);
     }
 
     /** Shows the value that was there before something was typed. */

@@ -2,33 +2,47 @@ package tompkins.ui.widget;
 
 import java.awt.AWTEvent;
 import java.awt.Component;
+import java.awt.KeyboardFocusManager;
 import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.AWTEventListener;
+import java.awt.event.ComponentEvent;
 import java.awt.event.FocusEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import javax.swing.JComponent;
 import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
 
-/** Scrolls to what the Tab key reaches, in a window and in those that it owns. */
-public final class FocusFollower {
+/**
+ * Scrolls to what has the focus, in a window and in those that it owns, as long as the user works with the keys: when
+ * the focus comes, and again when something above it becomes longer or shorter, or less of it is seen. What the mouse
+ * presses stays where it is, and so does what the wheel scrolls to.
+ */
+public final class FocusFollower implements AWTEventListener {
 
-    private FocusFollower() {}
+    private static final long EVENTS = AWTEvent.FOCUS_EVENT_MASK
+            | AWTEvent.COMPONENT_EVENT_MASK
+            | AWTEvent.KEY_EVENT_MASK
+            | AWTEvent.MOUSE_EVENT_MASK
+            | AWTEvent.MOUSE_WHEEL_EVENT_MASK;
+
+    private final Window window;
+
+    /** Whether the user pressed a key last, and not the mouse. The cause of a focus event does not tell it reliably. */
+    private boolean usesKeys;
+
+    private FocusFollower(Window window) {
+        this.window = window;
+    }
 
     /** Follows the focus until the window is closed. */
     public static void install(Window window) {
-        AWTEventListener follower = event -> {
-            if (event instanceof FocusEvent focus
-                    && focus.getID() == FocusEvent.FOCUS_GAINED
-                    && isTraversal(focus)
-                    && belongsTo(window, focus.getComponent())) {
-                show(focus.getComponent());
-            }
-        };
+        FocusFollower follower = new FocusFollower(window);
         Toolkit toolkit = Toolkit.getDefaultToolkit();
-        toolkit.addAWTEventListener(follower, AWTEvent.FOCUS_EVENT_MASK);
+        toolkit.addAWTEventListener(follower, EVENTS);
         window.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosed(WindowEvent event) {
@@ -37,27 +51,39 @@ public final class FocusFollower {
         });
     }
 
-    /** Whether the Tab key brought the focus: what the mouse presses must not move away under it. */
-    public static boolean isTraversal(FocusEvent event) {
-        boolean forward = event.getCause() == FocusEvent.Cause.TRAVERSAL_FORWARD;
-        return forward && !isLost(event.getOppositeComponent())
-                || event.getCause() == FocusEvent.Cause.TRAVERSAL_BACKWARD;
+    @Override
+    public void eventDispatched(AWTEvent event) {
+        switch (event.getID()) {
+            case KeyEvent.KEY_PRESSED -> usesKeys = true;
+            case MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_WHEEL -> usesKeys = false;
+            case FocusEvent.FOCUS_GAINED -> follow((Component) event.getSource());
+            case ComponentEvent.COMPONENT_MOVED, ComponentEvent.COMPONENT_RESIZED ->
+                laidOut((Component) event.getSource(), event.getID() == ComponentEvent.COMPONENT_MOVED);
+            default -> {}
+        }
     }
 
-    /** Whether a component had to give up the focus, which then goes forward by itself. */
-    private static boolean isLost(Component before) {
-        return before != null && !(before.isShowing() && before.isEnabled());
+    /** Follows what the layout moves and how much of it is seen; not what is scrolled. */
+    private void laidOut(Component changed, boolean isMoved) {
+        Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        boolean isScrolled = isMoved && changed.getParent() instanceof JViewport;
+        if (owner != null && !isScrolled && SwingUtilities.isDescendingFrom(owner, changed)) {
+            follow(owner);
+        }
     }
 
-    private static boolean belongsTo(Window window, Component component) {
-        Window own = SwingUtilities.getWindowAncestor(component);
-        return own == window || own != null && own.getOwner() == window;
-    }
-
-    private static void show(Component component) {
+    private void follow(Component component) {
         // a text field does not pass on such a request, and the view of a scroll pane is as large as everything in it
-        if (component.getParent() instanceof JComponent parent && !(parent instanceof JViewport)) {
+        if (usesKeys
+                && belongsToWindow(component)
+                && component.getParent() instanceof JComponent parent
+                && !(parent instanceof JViewport)) {
             parent.scrollRectToVisible(component.getBounds());
         }
+    }
+
+    private boolean belongsToWindow(Component component) {
+        Window own = SwingUtilities.getWindowAncestor(component);
+        return own == window || own != null && own.getOwner() == window;
     }
 }

@@ -1,97 +1,36 @@
 package tompkins.ui.widget;
 
-import static java.util.Map.entry;
-
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.FlatLightLaf;
-import java.awt.Color;
 import java.awt.Font;
-import java.util.HashMap;
-import java.util.List;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.util.Map;
+import java.util.Properties;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import javax.swing.UIManager;
 
-/** The looks of the window. */
+/** The looks of the window, whose colours are in resources. */
 public enum Look {
     /** For rooms with daylight. */
-    LIGHT(
-            false,
-            1,
-            "#2468b8",
-            "#868c95",
-            Map.ofEntries(
-                    entry("Tompkins.chosen", 0xffffff),
-                    entry("Tompkins.hover", 0xe2e5ea),
-                    entry("Tompkins.canvas", 0xd9dce1),
-                    entry("Tompkins.note", 0x5b6470),
-                    entry("Tompkins.error", 0xb3261e),
-                    entry("Tompkins.line", 0xaab2bd),
-                    entry("Tompkins.found", 0xffe9a0),
-                    entry("Tompkins.foundHere", 0xffb74d),
-                    entry("Tompkins.sphereLight", 0xffffff),
-                    entry("Tompkins.sphereDark", 0xd5dce6))),
+    LIGHT(false, 1),
     /** For dark rooms. */
-    DARK(
-            true,
-            1,
-            "#4c9be8",
-            "#8f959c",
-            Map.ofEntries(
-                    entry("Tompkins.chosen", 0x000000),
-                    entry("Tompkins.hover", 0x4a4f56),
-                    entry("Tompkins.canvas", 0x17191c),
-                    entry("Tompkins.note", 0xa4acb8),
-                    entry("Tompkins.error", 0xff8a80),
-                    entry("Tompkins.line", 0x666d78),
-                    entry("Tompkins.found", 0x54471a),
-                    entry("Tompkins.foundHere", 0x805400),
-                    entry("Tompkins.sphereLight", 0x59616d),
-                    entry("Tompkins.sphereDark", 0x33383f))),
+    DARK(true, 1),
     /** For the back row: large type and high contrast. */
-    PROJECTOR(
-            false,
-            1.45f,
-            "#0040c0",
-            "#000",
-            Map.ofEntries(
-                    entry("Tompkins.chosen", 0xffffff),
-                    entry("Tompkins.hover", 0xdde4f5),
-                    entry("Tompkins.canvas", 0x000000),
-                    entry("Tompkins.note", 0x000000),
-                    entry("Tompkins.error", 0xa00000),
-                    entry("Tompkins.line", 0x000000),
-                    entry("Tompkins.found", 0xffe680),
-                    entry("Tompkins.foundHere", 0xffb030),
-                    entry("Tompkins.sphereLight", 0xffffff),
-                    entry("Tompkins.sphereDark", 0xdddddd)));
+    PROJECTOR(false, 1.45f);
 
     /** The key of the look that all windows have; empty while there is none, or one with larger type. */
     private static final String INSTALLED = "Tompkins.look";
 
-    /** Only the documents have links; a colour for those of all windows would take 50 ms of each start. */
-    private static final String NO_LINKS = "null";
-
-    /** Colours that show where there is something to use: at least 3 times as light or dark as their background. */
-    private static final List<String> EDGES = List.of(
-            "Component.borderColor",
-            "Button.borderColor",
-            "CheckBox.icon.borderColor",
-            "Slider.trackColor",
-            "ScrollBar.thumb");
-
     private final boolean dark;
     private final float enlargement;
-    private final String accent;
-    private final String edge;
-    private final Map<String, Integer> colours;
 
-    Look(boolean dark, float enlargement, String accent, String edge, Map<String, Integer> colours) {
+    Look(boolean dark, float enlargement) {
         this.dark = dark;
         this.enlargement = enlargement;
-        this.accent = accent;
-        this.edge = edge;
-        this.colours = colours;
     }
 
     /** Gives all windows this look, if they do not have it yet. Called by the event thread. */
@@ -116,8 +55,6 @@ public enum Look {
         }
         // what is typed after Tab replaces the value
         UIManager.put("TextComponent.selectAllOnFocusPolicy", "always");
-        colours.forEach((name, rgb) -> UIManager.put(name, new Color(rgb)));
-        UIManager.put("Tompkins.link", UIManager.getColor("Component.accentColor"));
         FlatLaf.updateUI();
     }
 
@@ -131,22 +68,16 @@ public enum Look {
         SqueezedText.guard();
     }
 
+    /** What the look adds to its library, by the names that the library or this program gives it. */
     private Map<String, String> defaults() {
-        Map<String, String> defaults = new HashMap<>(
-                Map.of("@accentColor", accent, "Component.focusWidth", "1", "Component.linkColor", NO_LINKS));
-        // so thin that a fainter colour could hardly be seen
-        defaults.put("ComboBox.buttonArrowColor", "@foreground");
-        for (String part : EDGES) {
-            defaults.put(part, edge);
+        Properties defaults = new Properties();
+        try (InputStream resource = Look.class.getResourceAsStream("/tompkins/ui/Look-" + this + ".properties")) {
+            defaults.load(resource);
+        } catch (IOException missing) {
+            throw new UncheckedIOException(missing);
         }
-        if (this == PROJECTOR) {
-            defaults.putAll(Map.of(
-                    "@background", "#fff",
-                    "@foreground", "#000",
-                    "@disabledForeground", "#555",
-                    "Component.focusWidth", "3"));
-        }
-        return defaults;
+        return defaults.stringPropertyNames().stream()
+                .collect(Collectors.toMap(Function.identity(), defaults::getProperty));
     }
 
     /** A length on the screen that grows with the type of the look: a multiple of the size of the type, in pixels. */

@@ -5,7 +5,6 @@ import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.LayoutManager;
 import java.util.stream.Stream;
-import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 
@@ -13,9 +12,7 @@ import javax.swing.UIManager;
  * Room that is kept for notes, so that nothing moves when one of them has something to say: the first that has
  * something takes the room of all.
  */
-public final class MessageRoom {
-
-    private final JPanel panel = new JPanel();
+public final class MessageRoom extends Part {
 
     /**
      * Room for some lines.
@@ -24,16 +21,12 @@ public final class MessageRoom {
      * @param notes the notes, that with the most urgent messages first
      */
     public MessageRoom(int lines, Note... notes) {
+        super(new JPanel());
         panel.setOpaque(false);
         panel.setLayout(new FirstOnly(lines));
         for (Note note : notes) {
             panel.add(note.component());
         }
-    }
-
-    /** The room itself, to be put into a panel. */
-    public JComponent component() {
-        return panel;
     }
 
     private record FirstOnly(int lines) implements LayoutManager {

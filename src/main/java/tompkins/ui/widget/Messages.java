@@ -2,10 +2,12 @@ package tompkins.ui.widget;
 
 import java.awt.Component;
 import java.awt.Dimension;
+import java.util.stream.Collectors;
 import javax.swing.JComponent;
 import javax.swing.JOptionPane;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
+import tompkins.property.OneLine;
 
 /** Messages that must not be overlooked. */
 public final class Messages {
@@ -60,18 +62,26 @@ public final class Messages {
     /** Shows a message with a choice of answers, and returns the number of the answer; closing it gives the last. */
     public static int tellAndAsk(Component parent, String title, String message, String... answers) {
         return ask(
-                parent, title, scroll(text(message)), JOptionPane.PLAIN_MESSAGE, answers, answers[answers.length - 1]);
+                parent,
+                title,
+                scroll(text(title, message)),
+                JOptionPane.PLAIN_MESSAGE,
+                answers,
+                answers[answers.length - 1]);
     }
 
     private static void show(Component parent, String title, String message, int kind) {
-        JOptionPane.showMessageDialog(parent, scroll(text(message)), title, kind);
+        JOptionPane.showMessageDialog(parent, scroll(text(title, message)), title, kind);
     }
 
-    private static JTextArea text(String message) {
+    /** A message, which may repeat words from outside. */
+    private static JTextArea text(String title, String words) {
+        String message = words.lines().map(OneLine::of).collect(Collectors.joining("\n"));
         int longest = message.lines().mapToInt(String::length).max().orElse(1);
         JTextArea text = new JTextArea(
                 message, (int) Math.min(MOST_ROWS, lines(message)), Math.max(1, Math.min(COLUMNS, longest)));
         text.setName("message");
+        text.getAccessibleContext().setAccessibleName(title);
         text.setEditable(false);
         text.setLineWrap(true);
         text.setWrapStyleWord(true);
@@ -91,7 +101,7 @@ public final class Messages {
 
     /** Asks a question; true if the answer is yes. */
     public static boolean confirm(Component parent, String title, String question) {
-        return JOptionPane.showConfirmDialog(parent, scroll(text(question)), title, JOptionPane.OK_CANCEL_OPTION)
+        return JOptionPane.showConfirmDialog(parent, scroll(text(title, question)), title, JOptionPane.OK_CANCEL_OPTION)
                 == JOptionPane.OK_OPTION;
     }
 
@@ -118,7 +128,7 @@ public final class Messages {
      * Asks for one of some answers and returns its number; Enter gives the first, closing the question the last one.
      */
     public static int choose(Component parent, String title, String question, String... answers) {
-        return ask(parent, title, scroll(text(question)), JOptionPane.WARNING_MESSAGE, answers, answers[0]);
+        return ask(parent, title, scroll(text(title, question)), JOptionPane.WARNING_MESSAGE, answers, answers[0]);
     }
 
     private static int ask(

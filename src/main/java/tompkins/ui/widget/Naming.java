@@ -5,6 +5,7 @@ import java.util.function.Function;
 import java.util.stream.IntStream;
 import javax.accessibility.AccessibleContext;
 import javax.swing.DefaultListCellRenderer;
+import javax.swing.Icon;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JList;
@@ -32,13 +33,21 @@ public final class Naming {
 
     /** Shows the items of a combo box by their names; a letter chooses the next one whose name begins with it. */
     public static <T> void items(JComboBox<T> box, Function<? super T, String> name) {
+        items(box, name, item -> null);
+    }
+
+    /** As above, with a drawing before each name, or none where that is null. */
+    public static <T> void items(
+            JComboBox<T> box, Function<? super T, String> name, Function<? super T, Icon> drawing) {
         box.setRenderer(new DefaultListCellRenderer() {
             @Override
             @SuppressWarnings("unchecked") // the list is that of the box
             public Component getListCellRendererComponent(
                     JList<?> list, Object item, int index, boolean selected, boolean focused) {
-                return super.getListCellRendererComponent(
+                super.getListCellRendererComponent(
                         list, item == null ? "" : name.apply((T) item), index, selected, focused);
+                setIcon(item == null ? null : drawing.apply((T) item));
+                return this;
             }
         });
         box.setKeySelectionManager((letter, items) -> {

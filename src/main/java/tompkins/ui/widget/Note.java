@@ -7,14 +7,21 @@ import javax.swing.UIManager;
 import javax.swing.text.DefaultCaret;
 import tompkins.property.InvalidPropertyException;
 
-/** A line of explanation or a message beneath a field, as high as its text needs. */
+/** A text to read, as high as it needs: a paragraph, or a line of explanation or a message beneath a field. */
 public final class Note {
+
+    /** The font of explanations, which have a colour of their own. */
+    private static final String EXPLANATION = "small.font";
 
     private final JTextArea area = new WrappingArea(0) {
         @Override
         public void updateUI() {
             super.updateUI();
-            setFont(UIManager.getFont("small.font"));
+            if (font == null) {
+                // called once before there is a note
+                return;
+            }
+            setFont(UIManager.getFont(font));
             setBorder(null);
             // a text that is not edited needs no caret that follows it
             ((DefaultCaret) getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
@@ -24,6 +31,9 @@ public final class Note {
         }
     };
 
+    /** The key of its font. */
+    private final String font;
+
     private boolean error;
 
     /** What it will say when the mouse is released; null if nothing. */
@@ -31,6 +41,11 @@ public final class Note {
 
     /** A note with a text; a note without text takes no room. */
     public Note(String text) {
+        this(text, EXPLANATION);
+    }
+
+    private Note(String text, String font) {
+        this.font = font;
         area.setEditable(false);
         area.setEnabled(false);
         area.setFocusable(false);
@@ -39,9 +54,22 @@ public final class Note {
         setText(text);
     }
 
+    /** A paragraph in the type and the colour of labels. */
+    public static Note paragraph(String text) {
+        return new Note(text, "Label.font");
+    }
+
     /** A note that always has room for some lines, so that what is above does not move with its text. */
     public static Note ofLines(int lines) {
-        Note note = new Note("");
+        return withLines(new Note(""), lines);
+    }
+
+    /** A result, in the largest type, which always has room for some lines. */
+    public static Note result(int lines) {
+        return withLines(new Note("", "large.font"), lines);
+    }
+
+    private static Note withLines(Note note, int lines) {
         note.area.setRows(lines);
         note.area.setVisible(true);
         return note;
@@ -112,6 +140,7 @@ public final class Note {
     }
 
     private Color colour() {
-        return UIManager.getColor(error ? "Tompkins.error" : "Tompkins.note");
+        return UIManager.getColor(
+                error ? "Tompkins.error" : font.equals(EXPLANATION) ? "Tompkins.note" : "Label.foreground");
     }
 }

@@ -60,6 +60,19 @@ public final class NumberField {
         return field;
     }
 
+    /** Whether a number can be typed; one that was typed and not taken goes when that ends. */
+    public void setEnabled(boolean enabled) {
+        field.setEnabled(enabled);
+        if (!enabled) {
+            entry.revert();
+        }
+    }
+
+    /** Takes back what was typed and not taken. */
+    public void revert() {
+        entry.revert();
+    }
+
     /** Shows a number; digits that do not fit stay in the model. */
     public void show(Number number) {
         value = number;

@@ -37,6 +37,9 @@ public final class SpeedText {
      */
     private static final int CHARACTERS = 9;
 
+    /** Digits of the components of a velocity. */
+    private static final int VECTOR_DIGITS = 4;
+
     private SpeedText() {}
 
     /**
@@ -55,13 +58,15 @@ public final class SpeedText {
     }
 
     /**
-     * A velocity in units of c: its components or, near the speed of light, where these show no difference, speed times
-     * direction.
+     * A velocity in units of c: its components or, near the speed of light, where their few digits would show no
+     * difference from it, speed times direction.
      */
     public static String vector(Velocity velocity) {
-        return isNearlyLight(velocity)
-                ? "(" + of(velocity, SpeedScale.BETA) + ") \u00b7 " + Numbers.brief(velocity.direction())
-                : Numbers.brief(velocity.components());
+        if (NumberText.rounded(velocity.speed(), VECTOR_DIGITS) < 1) {
+            return Numbers.brief(velocity.components());
+        }
+        String speed = of(velocity, SpeedScale.BETA);
+        return (speed.contains("-") ? "(" + speed + ")" : speed) + " \u00b7 " + Numbers.brief(velocity.direction());
     }
 
     private static boolean isNearlyLight(Velocity velocity) {

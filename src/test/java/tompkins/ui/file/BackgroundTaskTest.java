@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
@@ -60,7 +61,7 @@ class BackgroundTaskTest {
     }
 
     private void awaitEnd() {
-        WindowDriver.await("the end", () -> !BackgroundTask.showRunning(owner));
+        WindowDriver.await("the end", () -> BackgroundTask.running(owner).isEmpty());
     }
 
     @Test
@@ -136,14 +137,53 @@ class BackgroundTaskTest {
         assertThat(BackgroundTask.remaining(1, 60)).isEqualTo("about 0 s left");
     }
 
+    /** A second writer might be faster than the first. */
+    @Test
+    void whatWritesTheSameFileWaits() {
+        Path file = Path.of("scene.json");
+        WindowDriver.onEventThread(() -> {
+            BackgroundTask.start(owner, "first", task -> late.await(), () -> ended.add("first"), () -> {})
+                    .into(file);
+            assertThat(BackgroundTask.whenFree(owner, Path.of("other.json"), () -> ended.add("other")))
+                    .isTrue();
+            assertThat(BackgroundTask.whenFree(owner, Path.of("./scene.json"), () -> ended.add("second")))
+                    .isFalse();
+        });
+        assertThat(ended).containsExactly("other");
+        late.countDown();
+        awaitEnd();
+        assertThat(ended).containsExactly("other", "first", "second");
+    }
+
+    @Test
+    void aWindowCancelsAllItsWorkAndWhatWaitsForIt() {
+        Path file = Path.of("scene.json");
+        WindowDriver.onEventThread(() -> {
+            assertThat(BackgroundTask.cancel(owner)).as("nothing runs").isFalse();
+            BackgroundTask.Work work = task -> {
+                while (!task.isCancelled()) {
+                    assertThat(late.await(1, TimeUnit.MILLISECONDS)).isFalse();
+                }
+                task.requireWanted();
+            };
+            BackgroundTask.start(owner, "first", work, () -> ended.add("done"), () -> ended.add("not done"))
+                    .into(file);
+            BackgroundTask.whenFree(owner, file, () -> ended.add("second"));
+            assertThat(BackgroundTask.cancel(owner)).isTrue();
+            BackgroundTask.whenIdle(owner, () -> ended.add("idle"));
+        });
+        awaitEnd();
+        assertThat(ended).containsExactly("not done", "idle");
+    }
+
     @Test
     void anyErrorIsToldAndEndsTheTask() {
         start(task -> {
             throw new LinkageError("a class is missing");
         });
         WindowDriver.await("the message", () -> Components.messages(owner).anyMatch("a class is missing"::equals));
-        assertThat(WindowDriver.onEventThread(() -> BackgroundTask.showRunning(owner)))
-                .isFalse();
+        assertThat(WindowDriver.onEventThread(() -> BackgroundTask.running(owner)))
+                .isEmpty();
         assertThat(ended).isEmpty();
     }
 }

@@ -20,6 +20,29 @@ class StudioModelTest {
         return Studio.DEFAULT.withVelocity(Velocity.of(0, 0, beta));
     }
 
+    /** Whoever only looked around is not asked about changes. */
+    @Test
+    void lookingIsNoEdit() {
+        StudioModel model = new StudioModel(speed(0), null);
+        Object hand = new Object();
+        model.look(speed(0.1), hand);
+        model.flow(speed(0.2), hand);
+        model.endGesture(hand);
+        assertThat(model.isModified()).isTrue();
+        assertThat(model.isEdited()).isFalse();
+        model.set(speed(0.3));
+        model.look(speed(0.4), hand);
+        assertThat(model.isEdited()).isTrue();
+        model.undo();
+        model.undo();
+        assertThat(model.isEdited()).as("as before the edit").isFalse();
+        model.redo();
+        assertThat(model.isEdited()).isTrue();
+        model.saved(model.studio(), Path.of("a.json"));
+        model.look(speed(0.5), hand);
+        assertThat(model.isEdited()).as("after saving").isFalse();
+    }
+
     @Test
     void everyStepCanBeTakenBackAndAgain() {
         model.set(speed(0.1));

@@ -64,8 +64,13 @@ import tompkins.surface.Surface;
 import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.Components;
+import tompkins.ui.animate.PlayPanel;
+import tompkins.ui.compare.ComparePanel;
+import tompkins.ui.compare.Compared;
 import tompkins.ui.model.Shutters;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.number.NumberProperty;
+import tompkins.ui.number.SceneSize;
 import tompkins.ui.picture.Comparison;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.widget.Look;
@@ -330,7 +335,7 @@ class PanelsTest {
         assertThat(model.studio().camera().shutter()).isEqualTo(new DetectorPlaneShutter(1, 0.5));
         JTextField wrong = Components.enter(panel, "Detector distance", "0");
         assertThat(Components.isMarked(wrong)).isTrue();
-        Components.enter(panel, "Opens at", "2");
+        Components.enter(panel, "Opening time", "2");
         assertThat(model.studio().camera().shutter().openingTime()).isEqualTo(2);
         models.setSelectedItem(AperturePlaneShutter.class);
         assertThat(model.studio().camera().shutter().openingTime()).isCloseTo(1.5, within(1e-9));
@@ -342,7 +347,7 @@ class PanelsTest {
         model.open(model.studio().withScene(List.of(far)), null);
         Container panel = shutter(new ShutterPanel(model));
 
-        JSlider time = Components.find(panel, JSlider.class, "Opens at, slider");
+        JSlider time = Components.find(panel, JSlider.class, "Opening time, slider");
         time.setValue(time.getMaximum());
 
         assertThat(Components.notes(panel)).anyMatch(note -> note.contains("-1e50 to 1e50"));
@@ -376,14 +381,15 @@ class PanelsTest {
     @Test
     void exposureAndSweepStandWithTheShutter() {
         Container panel = shutter(new ShutterPanel(model));
-        Components.enter(panel, "Stays open", "0.25");
-        Components.enter(panel, "Sweep", "2");
+        Components.enter(panel, "Exposure time", "0.25");
+        Components.enter(panel, "Readout time", "2");
         JComboBox<?> directions = Components.find(panel, JComboBox.class, "Rolling direction");
         directions.setSelectedItem(SweepDirection.LEFT);
 
         assertThat(model.studio().camera().exposureTime()).isEqualTo(0.25);
         assertThat(model.studio().camera().rollingShutter()).isEqualTo(new RollingShutter(SweepDirection.LEFT, 2));
-        assertThat(Components.isMarked(Components.enter(panel, "Sweep", "-1"))).isTrue();
+        assertThat(Components.isMarked(Components.enter(panel, "Readout time", "-1")))
+                .isTrue();
         assertThat(model.studio().camera().rollingShutter().sweep()).isEqualTo(2);
     }
 
@@ -391,7 +397,7 @@ class PanelsTest {
     @Test
     void onlyModelsWithAnOpeningTimeShowExposure() {
         Container panel = shutter(new ShutterPanel(model));
-        JTextField field = Components.find(panel, JTextField.class, "Stays open");
+        JTextField field = Components.find(panel, JTextField.class, "Exposure time");
         assertThat(field.getParent().isVisible()).isTrue();
         JComboBox<?> models = Components.find(panel, JComboBox.class, "Shutter model");
         models.setSelectedItem(FixedPointSurfaceShutter.class);
@@ -431,7 +437,7 @@ class PanelsTest {
         double[] coordinates = {0, 0, 10, 30, -45, 10, 0, 40, 10};
         MeshData triangle = new MeshData("", coordinates, new int[] {0, 1, 2}, new byte[0]);
         Studio large = model.studio()
-                .withScene(List.of(new TriangleMesh("", triangle, ColouredSurface.DEFAULT), Sphere.DEFAULT));
+                .withScene(List.of(new TriangleMesh("", triangle, ColouredSurface.DEFAULT, true), Sphere.DEFAULT));
         // 1.2 times 45, upwards
         assertThat(new SceneSize().times(large)).isEqualTo(Range.even(-100, 100));
     }
@@ -483,8 +489,8 @@ class PanelsTest {
         "Field of view (\u00b0), 1000",
         "Exposure, 1e400",
         "Samples, 0",
-        "Opens at, 1e400",
-        "Opens at, soon"
+        "Opening time, 1e400",
+        "Opening time, soon"
     })
     void aRefusalSpeaksOfTheFieldByItsLabel(String label, String wrong) {
         JPanel panel = new JPanel();
@@ -534,7 +540,8 @@ class PanelsTest {
 
     private static Picture picture(Studio studio) {
         LinearImage black = new LinearImage(1, 1, new float[3]);
-        return new Picture(studio, RenderPlan.of(studio), black, true, Duration.ZERO, 1, Double.NaN, List.of());
+        return new Picture(
+                studio, RenderPlan.of(studio), black, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
     }
 
     @Test
@@ -593,10 +600,10 @@ class PanelsTest {
         model.set(studio);
         assertThat(RenderPlan.of(studio).isStill()).isFalse();
         Container panel = (Container) new ShutterPanel(model).component();
-        JTextField time = Components.find(panel, JTextField.class, "Opens at");
+        JTextField time = Components.find(panel, JTextField.class, "Opening time");
         assertThat(time.getParent().isVisible()).isTrue();
         // it passes the middle at time 80, its light comes 10 later
-        Components.enter(panel, "Opens at", "89");
+        Components.enter(panel, "Opening time", "89");
         assertThat(model.studio().camera().shutter().openingTime()).isEqualTo(89);
         RayLife before = RayLife.of(RenderPlan.of(studio), 320, 240, 0, 0);
         RayLife now = RayLife.of(RenderPlan.of(model.studio()), 320, 240, 0, 0);

@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.stream.Stream;
+import javax.swing.Icon;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -26,7 +27,7 @@ class ShutterIconTest {
     @ParameterizedTest
     @MethodSource("shutters")
     void everyShutterHasADrawing(Class<?> shutter) {
-        assertThatCode(() -> new ShutterIcon(shutter, Color.BLACK))
+        assertThatCode(() -> ShutterIcon.of(shutter, Color.BLACK))
                 .as("add a drawing of %s to ShutterIcon.DRAWINGS", shutter.getSimpleName())
                 .doesNotThrowAnyException();
     }
@@ -41,7 +42,7 @@ class ShutterIconTest {
     }
 
     private static int pixels(Class<?> shutter) {
-        ShutterIcon icon = new ShutterIcon(shutter, Color.BLACK);
+        Icon icon = ShutterIcon.of(shutter, Color.BLACK);
         BufferedImage image = new BufferedImage(icon.getIconWidth(), icon.getIconHeight(), BufferedImage.TYPE_INT_ARGB);
         Graphics2D graphics = image.createGraphics();
         icon.paintIcon(null, graphics, 0, 0);

@@ -6,6 +6,7 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.stream.Stream;
+import javax.swing.Icon;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import tompkins.shutter.SweepDirection;
@@ -20,13 +21,13 @@ class TimingIconTest {
 
     @Test
     void drawingsAreToldApart() {
-        Stream<TimingIcon> icons = Stream.concat(
+        Stream<Icon> icons = Stream.concat(
                 Stream.of(TimingIcon.exposure()),
                 Stream.of(SweepDirection.values()).map(TimingIcon::rolling));
         assertThat(icons.map(TimingIconTest::pixels).distinct()).hasSize(5);
     }
 
-    private static int pixels(TimingIcon icon) {
+    private static int pixels(Icon icon) {
         BufferedImage image = new BufferedImage(icon.getIconWidth(), icon.getIconHeight(), BufferedImage.TYPE_INT_ARGB);
         Graphics2D graphics = image.createGraphics();
         icon.paintIcon(null, graphics, 0, 0);

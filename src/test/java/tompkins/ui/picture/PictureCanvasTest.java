@@ -56,7 +56,8 @@ class PictureCanvasTest {
     private static ScreenPicture pictures(Studio studio) {
         LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
         Studio sized = studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT));
-        Picture picture = new Picture(sized, RenderPlan.of(sized), image, true, Duration.ZERO, 1, 0, List.of());
+        Picture picture = new Picture(
+                sized, RenderPlan.of(sized), image, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE);
         return new ScreenPicture(picture, ScreenPicture.levels(picture), null, null, null);
     }
 

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import tompkins.Waiting;
 import tompkins.image.ToneCurve;
 import tompkins.render.Renderer;
 import tompkins.sceneobject.Group;
@@ -40,10 +41,8 @@ class RenderControllerTest {
         controller.close();
     }
 
-    private static void await(BooleanSupplier condition) throws InterruptedException {
-        while (!condition.getAsBoolean()) {
-            Thread.sleep(5);
-        }
+    private static void await(BooleanSupplier condition) {
+        Waiting.until("the pictures", condition);
     }
 
     private Picture last() {
@@ -128,6 +127,21 @@ class RenderControllerTest {
             inFilm += firstSamples(studio, Pace.FILM);
         }
         assertThat(inFilm).isGreaterThan(atOnce);
+    }
+
+    /** A glimpse is shown once, when it ends; what is asked for without a ride replaces it by the whole picture. */
+    @Test
+    void onARideThereAreGlimpses() throws InterruptedException {
+        Studio studio = Studios.sphere().withSettings(Studio.DEFAULT.settings().withSize(160, 120));
+        show(controller, studio, Pace.RIDE);
+        await(() -> !pictures.isEmpty() && !controller.isBusy());
+        assertThat(pictures).hasSize(1);
+        assertThat(last().complete()).isFalse();
+        assertThat(last().samples()).isBetween(1 / 64.0, 0.5);
+        assertThat(last().error()).isNaN();
+        show(controller, studio, Pace.HAND);
+        await(() -> last().complete());
+        assertThat(last().samples()).isEqualTo(studio.settings().samples());
     }
 
     private double firstSamples(Studio studio, Pace pace) throws InterruptedException {

@@ -27,7 +27,8 @@ class ScreenPicturesTest {
     }
 
     private static Picture picture(RenderPlan plan, LinearImage image) {
-        return new Picture(plan.studio(), plan, image, true, Duration.ZERO, 1, Double.NaN, List.of());
+        return new Picture(
+                plan.studio(), plan, image, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
     }
 
     private static Picture grey(int width, int height) {
@@ -87,7 +88,8 @@ class ScreenPicturesTest {
 
     private static Picture picture(Studio studio, int width, int height) {
         LinearImage image = new LinearImage(width, height, new float[3 * width * height]);
-        return new Picture(studio, RenderPlan.of(studio), image, true, Duration.ZERO, 1, Double.NaN, List.of());
+        return new Picture(
+                studio, RenderPlan.of(studio), image, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
     }
 
     /** One bright column in eight: between the columns that a single step looks at, it would be lost. */

@@ -77,6 +77,18 @@ class SpeedTextTest {
         assertThat(SpeedText.of(Velocity.of(typed, value, ALONG_Z), scale)).isEqualTo(text);
     }
 
+    /** No speed reads as that of light. */
+    @ParameterizedTest
+    @CsvSource({
+        "0.97, '(0, 0, 0.97)'",
+        "0.9999, '(0, 0, 0.9999)'",
+        "0.999996, '0.999996 \u00b7 (0, 0, 1)'",
+        "0.9999999, '(1-1e-7) \u00b7 (0, 0, 1)'"
+    })
+    void aVectorShowsHowFarItIsFromTheSpeedOfLight(double speed, String text) {
+        assertThat(SpeedText.vector(Velocity.of(0, 0, speed))).isEqualTo(text);
+    }
+
     @Test
     void aBareNumberIsReadOnTheScaleThatIsShown() {
         assertThat(SpeedText.parse("60%", SpeedScale.GAMMA, ALONG_Z).speed()).isEqualTo(0.6);

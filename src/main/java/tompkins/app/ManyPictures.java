@@ -1,0 +1,42 @@
+package tompkins.app;
+
+import java.util.List;
+import picocli.CommandLine.Option;
+
+/** Options of commands that take many pictures, so that several processes can share the work. */
+class ManyPictures {
+
+    @Option(
+            names = "--part",
+            paramLabel = "I/N",
+            description = "take each N-th picture, beginning with I, which is below N and counts from 0")
+    private Part part;
+
+    @Option(
+            names = "--skip-existing",
+            description = "leave pictures that are there, if they hold the same scene and settings")
+    private boolean skips;
+
+    @Option(names = "--force", description = "replace files that are already there")
+    private boolean force;
+
+    /** Those of all pictures that are to be taken. */
+    final <T> List<T> own(List<T> all) {
+        return part == null ? all : part.of(all);
+    }
+
+    /** Whether a part of them was asked for. */
+    final boolean hasPart() {
+        return part != null;
+    }
+
+    /** Whether pictures are left that are there. */
+    final boolean skips() {
+        return skips;
+    }
+
+    /** Whether files are replaced that are there. */
+    final boolean force() {
+        return force;
+    }
+}

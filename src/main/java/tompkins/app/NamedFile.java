@@ -1,0 +1,53 @@
+package tompkins.app;
+
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import tompkins.file.FileFailure;
+
+/**
+ * Files as the user names them. A name that the locale cannot express is refused, because it would become another one.
+ */
+final class NamedFile {
+
+    /** What Java makes of bytes that are no letters in the locale. */
+    private static final String NO_LETTER = "\ufffd";
+
+    private NamedFile() {}
+
+    /**
+     * A file of some name.
+     *
+     * @throws InvalidPathException if the name is empty, or the locale cannot express it or that of the current folder
+     */
+    static Path of(String name) {
+        if (name.isEmpty()) {
+            // Java would take it for the current folder
+            throw new InvalidPathException(name, "empty");
+        }
+        Path file = Path.of(name);
+        if (name.contains(NO_LETTER) && Files.notExists(file)) {
+            throw new InvalidPathException(name, "no letters");
+        }
+        return file.isAbsolute() ? file : currentFolder().resolve(file);
+    }
+
+    /**
+     * The current folder, as an empty path.
+     *
+     * @throws InvalidPathException if the locale cannot express its name: Java would look elsewhere
+     */
+    static Path currentFolder() {
+        String name = System.getProperty("user.dir");
+        if (name.contains(NO_LETTER)) {
+            throw new InvalidPathException(name, "no letters");
+        }
+        return Path.of("");
+    }
+
+    /** What is wrong with a name. */
+    static String mistake(InvalidPathException refused) {
+        String name = refused.getInput();
+        return (name.isEmpty() ? "\"\"" : name) + ": " + FileFailure.reason(refused);
+    }
+}

@@ -1,0 +1,58 @@
+package tompkins.app;
+
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import picocli.CommandLine;
+import picocli.CommandLine.TypeConversionException;
+import tompkins.image.PictureFormat;
+import tompkins.property.NumberText;
+
+/** What the words behind options mean. What is refused is told by what is allowed. */
+final class OptionValues {
+
+    private OptionValues() {}
+
+    /** Lets a command line read values of all types that options have. */
+    static void addTo(CommandLine commandLine) {
+        commandLine.registerConverter(Path.class, NamedFile::of);
+        commandLine.registerConverter(Double.class, OptionValues::number);
+        commandLine.registerConverter(double.class, OptionValues::number);
+        commandLine.registerConverter(Long.class, OptionValues::wholeNumber);
+        commandLine.registerConverter(long.class, OptionValues::wholeNumber);
+        commandLine.registerConverter(Part.class, Part::parse);
+        commandLine.registerConverter(PictureFormat.class, OptionValues::format);
+    }
+
+    private static double number(String text) {
+        try {
+            double number = NumberText.parse(text);
+            if (Double.isInfinite(number)) {
+                throw new TypeConversionException("at most " + NumberText.of(Double.MAX_VALUE));
+            }
+            return number;
+        } catch (NumberFormatException word) {
+            throw new TypeConversionException("a number");
+        }
+    }
+
+    private static long wholeNumber(String text) {
+        try {
+            return Long.parseLong(text);
+        } catch (NumberFormatException refused) {
+            boolean tooLong = text.matches("[+-]?[0-9]+");
+            throw new TypeConversionException(tooLong ? "a whole number of at most 18 digits" : "a whole number");
+        }
+    }
+
+    private static PictureFormat format(String text) {
+        return Stream.of(PictureFormat.values())
+                .filter(format -> format.name().equalsIgnoreCase(text))
+                .findFirst()
+                .orElseThrow(() -> new TypeConversionException("one of "
+                        + Stream.of(PictureFormat.values())
+                                .map(format -> format.name().toLowerCase(Locale.ROOT))
+                                .collect(Collectors.joining(", "))));
+    }
+}

@@ -1,0 +1,123 @@
+package tompkins.camera;
+
+/**
+ * The samples of a block: their pixels, and where they lie in the picture, on the lens and in the exposure time. One
+ * for each thread, filled again for each block.
+ */
+public final class SamplePositions {
+
+    /** The moment in the middle of the exposure time. */
+    public static final double MIDDLE = 0.5;
+
+    final int[] columns;
+    final int[] rows;
+    final double[] x;
+    final double[] y;
+    final double[] lensX;
+    final double[] lensY;
+    final double[] moments;
+    private int count;
+
+    /** Without positions, with room for {@code most}. */
+    public SamplePositions(int most) {
+        columns = new int[most];
+        rows = new int[most];
+        x = new double[most];
+        y = new double[most];
+        lensX = new double[most];
+        lensY = new double[most];
+        moments = new double[most];
+    }
+
+    /** A single position, as {@link #add}. */
+    static SamplePositions single(double pictureX, double pictureY, double pupilX, double pupilY, double moment) {
+        SamplePositions single = new SamplePositions(1);
+        single.add(pictureX, pictureY, pupilX, pupilY, moment);
+        return single;
+    }
+
+    /** Number of positions. */
+    public int count() {
+        return count;
+    }
+
+    /** Removes all positions. */
+    public void clear() {
+        count = 0;
+    }
+
+    /** Adds a pixel; a {@link PixelSampler} chooses the position in it. */
+    public void addPixel(int column, int row) {
+        columns[count] = column;
+        rows[count] = row;
+        count++;
+    }
+
+    /**
+     * Adds a position.
+     *
+     * @param pictureX position in the picture in pixels, from 0 at the left edge; pixel centres lie at halves
+     * @param pictureY position in the picture in pixels, from 0 at the upper edge
+     * @param pupilX position on the lens in units of its radius, to the right; a point of the unit disc
+     * @param pupilY position on the lens in units of its radius, up
+     * @param moment the part of the exposure time that has passed, from 0 to 1
+     */
+    public void add(double pictureX, double pictureY, double pupilX, double pupilY, double moment) {
+        x[count] = pictureX;
+        y[count] = pictureY;
+        lensX[count] = pupilX;
+        lensY[count] = pupilY;
+        moments[count] = moment;
+        addPixel((int) pictureX, (int) pictureY);
+    }
+
+    /**
+     * Chooses a position in a pixel that was added.
+     *
+     * @param acrossPixel from 0 to 1
+     * @param downPixel from 0 to 1
+     * @param pupilX as for {@link #add}, and so are the others
+     */
+    public void choose(int index, double acrossPixel, double downPixel, double pupilX, double pupilY, double moment) {
+        x[index] = columns[index] + acrossPixel;
+        y[index] = rows[index] + downPixel;
+        lensX[index] = pupilX;
+        lensY[index] = pupilY;
+        moments[index] = moment;
+    }
+
+    /** The column of the pixel of a position. */
+    public int column(int index) {
+        return columns[index];
+    }
+
+    /** The row of the pixel of a position. */
+    public int row(int index) {
+        return rows[index];
+    }
+
+    /** Where a position lies in the picture, in pixels from the left edge. */
+    public double x(int index) {
+        return x[index];
+    }
+
+    /** Where a position lies in the picture, in pixels from the upper edge. */
+    public double y(int index) {
+        return y[index];
+    }
+
+    /** Where a position lies on the lens, in units of its radius, to the right. */
+    public double lensX(int index) {
+        return lensX[index];
+    }
+
+    /** Where a position lies on the lens, in units of its radius, up. */
+    public double lensY(int index) {
+        return lensY[index];
+    }
+
+    /** The part of the exposure time that has passed at a position's moment, from 0 to 1. */
+    public double moment(int index) {
+        return moments[index];
+    }
+}

@@ -1,0 +1,142 @@
+package tompkins.io;
+
+import java.io.BufferedReader;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import tompkins.image.PictureFile;
+import tompkins.ray.Colour;
+import tompkins.ray.MeshMaterial;
+import tompkins.ray.PixelPicture;
+
+/**
+ * Reads the materials of a mesh (MTL files): colours in diffuse light, of highlights, opacity, and a picture of the
+ * diffuse colour. Everything else is noted, and a file that cannot be read costs its materials and not the mesh.
+ */
+final class ObjMaterials {
+
+    private static final Colour USUAL = Colour.grey(0.8);
+
+    private final FileContentParser.Files files;
+    private final ObjNotes notes;
+    private final Map<String, MeshMaterial> materials = new HashMap<>();
+    private final Map<String, PixelPicture> pictures = new HashMap<>();
+
+    ObjMaterials(FileContentParser.Files files, ObjNotes notes) {
+        this.files = files;
+        this.notes = notes;
+    }
+
+    /** The material of a name, or null if there is none. */
+    MeshMaterial material(String name) {
+        return materials.get(name);
+    }
+
+    /** Reads a file of materials, named as seen from the folder of the scene. */
+    void read(String name) {
+        try {
+            ObjStatements statements = new ObjStatements(new BufferedReader(new InputStreamReader(
+                    new ByteArrayInputStream(files.bytes(name, "a file of materials")), StandardCharsets.UTF_8)));
+            Map<String, String> properties = new LinkedHashMap<>();
+            String material = null;
+            while (statements.next()) {
+                if (!statements.nextWord()) {
+                    continue;
+                }
+                String key = statements.word();
+                if (key.equals("newmtl")) {
+                    add(name, material, properties);
+                    material = statements.rest();
+                } else {
+                    properties.put(key, statements.rest());
+                }
+            }
+            add(name, material, properties);
+        } catch (IOException missing) {
+            notes.add(name, "its materials are not shown: " + missing.getMessage());
+        }
+    }
+
+    private void add(String file, String material, Map<String, String> properties) {
+        if (material != null) {
+            Colour diffuse = colour(file, properties, "Kd", USUAL);
+            Colour specular = colour(file, properties, "Ks", Colour.BLACK);
+            String dissolved = properties.remove("d");
+            double opacity = dissolved == null ? 1 : number(dissolved);
+            if (!(opacity >= 0 && opacity <= 1)) {
+                notes.add(file, "\"d\" must be a number from 0 to 1");
+                opacity = 1;
+            }
+            PixelPicture picture = picture(file, properties.remove("map_Kd"));
+            if (picture != null && !specular.equals(Colour.BLACK)) {
+                notes.add(file, "highlights on pictures are not shown (Ks with map_Kd)");
+            }
+            materials.put(
+                    material,
+                    new MeshMaterial(
+                            material,
+                            diffuse,
+                            specular,
+                            opacity,
+                            picture == null ? null : picture.tinted(diffuse, opacity)));
+        }
+        properties.keySet().forEach(key -> notes.add(file, Problems.quoted(key) + " is not read"));
+        properties.clear();
+    }
+
+    /** Three numbers, or one for all channels. */
+    private Colour colour(String file, Map<String, String> properties, String key, Colour otherwise) {
+        String text = properties.remove(key);
+        if (text == null) {
+            return otherwise;
+        }
+        String[] words = text.split("\\s+");
+        double red = number(words[0]);
+        double green = words.length < 3 ? red : number(words[1]);
+        double blue = words.length < 3 ? red : number(words[2]);
+        if (red >= 0 && green >= 0 && blue >= 0 && Math.max(red, Math.max(green, blue)) <= 1) {
+            return new Colour(red, green, blue);
+        }
+        notes.add(file, Problems.quoted(key) + " must be three numbers from 0 to 1");
+        return otherwise;
+    }
+
+    private static double number(String word) {
+        try {
+            return Double.parseDouble(word);
+        } catch (NumberFormatException e) {
+            return Double.NaN;
+        }
+    }
+
+    private PixelPicture picture(String file, String text) {
+        if (text == null) {
+            return null;
+        }
+        if (text.startsWith("-")) {
+            notes.add(
+                    file, "\"map_Kd\" with options such as " + Problems.quoted(text.split("\\s+")[0]) + " is not read");
+            return null;
+        }
+        String name = beside(file, text);
+        try {
+            if (!pictures.containsKey(name)) {
+                // also if it fails: once is enough
+                pictures.put(name, null);
+                pictures.put(name, PictureFile.read(files.bytes(name, "a picture file"), name));
+            }
+        } catch (IOException unusable) {
+            notes.add(file, "a picture is not shown: " + unusable.getMessage());
+        }
+        return pictures.get(name);
+    }
+
+    /** The name, seen from the folder of the scene, of a file that another file names. */
+    static String beside(String file, String name) {
+        return file.substring(0, file.lastIndexOf('/') + 1) + name.replace('\\', '/');
+    }
+}

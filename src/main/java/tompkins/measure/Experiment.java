@@ -1,0 +1,202 @@
+package tompkins.measure;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+import org.joml.Vector2d;
+import org.joml.Vector2dc;
+import org.joml.Vector3dc;
+import tompkins.lesson.AngleBetween;
+import tompkins.lesson.CircleRadius;
+import tompkins.lesson.DifferenceOf;
+import tompkins.lesson.LensSpread;
+import tompkins.lesson.LessonControl;
+import tompkins.lesson.Measurement;
+import tompkins.lesson.MeasuringPoint;
+import tompkins.lesson.PictureEdge;
+import tompkins.lesson.PicturePoint;
+import tompkins.lesson.RatioOf;
+import tompkins.lesson.RayReading;
+import tompkins.lesson.RayValue;
+import tompkins.lesson.WithNumber;
+import tompkins.lesson.WithShutter;
+import tompkins.property.InvalidPropertyException;
+import tompkins.spacetime.Event;
+import tompkins.studio.Studio;
+import tompkins.studio.StudioNumber;
+import tompkins.studio.StudioPath;
+import tompkins.trace.RayLife;
+import tompkins.trace.RenderPlan;
+
+/**
+ * Measures the measurements of lessons in the picture of one studio. It only follows rays, which takes milliseconds.
+ */
+public final class Experiment {
+
+    private final LessonControl control;
+    private final RenderPlan plan;
+
+    /** Where the last measurement measured in this picture. */
+    private final List<Vector2dc> points = new ArrayList<>();
+
+    private final List<List<Vector2dc>> lines = new ArrayList<>();
+
+    /**
+     * An experiment with a studio.
+     *
+     * @param control the slider of the lesson; where a measurement sets the same number, it stays on the slider
+     * @throws InvalidPropertyException if an object of the studio is too large or too small to work with
+     */
+    public Experiment(Studio studio, LessonControl control) {
+        this(RenderPlan.of(studio), control);
+    }
+
+    private Experiment(RenderPlan plan, LessonControl control) {
+        this.plan = plan;
+        this.control = control;
+    }
+
+    /** An experiment with another studio, which takes over the scene if that is the same. */
+    private Experiment with(Studio studio) {
+        return new Experiment(RenderPlan.of(studio, plan), control);
+    }
+
+    /**
+     * The value of a measurement: lengths and times in scene units, angles in degrees.
+     *
+     * @param path the way to the measurement in the studio, for messages
+     * @throws InvalidPropertyException if it cannot be measured here: the edge, the object or the number is missing
+     */
+    public double measure(Measurement measurement, String path) {
+        double measured = value(measurement, path);
+        if (!Double.isFinite(measured)) {
+            throw new InvalidPropertyException(path, "one that has a value in this picture", measured);
+        }
+        return measured;
+    }
+
+    private double value(Measurement measurement, String path) {
+        if (measurement instanceof DifferenceOf difference) {
+            double value =
+                    measure(difference.first(), path + ".first") - measure(difference.second(), path + ".second");
+            if (points.size() == 2 && lines.isEmpty()) {
+                lines.add(List.copyOf(points));
+            }
+            return value;
+        }
+        if (measurement instanceof RatioOf ratio) {
+            return measure(ratio.first(), path + ".first") / measure(ratio.second(), path + ".second");
+        }
+        if (measurement instanceof WithNumber other) {
+            return with(at(path, () -> studio(other))).measure(other.measurement(), path + ".measurement");
+        }
+        if (measurement instanceof WithShutter other) {
+            Studio changed = studio().withCamera(studio().camera().withShutter(other.shutter()));
+            return with(changed).measure(other.measurement(), path + ".measurement");
+        }
+        return at(path, () -> read(measurement));
+    }
+
+    private Studio studio(WithNumber other) {
+        if (StudioPath.parse(other.number()).equals(StudioPath.parse(control.number()))) {
+            control.requireReached("value", other.value());
+        }
+        return StudioNumber.at(other.number(), studio()).with(studio(), other.value());
+    }
+
+    /** The value of a measurement that is not made from others. */
+    private double read(Measurement measurement) {
+        if (measurement instanceof RayReading reading) {
+            return read(Sighting.required(plan, marked(reading.point())), reading.value());
+        }
+        if (measurement instanceof AngleBetween angle) {
+            Vector2dc first = marked(angle.first());
+            Vector2dc second = marked(angle.second());
+            lines.add(List.of(first, second));
+            return Math.toDegrees(Angles.between(direction(first), direction(second)));
+        }
+        if (measurement instanceof CircleRadius circle) {
+            List<Vector2dc> outline = Outline.around(plan, inPixels(circle.across(), circle.down()));
+            lines.add(outline);
+            lines.add(List.of(outline.get(outline.size() - 1), outline.get(0)));
+            return Math.toDegrees(Outline.angularRadius(plan, outline));
+        }
+        LensSpread spread = (LensSpread) measurement;
+        return LensWays.spread(plan, marked(new PicturePoint(spread.across(), spread.down())));
+    }
+
+    private static double read(Sighting sighting, RayValue value) {
+        return switch (value) {
+            case X -> emission(sighting).x();
+            case Y -> emission(sighting).y();
+            case Z -> emission(sighting).z();
+            case TIME -> emission(sighting).time();
+            case OWN_TIME -> seen(sighting).rest().event().time();
+            case FREQUENCY_RATIO -> sighting.dopplerFactor();
+            case BRIGHTNESS -> sighting.brightness();
+        };
+    }
+
+    private static RayLife.Encounter seen(Sighting sighting) {
+        if (sighting.hit() == null) {
+            throw new InvalidPropertyException("point", "where an object is seen", "one where none is");
+        }
+        return sighting.hit();
+    }
+
+    private static Event emission(Sighting sighting) {
+        return seen(sighting).inScene(sighting.studio().sceneFromCamera());
+    }
+
+    private Vector3dc direction(Vector2dc pixel) {
+        return Sighting.required(plan, pixel).cameraDirection();
+    }
+
+    private Vector2dc marked(MeasuringPoint point) {
+        Vector2dc pixel = inPixels(point);
+        points.add(pixel);
+        return pixel;
+    }
+
+    /** Where it measured in its own picture since it was last asked; what was measured in others is left out. */
+    Sketch sketch() {
+        Sketch sketch = new Sketch(points, lines);
+        points.clear();
+        lines.clear();
+        return sketch;
+    }
+
+    /** The position of a point in pixels. */
+    private Vector2dc inPixels(MeasuringPoint point) {
+        if (point instanceof PicturePoint given) {
+            return inPixels(given.across(), given.down());
+        }
+        PictureEdge edge = (PictureEdge) point;
+        List<Vector2dc> found = new Edges(plan)
+                .on(inPixels(edge.across(), edge.down()), inPixels(edge.toAcross(), edge.toDown()), edge.count());
+        if (found.size() < edge.count()) {
+            String allowed = found.isEmpty()
+                    ? "that of an edge, and there is none on this way"
+                    : "at most " + found.size() + ", for there are no more edges on this way";
+            throw new InvalidPropertyException("count", allowed, edge.count());
+        }
+        return found.get(edge.count() - 1);
+    }
+
+    private Vector2d inPixels(double across, double down) {
+        return new Vector2d(across * plan.width(), down * plan.height());
+    }
+
+    private Studio studio() {
+        return plan.studio();
+    }
+
+    /** Does some work; what it refuses is reported for a part of the studio. */
+    static <T> T at(String path, Supplier<T> work) {
+        try {
+            return work.get();
+        } catch (InvalidPropertyException wrong) {
+            throw new InvalidPropertyException(path, wrong);
+        }
+    }
+}

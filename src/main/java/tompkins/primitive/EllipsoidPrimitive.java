@@ -1,0 +1,169 @@
+package tompkins.primitive;
+
+import java.util.List;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.math.Vectors;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.RayPacket;
+import tompkins.ray.SurfaceCoordinates;
+import tompkins.surface.Surface;
+
+/** An ellipsoid in space: a sphere of radius 1, seen in coordinates that count in semi-axes. */
+public final class EllipsoidPrimitive extends Primitive {
+
+    private final Vector3d centre;
+
+    /** The semi-axes, as vectors in space. */
+    private final Vector3d[] axes = new Vector3d[3];
+
+    /** Their unit vectors divided by their lengths: a scalar product with them counts in semi-axes. */
+    private final Vector3d first;
+
+    private final Vector3d second;
+    private final Vector3d third;
+
+    /** Those of the sphere, in its own coordinates; null if the surface asks for none. */
+    private final RoundCoordinates round;
+
+    /**
+     * An ellipsoid of an object, before it is placed.
+     *
+     * @param semiAxes half its lengths along x, y and z
+     * @throws ArithmeticException if it is too large or too small to work with
+     */
+    public EllipsoidPrimitive(
+            Described object, Surface surface, Vector3dc describedCentre, Vector3dc semiAxes, Placement placement) {
+        super(object, surface);
+        centre = placement.point(describedCentre);
+        Vector3d[] inverse = new Vector3d[3];
+        for (int i = 0; i < 3; i++) {
+            Vector3d unit = placement.direction(new Vector3d().setComponent(i, 1));
+            double length = semiAxes.get(i) * placement.scale();
+            requireSquare(length);
+            axes[i] = unit.mul(length, new Vector3d());
+            inverse[i] = unit.div(length);
+        }
+        first = inverse[0];
+        second = inverse[1];
+        third = inverse[2];
+        round = surface.usesCoordinates() ? RoundCoordinates.around(new Vector3d(0, 1, 0), Placement.NONE) : null;
+    }
+
+    private static double dot(Vector3d a, double x, double y, double z) {
+        return a.x * x + a.y * y + a.z * z;
+    }
+
+    @Override
+    public double distance(Ray ray, double limit) {
+        double fx = centre.x - ray.x;
+        double fy = centre.y - ray.y;
+        double fz = centre.z - ray.z;
+        double dx = dot(first, ray.dx, ray.dy, ray.dz);
+        double dy = dot(second, ray.dx, ray.dy, ray.dz);
+        double dz = dot(third, ray.dx, ray.dy, ray.dz);
+        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        double inSphere = SpherePrimitive.distance(
+                dot(first, fx, fy, fz),
+                dot(second, fx, fy, fz),
+                dot(third, fx, fy, fz),
+                dx / length,
+                dy / length,
+                dz / length,
+                1,
+                ray.boundary == this,
+                NO_HIT);
+        double distance = inSphere / length;
+        return distance <= limit ? distance : NO_HIT;
+    }
+
+    @Override
+    public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
+        double longest = Math.max(axes[0].length(), Math.max(axes[1].length(), axes[2].length()));
+        return ballOverlaps(centre.x, centre.y, centre.z, longest, rays, starts, overlaps);
+    }
+
+    @Override
+    public Hit hit(Ray ray, double distance, Hit memory) {
+        double x = ray.x - centre.x + distance * ray.dx;
+        double y = ray.y - centre.y + distance * ray.dy;
+        double z = ray.z - centre.z + distance * ray.dz;
+        Vector3d onSphere = unitOrFacing(ray, dot(first, x, y, z), dot(second, x, y, z), dot(third, x, y, z));
+        Vector3d normal = fromSphere(onSphere.x, onSphere.y, onSphere.z);
+        Vector3d unit = unitOrFacing(ray, normal.x, normal.y, normal.z);
+        Vector3d place = new Vector3d(centre)
+                .fma(onSphere.x, axes[0])
+                .fma(onSphere.y, axes[1])
+                .fma(onSphere.z, axes[2]);
+        return memory.set(
+                ray, distance, place.x, place.y, place.z, unit.x, unit.y, unit.z, this, 0, coordinates(onSphere));
+    }
+
+    /** A gradient in the coordinates of the sphere, in those of space: normals change in the same way. */
+    private Vector3d fromSphere(double x, double y, double z) {
+        return new Vector3d(first).mul(x).fma(y, second).fma(z, third);
+    }
+
+    private SurfaceCoordinates coordinates(Vector3dc onSphere) {
+        if (round == null) {
+            return null;
+        }
+        SurfaceCoordinates at = round.onSphere(onSphere, 1);
+        Vector3d alongU = fromSphere(at.uX(), at.uY(), at.uZ());
+        Vector3d alongV = fromSphere(at.vX(), at.vY(), at.vZ());
+        return new SurfaceCoordinates(at.u(), at.v(), alongU.x, alongU.y, alongU.z, alongV.x, alongV.y, alongV.z);
+    }
+
+    @Override
+    public List<Face> faces(Vector3dc from) {
+        return List.of(new EllipsoidFace(centre.sub(from, new Vector3d()), first, second, third));
+    }
+
+    /** Along the axis it looks like an ellipse, whose half diameters are those of the largest and least extent. */
+    @Override
+    double reachFrom(Vector3dc from, Vector3dc axis) {
+        Vector3d right = Vectors.firstAxis(axis);
+        Vector3d up = axis.cross(right, new Vector3d());
+        double mixed = 0;
+        double difference = 0;
+        for (Vector3d semiAxis : axes) {
+            mixed += 2 * semiAxis.dot(right) * semiAxis.dot(up);
+            difference += semiAxis.dot(right) * semiAxis.dot(right) - semiAxis.dot(up) * semiAxis.dot(up);
+        }
+        double angle = Math.atan2(mixed, difference) / 2;
+        Vector3d half = new Vector3d(right).mul(Math.cos(angle)).fma(Math.sin(angle), up);
+        Vector3d otherHalf = axis.cross(half, new Vector3d());
+        return Rotation.reachOfEllipse(
+                centre.sub(from, new Vector3d()), half.mul(extent(half)), otherHalf.mul(extent(otherHalf)), axis);
+    }
+
+    /** Half the extent along a unit vector. */
+    private double extent(Vector3dc along) {
+        double x = axes[0].dot(along);
+        double y = axes[1].dot(along);
+        double z = axes[2].dot(along);
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+
+    @Override
+    public double minimumAlong(double nx, double ny, double nz) {
+        double x = dot(axes[0], nx, ny, nz);
+        double y = dot(axes[1], nx, ny, nz);
+        double z = dot(axes[2], nx, ny, nz);
+        return dot(centre, nx, ny, nz) - Math.sqrt(x * x + y * y + z * z);
+    }
+
+    @Override
+    public Bounds bounds() {
+        return Bounds.around(centre, half(0), half(1), half(2));
+    }
+
+    /** Half the extent along x, y or z. */
+    private double half(int component) {
+        double x = axes[0].get(component);
+        double y = axes[1].get(component);
+        double z = axes[2].get(component);
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+}

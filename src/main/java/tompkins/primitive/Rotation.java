@@ -1,0 +1,222 @@
+package tompkins.primitive;
+
+import java.util.List;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.math.Precise;
+import tompkins.math.Vectors;
+import tompkins.ray.Hit;
+import tompkins.ray.SurfaceCoordinates;
+import tompkins.spacetime.Event;
+import tompkins.spacetime.TransformationLaw;
+
+/**
+ * How objects turn about an axis that rests in their frame, with a constant angular speed, in the coordinates in which
+ * the tracer works. About z, the turn takes x to y. Each point runs on a circle; nothing is said of forces, or of how
+ * the turning began. Immutable.
+ */
+public final class Rotation {
+
+    /** More than rounding leaves of a size, relative to it. */
+    static final double MARGIN = 1e-12;
+
+    /** What the rounding of a place or of a unit vector leaves of it. */
+    private static final double ROUNDING = 0x1p-50;
+
+    /** Places on an ellipse from which its farthest is looked for. */
+    private static final int STARTS = 8;
+
+    private final Vector3dc centre;
+    private final Vector3dc axis;
+    private final double angularSpeed;
+    private final double startAngle;
+    private final double zeroTime;
+    private final boolean slowsClocks;
+
+    /**
+     * A rotation.
+     *
+     * @param centre a point of the axis
+     * @param axis unit vector
+     * @param angularSpeed radians in a unit of time
+     * @param startDegrees the angle, in degrees, at the time that is described as 0
+     * @param zeroTime that time
+     * @param slowsClocks whether clocks that are carried round go slower than those on the axis
+     */
+    public Rotation(
+            Vector3dc centre,
+            Vector3dc axis,
+            double angularSpeed,
+            double startDegrees,
+            double zeroTime,
+            boolean slowsClocks) {
+        this.centre = centre;
+        this.axis = axis;
+        this.angularSpeed = angularSpeed;
+        // whole turns are taken off before degrees become radians, which rounds
+        startAngle = Math.toRadians(Math.IEEEremainder(startDegrees, 360));
+        this.zeroTime = zeroTime;
+        this.slowsClocks = slowsClocks;
+    }
+
+    /** A point of the axis. */
+    public Vector3dc centre() {
+        return centre;
+    }
+
+    /** The direction of the axis, a unit vector. */
+    public Vector3dc axis() {
+        return axis;
+    }
+
+    /** Radians in a unit of time. */
+    public double angularSpeed() {
+        return angularSpeed;
+    }
+
+    /** The law by which moving clocks and light are seen. */
+    public TransformationLaw law() {
+        return slowsClocks ? TransformationLaw.LORENTZ : TransformationLaw.GALILEAN;
+    }
+
+    /** The angle by which everything is turned at a time. */
+    public double angle(double time) {
+        return startAngle + angularSpeed * (time - zeroTime);
+    }
+
+    /** A vector, turned by an angle about the axis (Rodrigues' formula). */
+    public Vector3d turned(Vector3dc vector, double angle) {
+        double cosine = Math.cos(angle);
+        double along = axis.dot(vector) * (1 - cosine);
+        return axis.cross(vector, new Vector3d())
+                .mul(Math.sin(angle))
+                .fma(cosine, vector)
+                .fma(along, axis);
+    }
+
+    /** The velocity of what is at a place: {@code w a x (x - c)}. */
+    public Vector3d velocity(double x, double y, double z) {
+        return axis.cross(x - centre.x(), y - centre.y(), z - centre.z(), new Vector3d())
+                .mul(angularSpeed);
+    }
+
+    /** The point that is at an event, where it is described: before anything was turned; and its own time. */
+    public Event described(Event event) {
+        Vector3d place =
+                turned(event.position().sub(centre), -angle(event.time())).add(centre);
+        Vector3d velocity = velocity(event.x(), event.y(), event.z());
+        double ownTime = zeroTime + ownTime(event.time(), velocity.x, velocity.y, velocity.z);
+        return new Event(place.x, place.y, place.z, ownTime);
+    }
+
+    /** The time that a clock has counted which is carried round with a velocity, since the time described as 0. */
+    double ownTime(double time, double velocityX, double velocityY, double velocityZ) {
+        double slowing = slowsClocks ? Math.sqrt(Precise.oneMinusSquares(velocityX, velocityY, velocityZ)) : 1;
+        return (time - zeroTime) * slowing;
+    }
+
+    /** Turns the normal and the coordinates of a hit on an object as it is described. */
+    void turn(Hit hit, double angle) {
+        Vector3d normal = turned(new Vector3d(hit.normalX, hit.normalY, hit.normalZ), angle);
+        hit.shade(normal.x, normal.y, normal.z);
+        SurfaceCoordinates at = hit.coordinates;
+        if (at != null) {
+            hit.locate(at.withGradients(
+                    turned(new Vector3d(at.uX(), at.uY(), at.uZ()), angle),
+                    turned(new Vector3d(at.vX(), at.vY(), at.vZ()), angle)));
+        }
+    }
+
+    /** What a vector has across an axis, a unit vector. */
+    static Vector3d acrossAxis(Vector3dc vector, Vector3dc axis) {
+        return new Vector3d(vector).fma(-vector.dot(axis), axis);
+    }
+
+    /** Whether a point lies on an axis through a centre, but for rounding. */
+    static boolean isOnAxis(Vector3dc point, Vector3dc centre, Vector3dc axis) {
+        double size = point.length() + centre.length();
+        return acrossAxis(point.sub(centre, new Vector3d()), axis).length() <= ROUNDING * size;
+    }
+
+    /** Whether a line, of any length, runs along an axis, but for rounding. */
+    static boolean isAlong(Vector3dc line, Vector3dc axis) {
+        return acrossAxis(line, axis).length() <= ROUNDING * line.length();
+    }
+
+    /**
+     * The largest distance from an axis of the points of an ellipse: its middle, relative to a point of the axis, and
+     * two conjugate half diameters. The square of it is a wave of the first and the second order of the angle around
+     * the ellipse, which has two tops at most.
+     */
+    static double reachOfEllipse(Vector3dc middle, Vector3dc half, Vector3dc otherHalf, Vector3dc axis) {
+        Vector3d m = acrossAxis(middle, axis);
+        Vector3d a = acrossAxis(half, axis);
+        Vector3d b = acrossAxis(otherHalf, axis);
+        double most = 0;
+        for (int start = 0; start < STARTS; start++) {
+            double angle = 2 * Math.PI * start / STARTS;
+            double step = 2 * Math.PI / STARTS;
+            double best = distance(m, a, b, angle);
+            while (step > 1e-9) {
+                double less = distance(m, a, b, angle - step);
+                double more = distance(m, a, b, angle + step);
+                if (Math.max(less, more) > best) {
+                    angle += more > less ? step : -step;
+                    best = Math.max(less, more);
+                } else {
+                    step /= 2;
+                }
+            }
+            most = Math.max(most, best);
+        }
+        return most;
+    }
+
+    private static double distance(Vector3dc middle, Vector3dc half, Vector3dc otherHalf, double angle) {
+        return new Vector3d(middle)
+                .fma(Math.cos(angle), half)
+                .fma(Math.sin(angle), otherHalf)
+                .length();
+    }
+
+    /** The largest distance of some points from an axis. */
+    static double reachOfPoints(List<Vector3d> points, Vector3dc centre, Vector3dc axis) {
+        return points.stream()
+                .mapToDouble(point ->
+                        acrossAxis(point.sub(centre, new Vector3d()), axis).length())
+                .max()
+                .orElse(0);
+    }
+
+    /** The largest distance of a point of a primitive from the axis, never less than it is. */
+    public double reach(Primitive primitive) {
+        return primitive.reachFrom(centre, axis) * (1 + MARGIN);
+    }
+
+    /** The cylinder that holds, at all times, everything that some primitives come by. */
+    public CylinderPrimitive swept(List<Primitive> primitives) {
+        Primitive first = primitives.get(0);
+        double reach = primitives.stream().mapToDouble(this::reach).max().orElse(0);
+        double middle = centre.dot(axis);
+        double low = primitives.stream()
+                        .mapToDouble(each -> each.minimumAlong(axis.x(), axis.y(), axis.z()))
+                        .min()
+                        .orElse(0)
+                - middle;
+        double high = -primitives.stream()
+                        .mapToDouble(each -> each.minimumAlong(-axis.x(), -axis.y(), -axis.z()))
+                        .min()
+                        .orElse(0)
+                - middle;
+        // a flat wheel still needs a thickness
+        double margin = 1e-9 * (reach + high - low) + Primitive.SLACK * Vectors.length(centre);
+        return new CylinderPrimitive(
+                first.object(),
+                first.surface(),
+                centre.fma(low - margin, axis, new Vector3d()),
+                centre.fma(high + margin, axis, new Vector3d()),
+                reach + margin,
+                true,
+                Placement.NONE);
+    }
+}

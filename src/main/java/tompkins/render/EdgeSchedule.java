@@ -1,0 +1,152 @@
+package tompkins.render;
+
+import java.util.BitSet;
+import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
+import tompkins.camera.PixelSampler;
+
+/**
+ * The passes of a picture that is seen for a moment: one sample at each knot of a wide net, and then of finer ones, as
+ * far as the corners of their cells differ, the most different cells first. {@link Film#image} interpolates the rest. A
+ * fifth of the pixels shows nearly all that all of them show.
+ */
+final class EdgeSchedule implements Schedule {
+
+    /** The distance of the first knots, in pixels. */
+    private static final int WIDEST = 8;
+
+    /** In nets wider than this all knots are wanted: details hide between them. */
+    private static final int FIRST_EDGES = 4;
+
+    /** Steps of the difference between black and white, which is that of the square roots of light. */
+    private static final int STEPS = 255;
+
+    /** A smaller difference is not worth a sample: interpolation shows it. */
+    private static final int SMALLEST = 6;
+
+    /** New samples of a cell of which neighbours are chosen as well. */
+    private static final double PER_CELL = 3.5;
+
+    /** How many samples there may be. */
+    interface Budget {
+
+        /**
+         * About how many there may be in all.
+         *
+         * @param first how many the widest net has taken
+         * @param seconds how long that took
+         */
+        long most(long first, double seconds);
+    }
+
+    private final Budget budget;
+    private final TimeBudget clock = new TimeBudget(Double.POSITIVE_INFINITY);
+    private int stride = 2 * WIDEST;
+    private long taken;
+    private long most;
+
+    /**
+     * A schedule for one picture.
+     *
+     * @param budget asked once, when the samples of the widest net have been taken
+     */
+    EdgeSchedule(Budget budget) {
+        this.budget = budget;
+    }
+
+    @Override
+    public Pass next(Film film, BooleanSupplier stopped) {
+        int cell = stride;
+        stride /= 2;
+        if (stride == 0) {
+            return null;
+        }
+        double share = 1.0 / (WIDEST * WIDEST);
+        BitSet chosen = null;
+        if (stride < WIDEST) {
+            most = most == 0 ? budget.most(taken, clock.spent()) : most;
+            // each finer net needs as many samples
+            chosen = choose(film, cell, (most - taken) / Integer.numberOfTrailingZeros(cell));
+            share = (double) chosen.cardinality() / film.pixels();
+        }
+        taken += Math.round(share * film.pixels());
+        return new Pass(stride, 0, PixelSampler.CENTRE, 1, 1, chosen, share);
+    }
+
+    /** Chooses pixels without samples in cells whose corners differ. */
+    private static BitSet choose(Film film, int side, long most) {
+        int columns = (film.width() + side - 1) / side;
+        int rows = (film.height() + side - 1) / side;
+        byte[] differences = new byte[columns * rows];
+        IntStream.range(0, rows).parallel().forEach(row -> {
+            for (int column = 0; column < columns; column++) {
+                differences[row * columns + column] = (byte) difference(film, side * column, side * row, side);
+            }
+        });
+        int least = leastDifference(differences, side > FIRST_EDGES ? 0 : SMALLEST, (long) (most / PER_CELL));
+        BitSet chosen = new BitSet(film.pixels());
+        // between the knots of the last cells the next one's left and upper side are its own
+        int reach = side > 2 ? side : 1;
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                if ((differences[row * columns + column] & 0xff) >= least) {
+                    choose(film, side * column, side * row, reach, side / 2, chosen);
+                }
+            }
+        }
+        return chosen;
+    }
+
+    private static void choose(Film film, int left, int top, int reach, int step, BitSet chosen) {
+        for (int row = top; row <= Math.min(top + reach, film.height() - 1); row += step) {
+            for (int column = left; column <= Math.min(left + reach, film.width() - 1); column += step) {
+                int pixel = film.pixel(column, row);
+                if (film.samples(pixel) == 0) {
+                    chosen.set(pixel);
+                }
+            }
+        }
+    }
+
+    /**
+     * The smallest difference, or the lowest one allowed, such that no more cells than wanted have it or a larger one.
+     */
+    private static int leastDifference(byte[] differences, int smallest, long most) {
+        int[] cells = new int[STEPS + 1];
+        for (byte difference : differences) {
+            cells[difference & 0xff]++;
+        }
+        int least = STEPS + 1;
+        for (long sum = 0; least > smallest && sum + cells[least - 1] <= most; least--) {
+            sum += cells[least - 1];
+        }
+        return least;
+    }
+
+    /** The largest difference between the corners of a cell in one channel; 0 if one of them is unknown. */
+    private static int difference(Film film, int left, int top, int side) {
+        int right = left + side < film.width() ? left + side : left;
+        int bottom = top + side < film.height() ? top + side : top;
+        return film.contrast(
+                film.pixel(left, top),
+                film.pixel(right, top),
+                film.pixel(left, bottom),
+                film.pixel(right, bottom),
+                STEPS);
+    }
+
+    @Override
+    public double wantedError() {
+        return 0;
+    }
+
+    @Override
+    public double progress(double work) {
+        return Math.min(1, FIRST_EDGES * work);
+    }
+
+    @Override
+    public boolean isOver() {
+        return false;
+    }
+}

@@ -1,0 +1,290 @@
+package tompkins.render;
+
+import java.util.BitSet;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
+
+/**
+ * Small spots of light, or of darkness, that stand alone: stars, far lamps, glints. Most samples miss them. Along an
+ * edge or a line a pixel tells of the next one, but a speck tells nothing about where the next one is, only how many
+ * there are likely to be: where some were found, others were missed.
+ *
+ * <p>They are counted in regions. Each region leans on the wider one around it until it holds enough specks of its own.
+ * What the specks of a region cover of their pixels says how many samples it takes to find such specks: one that covers
+ * the share c of its pixel is missed by n samples with the probability exp(-c n).
+ */
+final class Specks {
+
+    /** What covers more of its pixel is found by a few samples. */
+    private static final double LARGEST = 0.25;
+
+    /** A pixel with more than this share of the variance of another shows something of the same kind. */
+    private static final double SIMILAR = 0.05;
+
+    /** Width and height of the smallest regions in pixels. */
+    private static final int SIDE = 8;
+
+    /** So many specks of its own count as much as all that a region has from the wider one. */
+    private static final double ENOUGH = 4;
+
+    /**
+     * Specks count as found, each in its pixel, once as many as this are likely to be found all. Until then they count
+     * alike in all pixels of a region, which get the same samples: if only those got more in which a speck was found by
+     * luck, its light would be corrected, and that of the missed ones never be found.
+     */
+    private static final int ALL_OF = 32;
+
+    private final Film film;
+    private final PixelVariance pixels;
+    private final BitSet found;
+    private final BitSet untested;
+
+    /**
+     * Half of the pixels are in each count, and each pixel asks the one without it: whether a speck was found in it
+     * must not decide whether it gets more samples.
+     */
+    private final List<Regions> counts;
+
+    /**
+     * The specks of a picture.
+     *
+     * @param pixels tells how pixels stand out
+     * @param stopped whether they are no longer wanted
+     * @throws java.util.concurrent.CancellationException if they are not
+     */
+    Specks(Film film, PixelVariance pixels, BooleanSupplier stopped) {
+        this.film = film;
+        this.pixels = pixels;
+        found = new BitSet(film.width() * film.height());
+        untested = new BitSet(film.width() * film.height());
+        counts = Stream.generate(() -> Regions.of((film.width() + SIDE - 1) / SIDE, (film.height() + SIDE - 1) / SIDE))
+                .limit(2)
+                .toList();
+        Tally all = new Tally();
+        for (int row = 0; row < film.height(); row++) {
+            PixelVariance.stopIf(stopped);
+            for (int column = 0; column < film.width(); column++) {
+                if (mayHold(column, row) && isTested(column, row)) {
+                    found.set(film.pixel(column, row));
+                    all.count(variance(column, row), pixels.contrast(column, row));
+                }
+            }
+        }
+        for (int row = 0; row < film.height() && !found.isEmpty(); row++) {
+            PixelVariance.stopIf(stopped);
+            for (int column = 0; column < film.width(); column++) {
+                count(column, row, all.usualVariance());
+            }
+        }
+        counts.forEach(Regions::lean);
+    }
+
+    /** Whether a pixel has a variance that its mean hardly shows, and nothing around it is of the same kind. */
+    private boolean mayHold(int column, int row) {
+        return film.samples(film.pixel(column, row)) > 1
+                && pixels.contrast(column, row) < LARGEST * variance(column, row)
+                && isAlone(column, row, variance(column, row));
+    }
+
+    private double variance(int column, int row) {
+        return film.sampleVariance(film.pixel(column, row));
+    }
+
+    /** Whether all neighbours have several samples. */
+    private boolean isTested(int column, int row) {
+        boolean tested = true;
+        for (int y = row - 1; y <= row + 1; y++) {
+            for (int x = column - 1; x <= column + 1; x++) {
+                if (film.samples(film.pixel(x, y)) == 1) {
+                    untested.set(film.pixel(x, y));
+                    tested = false;
+                }
+            }
+        }
+        return tested;
+    }
+
+    /** Counts a pixel if a speck would stand alone there, and the speck in it. */
+    private void count(int column, int row, double usualVariance) {
+        int pixel = film.pixel(column, row);
+        Tally region = region(half(column, row), column, row);
+        if (film.samples(pixel) > 1 && isAlone(column, row, usualVariance)) {
+            region.pixels++;
+        }
+        if (found.get(pixel)) {
+            region.count(variance(column, row), pixels.contrast(column, row));
+        }
+    }
+
+    /**
+     * Whether there is a square of two by two pixels with a given one in it, as a speck on a border between pixels
+     * takes, and none of the twelve pixels around the square is similar.
+     */
+    private boolean isAlone(int column, int row, double variance) {
+        for (int top = row - 1; top <= row; top++) {
+            for (int left = column - 1; left <= column; left++) {
+                if (isQuietAround(left, top, SIMILAR * variance)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private boolean isQuietAround(int left, int top, double mostVariance) {
+        for (int y = top - 1; y <= top + 2; y++) {
+            for (int x = left - 1; x <= left + 2; x++) {
+                boolean isInside = y >= top && y <= top + 1 && x >= left && x <= left + 1;
+                if (!isInside && !isQuiet(x, y, mostVariance)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /** Whether a pixel has no more than a variance, as far as is known; of those without samples nothing is. */
+    private boolean isQuiet(int column, int row, double mostVariance) {
+        if (column < 0 || row < 0 || column >= film.width() || row >= film.height()) {
+            return false;
+        }
+        int samples = film.samples(film.pixel(column, row));
+        return samples == 1 || samples > 1 && variance(column, row) <= mostVariance;
+    }
+
+    /**
+     * The count of a pixel. Squares of two pixels each way belong together, so that what lies across a border between
+     * pixels is more often in one count; they follow each other without a short period.
+     */
+    private static int half(int column, int row) {
+        return (column / 2 * 0x9e3779b1 + row / 2 * 0x85ebca77) >>> 31;
+    }
+
+    private Tally region(int half, int column, int row) {
+        Regions regions = counts.get(half);
+        return regions.tallies.get(row / SIDE * regions.columns + column / SIDE);
+    }
+
+    /** What tells of the specks that a pixel may have: those in the other half of the pixels around it. */
+    private Tally telling(int column, int row) {
+        return region(1 - half(column, row), column, row);
+    }
+
+    /**
+     * The pixels with one sample beside those that seem to hold specks: more samples of them show whether these are the
+     * ends of something longer.
+     */
+    BitSet untested() {
+        return untested;
+    }
+
+    /** Whether none was found. */
+    boolean isEmpty() {
+        return found.isEmpty();
+    }
+
+    /** Whether one was found in a pixel. */
+    boolean isAt(int column, int row) {
+        return found.get(film.pixel(column, row));
+    }
+
+    /**
+     * The variance of the mean of a pixel in which a speck was found. The first and the second half of its samples may
+     * have met the speck equally often by chance; this number comes from all of them.
+     */
+    double varianceOfMean(int column, int row) {
+        double coverage = pixels.contrast(column, row) / variance(column, row);
+        return ofMean(variance(column, row), coverage, film.samples(film.pixel(column, row)));
+    }
+
+    /** The probability that some of the specks around a pixel would be missed by as many samples as it has. */
+    double missed(int column, int row) {
+        double met =
+                film.samples(film.pixel(column, row)) * telling(column, row).coverage();
+        return 1 - Math.pow(1 - Math.exp(-met), ALL_OF);
+    }
+
+    /** The variance of the mean of a pixel by specks that may have been missed. */
+    double unseen(int column, int row) {
+        Tally region = telling(column, row);
+        double perPixel = region.variance / Math.max(1, region.pixels);
+        return missed(column, row) * ofMean(perPixel, region.coverage(), film.samples(film.pixel(column, row)));
+    }
+
+    /** As samples are spread evenly, the variance of their mean falls faster once several of them meet each speck. */
+    private static double ofMean(double ofSample, double coverage, int samples) {
+        return ofSample / (samples * (1 + Math.sqrt(samples * coverage)));
+    }
+
+    /** Regions of equal size, row by row. */
+    private record Regions(int columns, List<Tally> tallies) {
+
+        static Regions of(int columns, int rows) {
+            return new Regions(
+                    columns,
+                    Stream.generate(Tally::new).limit((long) columns * rows).toList());
+        }
+
+        /** Lets each region lean on the one around it, which is twice as wide and high, from the whole picture down. */
+        void lean() {
+            if (tallies.size() == 1) {
+                return;
+            }
+            Regions wider = of((columns + 1) / 2, (tallies.size() / columns + 1) / 2);
+            for (int i = 0; i < tallies.size(); i++) {
+                around(i, wider).add(tallies.get(i), 1);
+            }
+            wider.lean();
+            for (int i = 0; i < tallies.size(); i++) {
+                Tally around = around(i, wider);
+                if (around.variance > 0) {
+                    tallies.get(i).add(around, ENOUGH / around.specks());
+                }
+            }
+        }
+
+        private Tally around(int region, Regions wider) {
+            return wider.tallies.get(region / columns / 2 * wider.columns + region % columns / 2);
+        }
+    }
+
+    /** What was counted in a region. */
+    private static final class Tally {
+
+        /** Pixels in which a speck would have been counted if their samples had met it. */
+        private double pixels;
+
+        private double variance;
+        private double squaredVariance;
+        private double contrast;
+
+        void count(double ofVariance, double ofContrast) {
+            variance += ofVariance;
+            squaredVariance += ofVariance * ofVariance;
+            contrast += ofContrast;
+        }
+
+        void add(Tally other, double weight) {
+            pixels += weight * other.pixels;
+            variance += weight * other.variance;
+            squaredVariance += weight * other.squaredVariance;
+            contrast += weight * other.contrast;
+        }
+
+        /** How many equal specks tell as much. */
+        double specks() {
+            return variance * variance / squaredVariance;
+        }
+
+        /** The variance of a sample on average over the specks, in which strong ones count most. */
+        double usualVariance() {
+            return squaredVariance / variance;
+        }
+
+        /** The share of a pixel that a speck covers: the square of its mean over that of its light. */
+        double coverage() {
+            return variance > 0 ? contrast / variance : Double.POSITIVE_INFINITY;
+        }
+    }
+}

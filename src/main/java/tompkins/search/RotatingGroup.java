@@ -1,0 +1,239 @@
+package tompkins.search;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import tompkins.primitive.Bounds;
+import tompkins.primitive.CylinderPrimitive;
+import tompkins.primitive.Face;
+import tompkins.primitive.Primitive;
+import tompkins.primitive.RayStarts;
+import tompkins.primitive.Rotation;
+import tompkins.primitive.TurningPath;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.RayPacket;
+import tompkins.spacetime.PointFrame;
+import tompkins.surface.Shadow;
+
+/**
+ * All primitives that turn together, as one that fills what they come by. What turns into itself is met as if it
+ * rested. For the others a ray is a curve: it is cut into pieces that turn by an eighth of a radian at most, each of
+ * which lies near its chord; a tree finds what the chord may come near to, and the faces of that are met on the curve
+ * itself.
+ */
+final class RotatingGroup extends Primitive {
+
+    /** Chords in a radian. */
+    private static final int CHORDS = 8;
+
+    /** The most chords of a ray: longer ones save less, but no hit is missed with them either. */
+    private static final int MOST_CHORDS = 10_000;
+
+    /** The most surfaces that let light pass at some of their points that are looked at behind one another. */
+    private static final int MOST_PASSED = 1000;
+
+    private final Rotation rotation;
+    private final CylinderPrimitive swept;
+    private final Primitive[] round;
+    private final TreeNode tree;
+
+    /** What the tree holds, in the order of its leaves, and the faces of each. */
+    private final Primitive[] others;
+
+    private final Face[][] faces;
+
+    // the cylinder that the others come by
+    private final double low;
+    private final double high;
+    private final double radius;
+
+    private RotatingGroup(List<Primitive> members) {
+        super(members.get(0).object(), members.get(0).surface());
+        rotation = members.get(0).restFrame().rotation();
+        swept = rotation.swept(members);
+        Map<Boolean, List<Primitive>> byRoundness = members.stream()
+                .collect(Collectors.partitioningBy(member -> member.isRoundAbout(rotation.centre(), rotation.axis())));
+        round = byRoundness.get(true).toArray(Primitive[]::new);
+        others = byRoundness.get(false).toArray(Primitive[]::new);
+        CylinderPrimitive others = this.others.length == 0 ? swept : rotation.swept(List.of(this.others));
+        low = others.start().sub(rotation.centre()).dot(rotation.axis());
+        high = others.end().sub(rotation.centre()).dot(rotation.axis());
+        radius = others.radius();
+        tree = this.others.length == 0 ? null : TreeBuilder.build(this.others, 1);
+        faces = Arrays.stream(this.others)
+                .map(member -> member.faces(rotation.centre()).toArray(Face[]::new))
+                .toArray(Face[][]::new);
+        setRestFrame(members.get(0).restFrame());
+        setOrder(members.get(0).order());
+    }
+
+    /** The same primitives, those that turn together as one. */
+    static List<Primitive> gather(List<Primitive> primitives) {
+        List<Primitive> all = new ArrayList<>();
+        for (int i = 0; i < primitives.size(); i++) {
+            Rotation own = primitives.get(i).restFrame().rotation();
+            int end = i + 1;
+            while (own != null
+                    && end < primitives.size()
+                    && primitives.get(end).restFrame().rotation() == own) {
+                end++;
+            }
+            all.add(own == null ? primitives.get(i) : new RotatingGroup(primitives.subList(i, end)));
+            i = end - 1;
+        }
+        return all;
+    }
+
+    /** The largest speed of a point of it, in the frame in which it turns. */
+    double largestSpeed() {
+        return Math.abs(rotation.angularSpeed())
+                * members().stream().mapToDouble(rotation::reach).max().orElse(0);
+    }
+
+    /** The primitives themselves. */
+    List<Primitive> members() {
+        List<Primitive> all = new ArrayList<>(List.of(round));
+        all.addAll(List.of(others));
+        return all;
+    }
+
+    @Override
+    public double distance(Ray ray, double limit) {
+        return search(ray, limit, 0).foundDistance();
+    }
+
+    /** Looks for the nearest hit up to a limit, beyond what is known to be empty. */
+    private TurningPath search(Ray ray, double limit, double known) {
+        TurningPath path = new TurningPath(rotation, ray);
+        for (Primitive each : round) {
+            double distance = each.distance(ray, limit(path, limit));
+            if (distance < NO_HIT) {
+                path.find(each, TurningPath.ROUND, distance);
+            }
+        }
+        if (tree == null || !path.enters(low, high, radius)) {
+            return path;
+        }
+        double from = path.entry();
+        double to = path.exit();
+        int chords = 1 + (int) Math.min(MOST_CHORDS, CHORDS * path.turning() * (to - from));
+        double step = (to - from) / chords;
+        int first = known > from ? Math.max(0, (int) ((known - from) / step) - 1) : 0;
+        for (int i = first; i < chords; i++) {
+            double start = from + i * step;
+            if (start > limit(path, limit)) {
+                break;
+            }
+            double end = i + 1 == chords ? to : from + (i + 1) * step;
+            path.take(start, end, radius);
+            search(tree, new Chord(path, start, end), ray, path, limit);
+        }
+        return path;
+    }
+
+    private static double limit(TurningPath path, double limit) {
+        return Math.min(limit, path.foundDistance());
+    }
+
+    /** A piece of a path, and the straight line between its ends. */
+    private static final class Chord {
+        final double from;
+        final double to;
+        final double sag;
+        final double x;
+        final double y;
+        final double z;
+        final double inverseX;
+        final double inverseY;
+        final double inverseZ;
+
+        Chord(TurningPath path, double from, double to) {
+            this.from = from;
+            this.to = to;
+            sag = path.sag(to - from);
+            path.go(from);
+            x = path.x();
+            y = path.y();
+            z = path.z();
+            path.go(to);
+            inverseX = 1 / (path.x() - x);
+            inverseY = 1 / (path.y() - y);
+            inverseZ = 1 / (path.z() - z);
+        }
+
+        boolean comesNear(TreeNode node) {
+            return node.isNear(x, y, z, inverseX, inverseY, inverseZ, sag);
+        }
+    }
+
+    private void search(TreeNode node, Chord chord, Ray ray, TurningPath path, double limit) {
+        if (!chord.comesNear(node)) {
+            return;
+        }
+        if (node.primitives == null) {
+            search(node.low, chord, ray, path, limit);
+            search(node.high, chord, ray, path, limit);
+            return;
+        }
+        for (int i = node.from; i < node.to; i++) {
+            boolean startsHere = chord.from == 0 && ray.boundary == others[i];
+            for (Face face : faces[i]) {
+                double start = startsHere && ray.part == face.part() ? face.leaving(path) : chord.from;
+                double distance = face.first(path, start, chord.to);
+                if (distance <= limit && distance < NO_HIT) {
+                    path.find(others[i], face.part(), distance);
+                }
+            }
+        }
+    }
+
+    @Override
+    public Hit hit(Ray ray, double distance, Hit memory) {
+        return search(ray, distance, distance).hit(ray, memory);
+    }
+
+    @Override
+    public boolean shadows(Ray ray, double limit) {
+        Ray rest = ray;
+        double left = limit;
+        for (int passed = 0; passed < MOST_PASSED; passed++) {
+            TurningPath path = search(rest, left, 0);
+            if (path.found() == null) {
+                return false;
+            }
+            Shadow shadow = path.found().surface().shadow();
+            if (shadow == Shadow.ALWAYS) {
+                return true;
+            }
+            Hit hit = path.hit(rest, Hit.blank());
+            // which side is met is known where the point rests
+            PointFrame point = new PointFrame(hit, rotation.law());
+            Ray inside = point.enter(rest);
+            point.enterHit();
+            if (path.found().surface().throwsShadowAt(inside, hit)) {
+                return true;
+            }
+            left -= path.foundDistance();
+            rest = rest.shadowBeyond(hit);
+        }
+        return false;
+    }
+
+    @Override
+    public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
+        return swept.overlaps(rays, starts, overlaps);
+    }
+
+    @Override
+    public Bounds bounds() {
+        return swept.bounds();
+    }
+
+    @Override
+    public double minimumAlong(double nx, double ny, double nz) {
+        return swept.minimumAlong(nx, ny, nz);
+    }
+}

@@ -1,0 +1,135 @@
+package tompkins.trace;
+
+import java.util.List;
+import org.joml.Vector3dc;
+import tompkins.light.LightSource;
+import tompkins.light.Sightline;
+import tompkins.primitive.Primitive;
+import tompkins.ray.Colour;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
+import tompkins.ray.RayPacket;
+import tompkins.search.LampShadows;
+import tompkins.search.NearestHit;
+import tompkins.search.ObjectTree;
+import tompkins.search.PacketQuery;
+import tompkins.spacetime.TransformationLaw;
+
+/** The objects and lamps of one frame, in which nothing moves. */
+final class RestingSurroundings implements Surroundings {
+
+    private final ObjectTree objects;
+    private final List<LightSource> lights;
+    private final double[] lampZeros;
+    private final LampShadows[] lampShadows;
+    private final RayCounts counts;
+    private final NearestHit nearest;
+    private final PacketQuery packet;
+    private final Ray memory = Ray.blank();
+
+    /** What threw the last shadow: it often throws the next one, too. */
+    private Primitive lastShadow;
+
+    /**
+     * The surroundings in a frame.
+     *
+     * @param lampZeros the time at which the own time of each of the lights is 0
+     * @param lampShadows what each of the lights sees of the objects, or null for those of which that is not prepared
+     */
+    RestingSurroundings(
+            ObjectTree objects,
+            List<LightSource> lights,
+            double[] lampZeros,
+            LampShadows[] lampShadows,
+            RayCounts counts) {
+        this.objects = objects;
+        this.lights = lights;
+        this.lampZeros = lampZeros;
+        this.lampShadows = lampShadows;
+        this.counts = counts;
+        nearest = new NearestHit(counts);
+        packet = new PacketQuery(objects, nearest);
+    }
+
+    @Override
+    public void begin(RayPacket rays) {
+        lastShadow = null;
+        nearest.forgetLeaf();
+        packet.begin(rays);
+    }
+
+    @Override
+    public boolean nearest(int place) {
+        return packet.nearest(place, Primitive.NO_HIT);
+    }
+
+    @Override
+    public Ray met() {
+        return packet.ray();
+    }
+
+    @Override
+    public boolean nearest(Ray ray) {
+        return objects.nearest(ray, nearest);
+    }
+
+    @Override
+    public Ray met(Ray searched) {
+        return searched;
+    }
+
+    @Override
+    public TransformationLaw law() {
+        return TransformationLaw.NONE;
+    }
+
+    @Override
+    public Hit hit(Ray met, Hit hitMemory) {
+        return nearest.hit(met, hitMemory);
+    }
+
+    @Override
+    public Ray goesOn(Ray next, Colour weight) {
+        return next;
+    }
+
+    @Override
+    public Ray leaving(Ray ray) {
+        return ray;
+    }
+
+    @Override
+    public boolean find(int source, Hit hit, Sightline sight) {
+        Vector3dc lamp = lights.get(source).position();
+        sight.set(lamp.x() - hit.x, lamp.y() - hit.y, lamp.z() - hit.z, hit.time - lampZeros[source]);
+        return true;
+    }
+
+    @Override
+    public boolean isClear(int source, Hit from, Sightline sight) {
+        counts.shadowRays++;
+        double distance = sight.length;
+        Ray ray = memory.setShadow(from, sight.x / distance, sight.y / distance, sight.z / distance);
+        LampShadows seen = lampShadows[source];
+        if (seen != null) {
+            return !seen.shadows(from, ray, 0, distance, counts);
+        }
+        if (lastShadow != null && lastShadow.shadows(ray, distance)) {
+            return false;
+        }
+        lastShadow = objects.shadow(ray, distance, nearest);
+        return lastShadow == null;
+    }
+
+    /** Light is shifted on its way into the camera frame, if at all. */
+    @Override
+    public boolean shifts() {
+        return false;
+    }
+
+    @Override
+    public Colour seen(Colour light, Ray ray, double dopplerFactor) {
+        return light;
+    }
+}

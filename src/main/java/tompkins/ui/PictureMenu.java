@@ -1,0 +1,76 @@
+package tompkins.ui;
+
+import java.awt.Point;
+import java.awt.geom.Point2D;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.JMenuItem;
+import javax.swing.JPopupMenu;
+import tompkins.studio.StudioPath;
+import tompkins.ui.measure.MeasureTool;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.photograph.PhotographView;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.ray.PixelProbe;
+import tompkins.ui.ride.Motion;
+import tompkins.ui.widget.Naming;
+import tompkins.ui.widget.TabStrip;
+import tompkins.ui.widget.Texts;
+
+/** What can be done with what is seen at a place of the picture; with the editor open, a click chooses it there. */
+final class PictureMenu implements PhotographView.Menu {
+
+    private final StudioModel model;
+    private final PhotographView view;
+    private final Motion motion;
+    private final TabStrip strip;
+    private final MeasureTool measure;
+    private final EditorDialog editor;
+
+    PictureMenu(
+            StudioModel model,
+            PhotographView view,
+            Motion motion,
+            TabStrip strip,
+            MeasureTool measure,
+            EditorDialog editor) {
+        this.model = model;
+        this.view = view;
+        this.motion = motion;
+        this.strip = strip;
+        this.measure = measure;
+        this.editor = editor;
+    }
+
+    @Override
+    public void show(PixelProbe.Reading seen, Picture picture, Point2D place, Point at) {
+        JPopupMenu menu = new JPopupMenu();
+        add(menu, "lookAt", true, () -> motion.lookAt(place));
+        add(menu, "rideFrom", seen.sighting().hit() != null, () -> motion.rideFrom(seen.sighting()));
+        add(menu, "measureFrom", true, () -> {
+            strip.open(TabStrip.Tab.MEASURE);
+            measure.begin(place, picture);
+        });
+        Optional<StudioPath> object = object(seen);
+        add(menu, "edit", object.isPresent(), () -> object.ifPresent(editor::open));
+        menu.show(view.canvas(), at.x, at.y);
+    }
+
+    private static void add(JPopupMenu menu, String key, boolean possible, Runnable action) {
+        JMenuItem item = new JMenuItem(Texts.get("picture." + key));
+        Naming.name(item, "picture." + key);
+        item.setEnabled(possible);
+        item.addActionListener(event -> action.run());
+        menu.add(item);
+    }
+
+    /** The object that is seen, if the studio still holds it. */
+    private Optional<StudioPath> object(PixelProbe.Reading seen) {
+        return Optional.ofNullable(seen.sighting().hit()).flatMap(hit -> StudioPath.to(model.studio(), hit.object()));
+    }
+
+    @Override
+    public Consumer<PixelProbe.Reading> chooser() {
+        return editor.isOpen() ? seen -> object(seen).ifPresent(editor::open) : null;
+    }
+}

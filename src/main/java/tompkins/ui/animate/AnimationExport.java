@@ -1,0 +1,119 @@
+package tompkins.ui.animate;
+
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import javax.swing.JFileChooser;
+import javax.swing.JFrame;
+import tompkins.animation.Animation;
+import tompkins.animation.AnimationRecorder;
+import tompkins.animation.FrameSequence;
+import tompkins.animation.FrameWarnings;
+import tompkins.animation.RideFilm;
+import tompkins.image.AnimationFormat;
+import tompkins.image.AnimationWriter;
+import tompkins.image.PictureDecoration;
+import tompkins.measure.OverlayKind;
+import tompkins.render.Progress;
+import tompkins.studio.Studio;
+import tompkins.ui.exchange.FileDialogs;
+import tompkins.ui.file.FormatFilter;
+import tompkins.ui.file.SaveDialog;
+import tompkins.ui.overlay.PictureOverlays;
+import tompkins.ui.overlay.SceneOverlay;
+import tompkins.ui.photograph.Captions;
+import tompkins.ui.widget.Texts;
+
+/** Saves an animation as a file, or as a folder of pictures. */
+public final class AnimationExport {
+
+    private final JFrame frame;
+    private final FileDialogs dialogs;
+    private final Captions captions;
+    private final PictureOverlays overlays;
+
+    /** Exports animations of a window, with the captions and overlays that it shows. */
+    public AnimationExport(JFrame frame, FileDialogs dialogs, Captions captions, PictureOverlays overlays) {
+        this.frame = frame;
+        this.dialogs = dialogs;
+        this.captions = captions;
+        this.overlays = overlays;
+    }
+
+    /** Makes a film of a studio, with a number of photographs in a second. */
+    private interface FilmMaker {
+
+        FrameSequence make(Studio studio, int frameRate);
+    }
+
+    /** Asks where to save an animation of a studio. */
+    public void ask(Studio studio, Animation animation) {
+        boolean captioned = captions.areShown();
+        ask(
+                studio,
+                (chosen, rate) -> animation.withFrameRate(rate).sequence(chosen),
+                film -> Captions.ofPictures(studio, animation.number(), captioned));
+    }
+
+    /** Asks where to save the film of the ride that begins with a studio. */
+    public void askForRide(Studio studio) {
+        boolean captioned = captions.areShown();
+        ask(studio, RideFilm::new, film -> Captions.ofPictures((RideFilm) film, captioned));
+    }
+
+    private void ask(Studio studio, FilmMaker maker, Function<FrameSequence, FrameSequence.Caption> caption) {
+        // every program shows an animated GIF
+        List<FormatFilter<AnimationFormat>> formats = Stream.of(AnimationFormat.values())
+                .sorted(Comparator.comparing(format -> format != AnimationFormat.GIF))
+                .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
+                .toList();
+        AnimationOptions options =
+                new AnimationOptions(studio, rate -> maker.make(studio, rate).frames());
+        JFileChooser chooser = dialogs.chooser();
+        chooser.setAccessory(options.component());
+        SaveDialog.ask(
+                frame, chooser, Texts.get("play.exportTitle"), dialogs.fileName(), formats, (file, format, replace) -> {
+                    FrameSequence film = maker.make(options.studio(), options.frameRate());
+                    save(film, caption.apply(film), file, format, replace);
+                });
+    }
+
+    /** Saves a film, with progress and cancel. */
+    private void save(
+            FrameSequence film, FrameSequence.Caption caption, Path file, AnimationFormat format, boolean replace) {
+        AtomicReference<Exported> exported = new AtomicReference<>();
+        Set<OverlayKind> drawn = overlays.ofScene();
+        Function<Studio, PictureDecoration> decorations =
+                moment -> picture -> SceneOverlay.paint(picture, moment, drawn);
+        dialogs.save(
+                file,
+                progress -> exported.set(write(
+                        film, caption, decorations, () -> format.open(file, film.frameRate(), replace), progress)),
+                () -> dialogs.exported(
+                        exported.get().place(), exported.get().warnings().sentences()));
+    }
+
+    /** What was saved: where it lies, and what the user should know about it. */
+    record Exported(Path place, FrameWarnings warnings) {}
+
+    /** Takes all pictures and writes them; leaves nothing behind if the task is cancelled or fails. */
+    static Exported write(
+            FrameSequence film,
+            FrameSequence.Caption caption,
+            Function<Studio, PictureDecoration> decorations,
+            Callable<AnimationWriter> file,
+            Progress progress)
+            throws Exception {
+        int threads = Runtime.getRuntime().availableProcessors();
+        try (AnimationWriter writer = file.call()) {
+            FrameWarnings warnings =
+                    new AnimationRecorder(film, caption, decorations, threads).record(writer, progress);
+            return new Exported(writer.finish(), warnings);
+        }
+    }
+}

@@ -1,0 +1,48 @@
+package tompkins.ui.compare;
+
+import org.joml.Vector3d;
+import tompkins.light.ColourLaw;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.FrontWindow;
+import tompkins.studio.Studio;
+import tompkins.studio.View;
+import tompkins.ui.model.Shutters;
+import tompkins.ui.picture.Comparison;
+
+/**
+ * What the photograph is compared with.
+ *
+ * @param other the kind of the other picture
+ * @param shutter the model of the other shutter, if that is what differs
+ * @param view how the two are shown
+ * @param name what the other picture is called
+ */
+public record Compared(ComparePanel.Other other, Class<?> shutter, Comparison view, String name) {
+
+    /** The photograph alone. */
+    public static final Compared NOTHING = new Compared(ComparePanel.Other.NOTHING, null, Comparison.NONE, "");
+
+    /** The studio of the other picture; null if there is none, or if it is the kept one. */
+    public Studio studio(Studio now) {
+        return switch (other) {
+            case NOTHING, KEPT_PICTURE -> null;
+            case AT_REST -> FrontWindow.withVelocity(now, Velocity.of(new Vector3d()));
+            case GALILEAN_CAMERA -> now.withTransformation(TransformationLaw.GALILEAN);
+            case UNCHANGED_COLOURS -> now.withColours(ColourLaw.UNCHANGED);
+            case SEEN -> now.withView(View.SEEN);
+            case MEASURED -> now.withView(View.MEASURED);
+            case OTHER_SHUTTER -> Shutters.replaced(now, shutter);
+        };
+    }
+
+    /** Whether the other picture shows exactly what the photograph of a studio shows. */
+    boolean isSame(Studio now) {
+        return switch (other) {
+            case NOTHING, KEPT_PICTURE -> false;
+            case AT_REST -> now.velocity().isRest();
+            case GALILEAN_CAMERA, UNCHANGED_COLOURS, SEEN, MEASURED, OTHER_SHUTTER ->
+                studio(now).equals(now);
+        };
+    }
+}

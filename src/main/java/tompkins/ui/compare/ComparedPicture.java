@@ -1,0 +1,168 @@
+package tompkins.ui.compare;
+
+import java.awt.Dimension;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import javax.swing.SwingUtilities;
+import tompkins.shutter.Shutter;
+import tompkins.studio.Studio;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.picture.Pace;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.RenderController;
+import tompkins.ui.picture.ScreenPictures;
+
+/** The picture with which that of the studio is compared: one of a changed studio, or one that was kept. */
+public final class ComparedPicture implements AutoCloseable {
+
+    /** How many times as long as a picture takes none is taken on a ride. */
+    private static final int RESTS = 3;
+
+    /** It is not seen to stand still, in nanoseconds. */
+    private static final long LONGEST_REST = 300_000_000;
+
+    private final StudioModel model;
+    private final ScreenPictures screen;
+    private final Function<Studio, Dimension> sizes;
+    private final Supplier<Pace> pace;
+    private final RenderController controller;
+    private Compared compared = Compared.NOTHING;
+    private Studio studio;
+    private Dimension size;
+    private Picture kept;
+
+    /** How soon it was wanted when it was asked for. */
+    private Pace asked;
+
+    /** When it may be asked for again on a ride, by the clock of {@link System#nanoTime}. */
+    private long again = System.nanoTime();
+
+    /** What is on the screen; null if nothing is. */
+    private Picture shown;
+
+    /** The studio of a camera at rest where one on a ride is; gives null where there is no ride. */
+    private Supplier<Studio> rideAtRest = () -> null;
+
+    /**
+     * The picture beside that of a model.
+     *
+     * @param sizes says in which size the picture of a studio is taken
+     * @param pace says how soon it has to come
+     * @param failed told what goes wrong, by any thread
+     */
+    public ComparedPicture(
+            StudioModel model,
+            ScreenPictures screen,
+            Function<Studio, Dimension> sizes,
+            Supplier<Pace> pace,
+            Consumer<Throwable> failed) {
+        this.model = model;
+        this.screen = screen;
+        this.sizes = sizes;
+        this.pace = pace;
+        controller = new RenderController(this::show, failed);
+    }
+
+    /** Chooses what is compared from now on. */
+    public void choose(Compared other) {
+        compared = other;
+        render();
+    }
+
+    /** Lets a camera at rest be where one on a ride is; the supplier gives null where there is no ride. */
+    public void setRideAtRest(Supplier<Studio> atRest) {
+        rideAtRest = atRest;
+    }
+
+    /** What the picture is called; null if there is none. */
+    public String name() {
+        return compared.name();
+    }
+
+    /** Makes the picture that is compared with the one of the current studio, unless it is there already. */
+    public void render() {
+        Studio wanted = wanted();
+        if (wanted == null) {
+            stop();
+            set(null);
+        } else if (mayRender() && !(sizes.apply(wanted).equals(size) && looksAsBefore(wanted))) {
+            studio = wanted;
+            asked = pace.get();
+            size = sizes.apply(wanted);
+            if (kept != null && studio == kept.studio() && kept.isOfSize(size)) {
+                controller.stop();
+                set(kept);
+            } else {
+                controller.show(studio, size, asked);
+            }
+        }
+    }
+
+    /** Who steers looks at the picture in front of him: the other one gets a part of the time. */
+    private boolean mayRender() {
+        boolean goesOn = pace.get() == Pace.RIDE && asked == Pace.RIDE;
+        return !goesOn || !controller.isBusy() && System.nanoTime() - again >= 0;
+    }
+
+    private Studio wanted() {
+        Studio onRide = compared.other() == ComparePanel.Other.AT_REST ? rideAtRest.get() : null;
+        if (onRide != null) {
+            return onRide;
+        }
+        return compared.other() == ComparePanel.Other.KEPT_PICTURE && kept != null
+                ? kept.studio()
+                : compared.studio(model.studio());
+    }
+
+    /** Whether the picture would be that of before: on a ride only time may go on, and nothing change with it. */
+    private boolean looksAsBefore(Studio wanted) {
+        if (wanted.equals(studio)) {
+            return asked == pace.get() || asked != Pace.RIDE;
+        }
+        if (pace.get() != Pace.RIDE
+                || shown == null
+                || !shown.studio().equals(studio)
+                || !shown.plan().isStill()) {
+            return false;
+        }
+        Shutter shutter = wanted.camera().shutter();
+        Shutter before = studio.camera().shutter();
+        return shutter.hasOpeningTime()
+                && before.hasOpeningTime()
+                && studio.equals(
+                        wanted.withCamera(wanted.camera().withShutter(shutter.openedAt(before.openingTime()))));
+    }
+
+    private void set(Picture picture) {
+        shown = picture;
+        screen.setOther(picture);
+    }
+
+    private void show(Picture picture) {
+        SwingUtilities.invokeLater(() -> {
+            // what is no longer wanted may still arrive
+            if (picture.studio().equals(studio)) {
+                set(picture);
+                again = System.nanoTime()
+                        + Math.min(LONGEST_REST, RESTS * picture.time().toNanos());
+            }
+        });
+    }
+
+    /** Keeps a picture, so that others can be compared with it. */
+    public void keep(Picture picture) {
+        kept = picture;
+    }
+
+    /** Ends the work on the picture; what is there stays until the next change. */
+    public void stop() {
+        studio = null;
+        controller.stop();
+    }
+
+    @Override
+    public void close() {
+        controller.close();
+    }
+}

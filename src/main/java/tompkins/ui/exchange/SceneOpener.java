@@ -1,0 +1,198 @@
+package tompkins.ui.exchange;
+
+import java.awt.SecondaryLoop;
+import java.awt.Toolkit;
+import java.nio.file.Path;
+import java.util.Objects;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
+import javax.swing.JFileChooser;
+import javax.swing.SwingUtilities;
+import javax.swing.filechooser.FileNameExtensionFilter;
+import tompkins.io.StudioReader;
+import tompkins.measure.LessonStudio;
+import tompkins.studio.Studio;
+import tompkins.ui.file.BackgroundTask;
+import tompkins.ui.file.ChosenFile;
+import tompkins.ui.file.FileDrop;
+import tompkins.ui.file.PlainPath;
+import tompkins.ui.photograph.WindowParts;
+import tompkins.ui.widget.EntryField;
+import tompkins.ui.widget.Messages;
+import tompkins.ui.widget.Texts;
+
+/** Opens scenes, without losing what was changed in the one before. Reads away from the event thread. */
+public final class SceneOpener {
+
+    private final WindowParts window;
+    private final FileDialogs dialogs;
+    private final SceneSaver saver;
+    private final Runnable pause;
+    private final Runnable beginLesson;
+
+    /** Opens scenes in a window. */
+    public SceneOpener(
+            WindowParts window, FileDialogs dialogs, SceneSaver saver, Runnable pause, Runnable beginLesson) {
+        this.window = window;
+        this.dialogs = dialogs;
+        this.saver = saver;
+        this.pause = pause;
+        this.beginLesson = beginLesson;
+    }
+
+    /**
+     * Does something that leaves the scene, after its changes are saved or discarded; does nothing if the user cancels.
+     */
+    public void leaveScene(Runnable next) {
+        // otherwise the scene would go on changing behind the question and never be saved
+        pause.run();
+        EntryField.takeAll(window.frame());
+        Messages.Unsaved answer = window.model().isEdited()
+                ? Messages.askAboutChanges(
+                        window.frame(), window.model().studio().title())
+                : Messages.Unsaved.DISCARD;
+        switch (answer) {
+            case SAVE ->
+                saver.save(() -> {
+                    // changes made while the file was written are not in it
+                    if (!window.model().isModified()) {
+                        next.run();
+                    }
+                });
+            case DISCARD -> next.run();
+            case CANCEL -> {}
+        }
+    }
+
+    /** Asks for a file and opens it. */
+    public void open() {
+        leaveForAnother(this::choose);
+    }
+
+    private void choose() {
+        JFileChooser chooser = dialogs.chooser();
+        chooser.setFileFilter(
+                new FileNameExtensionFilter(Texts.get("file.scenes"), "json", "png", "tif", "tiff", "hdr", "pic"));
+        if (chooser.showOpenDialog(window.frame()) == JFileChooser.APPROVE_OPTION) {
+            ChosenFile.path(window.frame(), chooser.getSelectedFile()).ifPresent(this::read);
+        }
+    }
+
+    /** Opens a scene file, or a photograph that holds its scene. */
+    public void open(Path file) {
+        leaveForAnother(() -> read(file));
+    }
+
+    /**
+     * As {@link #leaveScene}, but without a question for an example of which only the camera or the motion was changed:
+     * undo brings it back.
+     */
+    private void leaveForAnother(Runnable next) {
+        Studio opened = window.model().opened();
+        Studio now = LessonStudio.unmoved(window.model().studio(), opened);
+        boolean looked = window.model().file() == null
+                && now.hasSameObjects(opened)
+                && (now.ride().isEmpty() || now.ride().equals(opened.ride()))
+                && now.lesson().equals(opened.lesson())
+                && now.title().equals(opened.title())
+                && now.remarks().equals(opened.remarks());
+        if (looked) {
+            next.run();
+        } else {
+            leaveScene(next);
+        }
+    }
+
+    /** Begins a scene without objects, and then does something else, such as opening the editor. */
+    public void begin(Runnable next) {
+        leaveForAnother(() -> {
+            show(Studio.DEFAULT, null);
+            next.run();
+        });
+    }
+
+    /** Opens the file of the scene again, which another program may have changed; an example as it was opened. */
+    public void reload() {
+        Path file = window.model().file();
+        if (file == null) {
+            open(window.model().opened());
+        } else {
+            open(file);
+        }
+    }
+
+    private void read(Path named) {
+        Path file = PlainPath.of(named);
+        BackgroundTask.find(
+                window.frame(),
+                Texts.get("file.opening", file),
+                () -> StudioReader.read(file),
+                studio -> showOf(file, studio));
+    }
+
+    private void showOf(Path file, Studio studio) {
+        show(studio, file);
+        window.settings().addRecentFile(file);
+    }
+
+    /** Shows an example. */
+    public void open(Studio example) {
+        leaveForAnother(() -> show(example, null));
+    }
+
+    /** Shows a scene; messages, refused values and the pin of the one before it go. */
+    private void show(Studio studio, Path file) {
+        window.status().clear();
+        if (!Objects.equals(file, window.model().file())) {
+            dialogs.forgetFolder();
+        }
+        window.view().setPin(null);
+        window.view().canvas().beginScene();
+        window.model().open(studio, file);
+        beginLesson.run();
+        saver.hold(file, studio);
+        EntryField.in(window.frame()).forEach(EntryField::revert);
+        // what had the keys may have nothing to do in this scene
+        SwingUtilities.invokeLater(window.view().canvas()::requestFocusInWindow);
+    }
+
+    /** Whether files can be dropped on the window, and what becomes of them. */
+    public FileDrop drop() {
+        return new FileDrop(file -> ChosenFile.path(window.frame(), file)
+                .map(PlainPath::of)
+                .filter(this::take)
+                .isPresent());
+    }
+
+    /**
+     * Reads a file that was dropped while the window goes on, and says whether that could be done. Questions and
+     * messages come after the drop, because the program from which it comes waits for its end.
+     */
+    private boolean take(Path file) {
+        SecondaryLoop reading =
+                Toolkit.getDefaultToolkit().getSystemEventQueue().createSecondaryLoop();
+        AtomicReference<Runnable> next = new AtomicReference<>(() -> {});
+        AtomicBoolean taken = new AtomicBoolean();
+        BackgroundTask.start(
+                window.frame(),
+                Texts.get("file.opening", file),
+                task -> {
+                    try {
+                        Studio studio = StudioReader.read(file);
+                        task.requireWanted();
+                        taken.set(true);
+                        next.set(() -> leaveForAnother(() -> showOf(file, studio)));
+                    } catch (CancellationException stopped) {
+                        throw stopped;
+                    } catch (RuntimeException | Error refused) {
+                        next.set(() -> Messages.error(window.frame(), Messages.of(refused)));
+                    }
+                },
+                reading::exit,
+                reading::exit);
+        reading.enter();
+        SwingUtilities.invokeLater(next.get());
+        return taken.get();
+    }
+}

@@ -1,0 +1,2 @@
+/** The documents in the window, and the list of keys. */
+package tompkins.ui.help;

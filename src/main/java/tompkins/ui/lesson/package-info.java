@@ -1,0 +1,2 @@
+/** Lessons: question, looking, reason, numbers. */
+package tompkins.ui.lesson;

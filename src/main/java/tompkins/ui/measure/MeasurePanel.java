@@ -1,0 +1,142 @@
+package tompkins.ui.measure;
+
+import java.awt.BorderLayout;
+import java.util.Objects;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import tompkins.io.FactCsv;
+import tompkins.measure.MeasureKind;
+import tompkins.measure.Measured;
+import tompkins.measure.RayTable;
+import tompkins.ui.widget.Buttons;
+import tompkins.ui.widget.Naming;
+import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Part;
+import tompkins.ui.widget.Texts;
+
+/** What is measured in the picture, and what comes of it. */
+final class MeasurePanel extends Part {
+
+    private final JComboBox<MeasureKind> kinds = new JComboBox<>(MeasureKind.values());
+    private final JComboBox<ProfileChart.Content> contents = new JComboBox<>(ProfileChart.Content.values());
+
+    /** Holds the chart, which is made for the first profile: the library behind it takes a while to come. */
+    private final JPanel chartPlace = new JPanel(new BorderLayout());
+
+    private ProfileChart chart;
+
+    /** With room for all numbers: the picture must not move under a click that adds a point. */
+    private final Note results = Note.result(4);
+
+    private final JButton copy;
+    /** What was measured in the other picture, and how sizes compare; it has its room where two are seen. */
+    private final Note otherResults = Note.ofLines(2);
+
+    private Measured measured;
+    private Measured otherMeasured;
+
+    /** The panel of a tool, hidden. */
+    MeasurePanel(MeasureTool tool) {
+        super(new JPanel(
+                new MigLayout("novisualpadding, insets 0 4 0 4, fillx, hidemode 3, gap 6 4", "[][][][grow][]")));
+        Naming.name(kinds, "measure.kind");
+        Naming.items(kinds, kind -> Texts.get("measure.kind." + kind.name()));
+        kinds.addActionListener(event -> tool.choose(kind()));
+        Naming.name(contents, "measure.chart");
+        Naming.items(contents, content -> Texts.get("measure.chart." + content.name()));
+        contents.addActionListener(event -> chart().setContent((ProfileChart.Content) contents.getSelectedItem()));
+        chartPlace.setOpaque(false);
+        copy = Buttons.of("measure.copy", () -> tool.copy(text()));
+        // a narrow window has no room for the longest name
+        panel.add(kinds, "wmin 0");
+        panel.add(Buttons.of("measure.clear", tool::clear));
+        panel.add(contents, "wmin 0");
+        panel.add(copy, "skip 1, wrap");
+        panel.add(chartPlace, "span, growx, wmin 0, wrap");
+        panel.add(results.component(), "span, growx, wmin 0, wrap");
+        panel.add(otherResults.component(), "span, growx, wmin 0");
+        panel.setVisible(false);
+        panel.setName("measure");
+        results.component().setName("measure.results");
+        otherResults.component().setName("measure.other");
+    }
+
+    /** What is to be measured. */
+    public MeasureKind kind() {
+        return (MeasureKind) kinds.getSelectedItem();
+    }
+
+    /**
+     * Shows what came of measuring; says how many places are needed where that is null.
+     *
+     * @param answer what came of it in the picture
+     * @param otherAnswer what came of it in the picture with which that is compared
+     * @param otherName what that picture is called; null if there is none
+     */
+    public void show(MeasureProbe.Answer answer, MeasureProbe.Answer otherAnswer, String otherName) {
+        measured = answer == null ? null : answer.measured();
+        otherMeasured = otherAnswer == null ? null : otherAnswer.measured();
+        boolean isProfile = measured != null && measured.profile() != null;
+        chartPlace.setVisible(isProfile);
+        contents.setVisible(isProfile);
+        if (isProfile || chart != null) {
+            chart().show(isProfile ? measured.profile() : null);
+        }
+        copy.setEnabled(measured != null || otherMeasured != null);
+        if (answer == null) {
+            results.setText(Texts.get("measure.ask." + kind().name()));
+        } else if (measured == null) {
+            results.setError(Texts.get("measure.problem", answer.problem()));
+        } else {
+            results.setText(MeasureWords.of(measured));
+        }
+        showOther(otherAnswer, otherName);
+        panel.revalidate();
+    }
+
+    private void showOther(MeasureProbe.Answer answer, String name) {
+        if (answer == null) {
+            otherResults.setText(name == null ? "" : Texts.get("measure.askOther", name));
+        } else if (otherMeasured == null) {
+            otherResults.setError(Texts.get("measure.inOther", name, Texts.get("measure.problem", answer.problem())));
+        } else {
+            otherResults.setText(Texts.get(
+                    "measure.inOther",
+                    name,
+                    measured == null
+                            ? MeasureWords.of(otherMeasured)
+                            : MeasureWords.compared(otherMeasured, measured)));
+        }
+        otherResults.component().setVisible(name != null);
+    }
+
+    private ProfileChart chart() {
+        if (chart == null) {
+            chart = new ProfileChart();
+            Naming.name(chart, "measure.profile");
+            chartPlace.add(chart);
+        }
+        return chart;
+    }
+
+    /** A table of a profile, or a table of the numbers; with an empty line between those of two pictures. */
+    private String text() {
+        return Stream.of(measured, otherMeasured)
+                .filter(Objects::nonNull)
+                .map(MeasurePanel::table)
+                .collect(Collectors.joining("\n"));
+    }
+
+    private static String table(Measured measured) {
+        Stream<String> lines = measured.profile() == null
+                ? FactCsv.quantities(measured.facts())
+                : FactCsv.table(
+                        RayTable.headings(),
+                        measured.profile().points().stream().map(RayTable::row));
+        return lines.collect(Collectors.joining("\n", "", "\n"));
+    }
+}

@@ -1,0 +1,2 @@
+/** Measuring in the picture. */
+package tompkins.ui.measure;

@@ -1,0 +1,2 @@
+/** Numbers of the studio as the window shows and changes them. */
+package tompkins.ui.number;

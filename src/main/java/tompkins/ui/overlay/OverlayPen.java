@@ -1,0 +1,166 @@
+package tompkins.ui.overlay;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.joml.Vector2dc;
+import tompkins.image.PictureLabel;
+import tompkins.measure.OverlayDrawing;
+import tompkins.measure.OverlayKind;
+import tompkins.trace.Frame;
+import tompkins.trace.RenderPlan;
+import tompkins.ui.picture.Mark;
+import tompkins.ui.widget.Drawing;
+import tompkins.ui.widget.Texts;
+
+/** Draws what formulas say over one picture, and writes names and numbers where there is room. */
+final class OverlayPen {
+
+    private static final double DOT = 2.5;
+    private static final double RING = 6;
+
+    /** Places at which a name is tried. */
+    private static final int MOST_TRIED = 1000;
+
+    private static final Map<OverlayKind, Color> COLOURS = Map.of(
+            OverlayKind.OUTLINES, new Color(255, 215, 90),
+            OverlayKind.LINES, new Color(130, 230, 150),
+            OverlayKind.AT_REST, new Color(255, 255, 255),
+            OverlayKind.MEASURED, new Color(255, 150, 150),
+            OverlayKind.DOPPLER, new Color(120, 255, 190),
+            OverlayKind.PLACES, new Color(255, 160, 120),
+            OverlayKind.SCENE_GRID, new Color(150, 205, 255),
+            OverlayKind.CAMERA_GRID, new Color(225, 225, 225),
+            OverlayKind.HORIZON, new Color(255, 140, 230),
+            OverlayKind.LABELS, Color.WHITE);
+
+    private static final Set<OverlayKind> GHOSTS = Set.of(OverlayKind.AT_REST, OverlayKind.MEASURED);
+
+    private static final List<OverlayKind> WRITTEN_FIRST = List.of(
+            OverlayKind.LABELS,
+            OverlayKind.DOPPLER,
+            OverlayKind.HORIZON,
+            OverlayKind.CAMERA_GRID,
+            OverlayKind.SCENE_GRID);
+
+    private final Graphics2D g;
+    private final Rectangle bounds;
+    private final double scaleX;
+    private final double scaleY;
+    private final Font font;
+    private final List<Rectangle2D> written = new ArrayList<>();
+
+    OverlayPen(Graphics2D g, Rectangle bounds, RenderPlan plan, Font font) {
+        this.g = g;
+        this.bounds = bounds;
+        this.font = font;
+        scaleX = (double) bounds.width / plan.width();
+        scaleY = (double) bounds.height / plan.height();
+    }
+
+    /** Draws all of it, with a note where it may not agree with the picture, which may be empty. */
+    void paint(List<OverlayDrawing> drawings, String note, Rectangle visible) {
+        for (OverlayDrawing drawing : drawings) {
+            Mark.paintLines(g, lines(drawing), COLOURS.get(drawing.kind()), isFine(drawing.kind()));
+            marks(drawing);
+        }
+        // names first: what is written later gives way
+        drawings.stream()
+                .filter(drawing -> GHOSTS.contains(drawing.kind()))
+                .forEach(drawing -> writeGhost(drawing, visible));
+        WRITTEN_FIRST.forEach(kind ->
+                drawings.stream().filter(drawing -> drawing.kind() == kind).forEach(this::write));
+        if (!note.isEmpty()) {
+            PictureLabel.paint(g, font, note, visible, PictureLabel.Corner.TOP_RIGHT);
+        }
+    }
+
+    private static boolean isFine(OverlayKind kind) {
+        return switch (kind) {
+            case SCENE_GRID, CAMERA_GRID, AT_REST, MEASURED -> true;
+            default -> false;
+        };
+    }
+
+    private double x(Vector2dc place) {
+        return bounds.x + place.x() * scaleX;
+    }
+
+    private double y(Vector2dc place) {
+        return bounds.y + place.y() * scaleY;
+    }
+
+    private Path2D lines(OverlayDrawing drawing) {
+        Path2D path = new Path2D.Double();
+        for (List<Vector2dc> line : drawing.lines()) {
+            path.moveTo(x(line.get(0)), y(line.get(0)));
+            for (Vector2dc place : line.subList(1, line.size())) {
+                path.lineTo(x(place), y(place));
+            }
+        }
+        return path;
+    }
+
+    private void marks(OverlayDrawing drawing) {
+        Color colour = COLOURS.get(drawing.kind());
+        Path2D marks = new Path2D.Double();
+        drawing.rings().forEach(place -> marks.append(circle(place, RING), false));
+        drawing.dots().forEach(place -> marks.append(circle(place, DOT), false));
+        Mark.paintLines(g, marks, colour, false);
+        g.setColor(colour);
+        drawing.dots().forEach(place -> g.fill(circle(place, DOT)));
+    }
+
+    private Ellipse2D circle(Vector2dc place, double radius) {
+        return Drawing.circle(x(place), y(place), radius);
+    }
+
+    /** Says what it is, above the highest of its places that is seen and has room. */
+    private void writeGhost(OverlayDrawing drawing, Rectangle visible) {
+        List<Vector2dc> highest = drawing.lines().stream()
+                .flatMap(List::stream)
+                .filter(place -> visible.contains(x(place), y(place)))
+                .sorted(Comparator.comparingDouble(Vector2dc::y))
+                .limit(MOST_TRIED)
+                .toList();
+        String text = Texts.get("overlay." + drawing.kind());
+        for (Vector2dc place : highest) {
+            if (write(drawing.kind(), text, place)) {
+                return;
+            }
+        }
+    }
+
+    /** Writes what has room: nothing over what is written already. */
+    private void write(OverlayDrawing drawing) {
+        for (OverlayDrawing.Label label : drawing.labels()) {
+            String text = label.frame() == null
+                    ? label.text()
+                    : Texts.get(label.frame() == Frame.SCENE ? "overlay.inScene" : "overlay.inCamera", label.text());
+            write(drawing.kind(), text, label.position());
+        }
+    }
+
+    /** Whether there was room. */
+    private boolean write(OverlayKind kind, String text, Vector2dc place) {
+        double width = g.getFontMetrics(font).stringWidth(text);
+        double left = Math.min(x(place) + 5, bounds.getMaxX() - width - 4);
+        double bottom = Math.max(y(place) - 4, bounds.y + font.getSize2D() + 2);
+        Rectangle2D room = new Rectangle2D.Double(left, bottom - font.getSize2D(), width, font.getSize2D() + 2);
+        boolean free = written.stream().noneMatch(room::intersects);
+        if (free) {
+            written.add(room);
+            Mark.paintText(g, font, text, left, bottom, COLOURS.get(kind));
+        }
+        return free;
+    }
+}

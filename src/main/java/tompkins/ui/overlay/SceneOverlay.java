@@ -1,0 +1,196 @@
+package tompkins.ui.overlay;
+
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.swing.SwingUtilities;
+import javax.swing.UIManager;
+import tompkins.measure.OverlayDrawing;
+import tompkins.measure.OverlayKind;
+import tompkins.measure.Overlays;
+import tompkins.measure.Projection;
+import tompkins.measure.SceneShapes;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+import tompkins.ui.picture.NewestFirst;
+import tompkins.ui.picture.Overlay;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.widget.Texts;
+import tompkins.world.InertialFrame;
+
+/**
+ * What formulas say about a picture, drawn over it: outlines, axes, places, grids. It follows each picture. If the
+ * shutter opens at another time for each place, that takes a while: it is then worked out by a thread of its own, and
+ * nothing is drawn until it is there.
+ */
+public final class SceneOverlay implements Overlay, AutoCloseable {
+
+    /** Size of the type in a picture that leaves the program, as a share of its height. */
+    private static final double HEIGHT_SHARE = 1 / 36.0;
+
+    private static final double SMALLEST_TYPE = 9;
+
+    /** What is drawn over the picture of a plan. */
+    private record Drawn(RenderPlan plan, Set<OverlayKind> kinds, List<OverlayDrawing> drawings, String note) {}
+
+    private record Question(RenderPlan plan, Set<OverlayKind> kinds) {}
+
+    /** The shapes of the scene that was drawn last, which many plans share. */
+    private record Known(List<InertialFrame> frames, SceneShapes shapes) {}
+
+    private final Runnable repaint;
+    private final NewestFirst<Question> worker;
+
+    /** The newest first; two, because two pictures may be shown. */
+    private final List<Drawn> drawn = new CopyOnWriteArrayList<>();
+
+    private Set<OverlayKind> shown = EnumSet.noneOf(OverlayKind.class);
+    private Known known = new Known(List.of(), null);
+
+    /**
+     * An overlay that draws nothing yet.
+     *
+     * @param repaint called by the event thread when more can be drawn
+     * @param failures told by another thread what could not be worked out
+     */
+    public SceneOverlay(Runnable repaint, Consumer<Throwable> failures) {
+        this.repaint = repaint;
+        worker = new NewestFirst<>("tompkins-overlay", this::answer, (question, error) -> failures.accept(error));
+    }
+
+    /** Draws these from now on. */
+    public void setShown(Set<OverlayKind> kinds) {
+        shown = Set.copyOf(kinds);
+        drawn.clear();
+    }
+
+    /** What is drawn. */
+    public Set<OverlayKind> shown() {
+        return shown;
+    }
+
+    @Override
+    public boolean isOfAllPictures() {
+        return true;
+    }
+
+    @Override
+    public void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible, Rectangle free) {
+        if (shown.isEmpty()) {
+            return;
+        }
+        Drawn now = drawn(picture.plan());
+        if (now != null) {
+            new OverlayPen(g, bounds, now.plan, UIManager.getFont("small.font")).paint(now.drawings, now.note, visible);
+        }
+    }
+
+    /** Draws all of it into a picture that leaves the program, in its own size; called by any thread. */
+    public static void paint(BufferedImage image, Studio studio, Set<OverlayKind> kinds) {
+        if (kinds.isEmpty()) {
+            return;
+        }
+        RenderPlan plan = RenderPlan.of(studio);
+        Rectangle whole = new Rectangle(image.getWidth(), image.getHeight());
+        float size = (float) Math.max(SMALLEST_TYPE, HEIGHT_SHARE * whole.height);
+        Graphics2D g = image.createGraphics();
+        Drawn made = draw(plan, kinds, SceneShapes.of(plan.sceneFrames()));
+        new OverlayPen(g, whole, plan, new Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont(size))
+                .paint(made.drawings, made.note, whole);
+        g.dispose();
+    }
+
+    /** What is drawn over a picture; null while that is worked out. */
+    private Drawn drawn(RenderPlan plan) {
+        for (Drawn each : drawn) {
+            if (each.plan == plan && each.kinds.equals(shown)) {
+                return each;
+            }
+        }
+        if (!isQuick(plan.studio())) {
+            worker.submit(new Question(plan, shown));
+            return null;
+        }
+        Drawn made = draw(plan, shown, shapes(plan));
+        keep(made);
+        return made;
+    }
+
+    private static boolean isQuick(Studio studio) {
+        return new Projection(studio, 1, 1).hasOneTime();
+    }
+
+    private void answer(Question question) {
+        Drawn made = draw(question.plan, question.kinds, shapes(question.plan));
+        SwingUtilities.invokeLater(() -> {
+            if (made.kinds.equals(shown)) {
+                keep(made);
+                repaint.run();
+            }
+        });
+    }
+
+    private void keep(Drawn made) {
+        drawn.add(0, made);
+        while (drawn.size() > 2) {
+            drawn.remove(2);
+        }
+    }
+
+    private synchronized SceneShapes shapes(RenderPlan plan) {
+        if (known.shapes == null || known.frames != plan.sceneFrames()) {
+            known = new Known(plan.sceneFrames(), SceneShapes.of(plan.sceneFrames()));
+        }
+        return known.shapes;
+    }
+
+    private static Drawn draw(RenderPlan plan, Set<OverlayKind> kinds, SceneShapes shapes) {
+        Overlays overlays = new Overlays(Projection.of(plan.studio()), shapes);
+        List<OverlayDrawing> drawings = Stream.of(OverlayKind.values())
+                .filter(kinds::contains)
+                .map(overlays::draw)
+                .toList();
+        return new Drawn(plan, Set.copyOf(kinds), drawings, note(plan, shapes));
+    }
+
+    /** Says in one line where the drawing may not agree with the picture; empty if it agrees. */
+    private static String note(RenderPlan plan, SceneShapes shapes) {
+        List<String> notes = new ArrayList<>();
+        if (plan.studio().camera().hasWideAperture()) {
+            notes.add("aperture");
+        }
+        if (plan.blursInTime()) {
+            notes.add("exposure");
+        }
+        if (!plan.studio().cameraFrame().isEmpty()) {
+            notes.add("beforeLens");
+        }
+        if (shapes.turnsRays()) {
+            notes.add("turned");
+        }
+        if (!shapes.complete()) {
+            notes.add("many");
+        }
+        return notes.isEmpty()
+                ? ""
+                : Texts.get("overlay.note")
+                        + notes.stream()
+                                .map(note -> Texts.get("overlay.note." + note))
+                                .collect(Collectors.joining("; "));
+    }
+
+    @Override
+    public void close() {
+        worker.close();
+        drawn.clear();
+    }
+}

@@ -1,0 +1,126 @@
+package tompkins.ui.overlay;
+
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import javax.swing.UIManager;
+import org.joml.Vector2d;
+import org.joml.Vector2dc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.camera.Aim.PicturePosition;
+import tompkins.camera.Camera;
+import tompkins.studio.Studio;
+import tompkins.ui.picture.Mark;
+import tompkins.ui.picture.Overlay;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.widget.Drawing;
+import tompkins.ui.widget.Texts;
+
+/**
+ * Where the camera flies, and where it comes from: a ring with a point for the one, a ring with a cross for the other,
+ * like the head and the tail of an arrow. If it flies to a place outside the picture, an arrow at the edge points
+ * there.
+ */
+public final class VelocityArrow implements Overlay {
+
+    private static final double RADIUS = 10;
+
+    /** How far from the edge of the picture the arrow ends, and how long it is. */
+    private static final double MARGIN = 14;
+
+    private static final double LENGTH = 34;
+    private static final double HEAD = 11;
+
+    private boolean shown;
+
+    /** Paints the arrow from now on, or not. */
+    public void setShown(boolean show) {
+        shown = show;
+    }
+
+    @Override
+    public void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible, Rectangle free) {
+        Studio studio = picture.studio();
+        if (!shown || studio.velocity().isRest() || picture.plan().isAtRest()) {
+            return;
+        }
+        Vector3dc ahead = studio.velocity().direction();
+        Vector2dc head = place(picture, ahead, bounds);
+        Vector2dc tail = place(picture, new Vector3d().sub(ahead), bounds);
+        if (isIn(visible, head)) {
+            paintHead(g, head);
+        } else {
+            paintArrow(g, sideways(studio.camera(), ahead), visible);
+        }
+        if (isIn(visible, tail)) {
+            paintTail(g, tail);
+        }
+    }
+
+    private static Vector2dc place(Picture picture, Vector3dc direction, Rectangle bounds) {
+        int width = picture.ownWidth();
+        int height = picture.ownHeight();
+        Vector2dc place = PicturePosition.of(picture.studio().camera(), direction, width, height);
+        return place == null
+                ? null
+                : new Vector2d(
+                        bounds.x + place.x() / width * bounds.width, bounds.y + place.y() / height * bounds.height);
+    }
+
+    private static boolean isIn(Rectangle bounds, Vector2dc place) {
+        return place != null && bounds.contains(place.x(), place.y());
+    }
+
+    /** To the right and down in the picture, the way to a direction outside it; straight back counts as up. */
+    private static Vector2d sideways(Camera camera, Vector3dc direction) {
+        Vector2d sideways = new Vector2d(direction.dot(camera.rightDirection()), -direction.dot(camera.upDirection()));
+        return sideways.length() < 1e-9 ? new Vector2d(0, -1) : sideways.normalize();
+    }
+
+    private static void paintHead(Graphics2D g, Vector2dc place) {
+        Path2D mark = ring(place);
+        mark.append(Drawing.circle(place.x(), place.y(), 1.5), false);
+        Mark.paint(g, mark);
+        label(g, Texts.get("arrow.ahead"), place);
+    }
+
+    private static void paintTail(Graphics2D g, Vector2dc place) {
+        double arm = RADIUS * Math.sqrt(0.5);
+        Path2D mark = ring(place);
+        mark.append(new Line2D.Double(place.x() - arm, place.y() - arm, place.x() + arm, place.y() + arm), false);
+        mark.append(new Line2D.Double(place.x() - arm, place.y() + arm, place.x() + arm, place.y() - arm), false);
+        Mark.paint(g, mark);
+        label(g, Texts.get("arrow.back"), place);
+    }
+
+    private static Path2D ring(Vector2dc place) {
+        return new Path2D.Double(Drawing.circle(place.x(), place.y(), RADIUS));
+    }
+
+    private static void label(Graphics2D g, String text, Vector2dc place) {
+        Font font = UIManager.getFont("small.font");
+        Mark.paintText(g, font, text, place.x() + RADIUS + 5, place.y() + font.getSize2D() / 3);
+    }
+
+    private static void paintArrow(Graphics2D g, Vector2d sideways, Rectangle bounds) {
+        double middleX = bounds.getCenterX();
+        double middleY = bounds.getCenterY();
+        double reach = Math.min(
+                (bounds.width / 2.0 - MARGIN) / Math.max(1e-9, Math.abs(sideways.x)),
+                (bounds.height / 2.0 - MARGIN) / Math.max(1e-9, Math.abs(sideways.y)));
+        Path2D arrow = new Path2D.Double();
+        arrow.moveTo(-LENGTH, 0);
+        arrow.lineTo(0, 0);
+        arrow.moveTo(-HEAD, -HEAD * 0.6);
+        arrow.lineTo(0, 0);
+        arrow.lineTo(-HEAD, HEAD * 0.6);
+        arrow.transform(AffineTransform.getRotateInstance(Math.atan2(sideways.y, sideways.x)));
+        arrow.transform(
+                AffineTransform.getTranslateInstance(middleX + reach * sideways.x, middleY + reach * sideways.y));
+        Mark.paint(g, arrow);
+    }
+}

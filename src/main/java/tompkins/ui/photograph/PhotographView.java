@@ -1,0 +1,348 @@
+package tompkins.ui.photograph;
+
+import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.geom.Point2D;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
+import java.util.function.DoublePredicate;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import javax.swing.SwingUtilities;
+import tompkins.camera.Aim.PicturePosition;
+import tompkins.camera.Camera;
+import tompkins.camera.FocusDistance;
+import tompkins.studio.RenderSettings;
+import tompkins.studio.Studio;
+import tompkins.ui.compare.Compared;
+import tompkins.ui.compare.ComparedPicture;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.picture.Comparison;
+import tompkins.ui.picture.Pace;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.picture.RenderController;
+import tompkins.ui.picture.Room;
+import tompkins.ui.picture.ScreenPicture;
+import tompkins.ui.picture.ScreenPictures;
+import tompkins.ui.ray.PixelPin;
+import tompkins.ui.ray.PixelProbe;
+import tompkins.ui.widget.Messages;
+import tompkins.ui.widget.Texts;
+
+/** The photograph of the current studio on its canvas, with what it is compared with, and the probe of its pixels. */
+public final class PhotographView implements AutoCloseable {
+
+    /** Told what there is to know about the picture on the screen. */
+    public interface Listener {
+
+        /** Another picture is on the screen. */
+        void shown(Picture picture);
+
+        /** A pixel was read; null if the mouse has left the picture. */
+        void read(PixelProbe.Reading reading);
+
+        /**
+         * The pinned pixel was read; null if none is pinned.
+         *
+         * @param picture what the picture is called in which it is pinned, or null if it is the studio's
+         */
+        void pinned(PixelProbe.Reading reading, String picture);
+
+        /** Whether the next click on the picture picks a point, from now on. */
+        void picking(boolean picking);
+
+        /** There is no picture of the studio; the message says why. */
+        void noPicture(String message);
+
+        /** There is no picture to compare with, or no reading of a pixel; the message says why. */
+        void failed(String message);
+    }
+
+    /** Offers what can be done with what is seen. */
+    public interface Menu {
+
+        /** Shows the menu for a place of a picture, at a point of the canvas. */
+        void show(PixelProbe.Reading seen, Picture picture, Point2D place, Point at);
+
+        /** Who takes what is clicked on; null if a click pins it. */
+        Consumer<PixelProbe.Reading> chooser();
+    }
+
+    private final StudioModel model;
+    private final Listener listener;
+    private final PictureCanvas canvas;
+    private final PictureNotice notice;
+    private final ScreenPictures screen;
+    private final RenderController controller;
+    private final ComparedPicture compared;
+    private final Supplier<Pace> pace;
+    private final PixelProbe hover = new PixelProbe(this::fail);
+    private final PixelPin pin;
+    private final PixelProbe picked = new PixelProbe(this::fail);
+    private Studio rendered;
+
+    /** The room for each picture; null while it is unknown. */
+    private Room room;
+
+    private Picking picking;
+    private Menu menu;
+
+    /** Told of clicks while somebody measures; null otherwise. */
+    private BiConsumer<Point2D, Picture> measuring;
+
+    /** The photograph of a model; {@code pace} says how soon a picture of a change has to come. */
+    public PhotographView(StudioModel model, Listener listener, Supplier<Pace> pace) {
+        this.model = model;
+        this.listener = listener;
+        this.pace = pace;
+        screen = new ScreenPictures(this::show, this::fail);
+        canvas = new PictureCanvas(this::fit);
+        canvas.setMouse(new ProbeMouse());
+        notice = new PictureNotice(model, canvas);
+        controller = new RenderController(
+                screen::setNow, error -> SwingUtilities.invokeLater(() -> listener.noPicture(Messages.of(error))));
+        compared = new ComparedPicture(model, screen, this::sizeOf, pace, this::fail);
+        pin = new PixelPin(canvas, this::nameOf, listener::pinned, this::fail);
+        model.addLiveListener(this::renderChange);
+    }
+
+    /** What shows the picture. */
+    public PictureCanvas canvas() {
+        return canvas;
+    }
+
+    /** What makes the picture. */
+    public RenderController controller() {
+        return controller;
+    }
+
+    /** Tells what went wrong; called by any thread. */
+    public void fail(Throwable error) {
+        SwingUtilities.invokeLater(() -> listener.failed(Messages.of(error)));
+    }
+
+    /** A studio that was only saved keeps its picture. */
+    private void renderChange() {
+        if (!model.studio().equals(rendered)) {
+            render();
+        }
+    }
+
+    /** Makes the picture of the current studio. */
+    public void render() {
+        rendered = model.studio();
+        controller.show(rendered, sizeOf(rendered), pace.get());
+        compared.render();
+    }
+
+    /** The size for the picture of a studio: that in which it is shown, or its own while that is unknown. */
+    private Dimension sizeOf(Studio studio) {
+        RenderSettings own = studio.settings();
+        return room == null ? new Dimension(own.width(), own.height()) : room.sizeOf(own);
+    }
+
+    /** The size in which the picture of the current studio is taken. */
+    public Dimension size() {
+        return sizeOf(model.studio());
+    }
+
+    private void fit(Room newRoom) {
+        Dimension before = size();
+        room = newRoom;
+        screen.setRoom(room);
+        // before the first picture there is nothing to render again
+        if (rendered != null && !size().equals(before)) {
+            render();
+        }
+    }
+
+    /** Ends the work on all pictures; what is there stays until the next change. */
+    public void stop() {
+        controller.stop();
+        compared.stop();
+    }
+
+    private void show(ScreenPicture pictures) {
+        canvas.show(pictures);
+        notice.show(pictures.now());
+        listener.shown(pictures.now());
+        pin.follow();
+    }
+
+    /** Compares with another picture from now on. */
+    public void compare(Compared other) {
+        canvas.setComparison(other.view(), other.name());
+        screen.setDifference(other.view() == Comparison.DIFFERENCE);
+        compared.choose(other);
+        pin.readAgain();
+    }
+
+    /** Lets a camera at rest be where one on a ride is; the supplier gives null where there is no ride. */
+    public void setRideAtRest(Supplier<Studio> atRest) {
+        compared.setRideAtRest(atRest);
+    }
+
+    /** Lets a ride say of its pictures why there is nothing to see, and lead back; what it says may be empty. */
+    public void setRideNotice(Function<Picture, String> says, Runnable home) {
+        notice.setRide(says, home);
+    }
+
+    /** Keeps the picture that is on the screen, to compare others with it; says what to call it. */
+    public String keepPicture() {
+        Picture now = canvas.shown().now();
+        compared.keep(now);
+        Studio kept = now == null ? model.studio() : now.studio();
+        return Texts.get("compare.kept", kept.shortTitle(), Captions.motion(kept));
+    }
+
+    /** Pins a place of the picture, so that the history of its ray is shown; unpins it if the place is null. */
+    public void setPin(Point2D place) {
+        pin.set(place, false);
+    }
+
+    /** The name of a picture if two are shown; null if the studio's is shown alone. */
+    private String nameOf(Picture picture) {
+        if (picture != canvas.shown().now()) {
+            return compared.name();
+        }
+        return canvas.showsTwo() ? Texts.get("compare.now") : null;
+    }
+
+    /** The picture that is compared with that of the studio; null if none is seen. */
+    public Picture otherPicture() {
+        ScreenPicture shown = canvas.shown();
+        return shown.otherImage() == null ? null : shown.other();
+    }
+
+    /** What that picture is called. */
+    public String otherName() {
+        return compared.name();
+    }
+
+    /**
+     * Lets clicks on the picture give the distance of what is there, until one is taken.
+     *
+     * @param taker takes a distance, which is NaN if nothing is there, and says whether it is the wanted one
+     * @param ended called when a distance was taken, or the picking was cancelled
+     */
+    public void startPicking(DoublePredicate taker, Runnable ended) {
+        picking = new Picking(taker, ended);
+        canvas.setPicking(true);
+        listener.picking(true);
+    }
+
+    /** Lets clicks on the picture pin pixels again. */
+    public void stopPicking() {
+        picking = null;
+        canvas.setPicking(false);
+        listener.picking(false);
+    }
+
+    /** Offers a menu from now on. */
+    public void setMenu(Menu offered) {
+        menu = offered;
+    }
+
+    /** Lets clicks tell places, in pixels of the picture that is seen there, until it is called with null. */
+    public void setMeasuring(BiConsumer<Point2D, Picture> taker) {
+        measuring = taker;
+        canvas.setMeasuring(taker != null);
+    }
+
+    /** Asks for the distance of what is seen at a place; where nothing is, it is that of the focus. */
+    public void askDistance(PicturePosition place, DoubleConsumer answer) {
+        Picture picture = canvas.shown().now();
+        Camera camera = picture.studio().camera();
+        double focus = Math.abs(FocusDistance.of(camera));
+        double usual = Double.isFinite(focus) && focus > 0 ? focus : 1;
+        Point2D point = new Point2D.Double(place.x(), place.y());
+        picked.ask(
+                picture,
+                point,
+                reading -> answer.accept(
+                        reading.sighting().hit() == null
+                                ? usual
+                                : reading.sighting().inCamera().position().distance(camera.position())));
+    }
+
+    /** Ends the picking; false if nothing was to be picked. */
+    public boolean endPicking() {
+        Picking ending = picking;
+        stopPicking();
+        if (ending != null) {
+            ending.ended.run();
+        }
+        return ending != null;
+    }
+
+    private record Picking(DoublePredicate taker, Runnable ended) {}
+
+    private final class ProbeMouse implements PictureCanvas.Mouse {
+
+        private boolean isOver;
+
+        @Override
+        public void over(Point2D place, Picture seen) {
+            isOver = seen != null;
+            if (isOver) {
+                hover.ask(seen, canvas.shown().placeIn(seen, place), this::read);
+            } else {
+                listener.read(null);
+            }
+        }
+
+        private void read(PixelProbe.Reading reading) {
+            // the mouse may have left while the ray was followed
+            if (isOver) {
+                listener.read(reading);
+            }
+        }
+
+        @Override
+        public void clicked(Point2D place, Picture seen) {
+            if (picking != null) {
+                Picking asking = picking;
+                Picture picture = canvas.shown().now();
+                picked.ask(picture, place, reading -> {
+                    // it may have been cancelled meanwhile
+                    if (picking == asking && asking.taker.test(PixelProbe.depth(picture.plan(), reading))) {
+                        endPicking();
+                    }
+                });
+            } else if (measuring != null) {
+                measuring.accept(canvas.shown().placeIn(seen, place), seen);
+            } else if (menu != null && menu.chooser() != null) {
+                picked.ask(seen, canvas.shown().placeIn(seen, place), menu.chooser());
+            } else {
+                pin.set(place, seen != canvas.shown().now());
+            }
+        }
+
+        @Override
+        public void asksForMenu(Point2D place, Picture seen, Point at) {
+            Point2D own = canvas.shown().placeIn(seen, place);
+            if (menu != null) {
+                picked.ask(seen, own, reading -> menu.show(reading, seen, own, at));
+            }
+        }
+
+        @Override
+        public void clickedTwice() {
+            if (picking == null) {
+                pin.putBack();
+            }
+        }
+    }
+
+    @Override
+    public void close() {
+        controller.close();
+        compared.close();
+        screen.close();
+        hover.close();
+        pin.close();
+        picked.close();
+    }
+}

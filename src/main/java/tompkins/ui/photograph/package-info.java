@@ -1,0 +1,2 @@
+/** The photograph in the window: its picture, captions, notices and the status bar. */
+package tompkins.ui.photograph;

@@ -1,0 +1,109 @@
+package tompkins.ui.ray;
+
+import java.awt.geom.Point2D;
+import java.util.Objects;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import tompkins.trace.RenderPlan;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.picture.ScreenPicture;
+
+/** A pinned place of the picture, or of the one beside it: its ray is followed again when the picture changes. */
+public final class PixelPin implements AutoCloseable {
+
+    private final PictureCanvas canvas;
+    private final Function<Picture, String> names;
+    private final BiConsumer<PixelProbe.Reading, String> listener;
+    private final PixelProbe probe;
+    private Point2D place;
+    private boolean inOther;
+
+    /** What was pinned before. */
+    private Point2D placeBefore;
+
+    private boolean beforeInOther;
+
+    /** The plan of the picture that was read, and the name of the picture at that time. */
+    private RenderPlan readPlan;
+
+    private String readName;
+
+    /**
+     * The pin of a canvas, at no place.
+     *
+     * @param names says what a picture is called; null for one that is seen alone
+     * @param listener told what was read, and in which picture; a reading of null says that nothing is pinned
+     * @param failed told what goes wrong, by any thread
+     */
+    public PixelPin(
+            PictureCanvas canvas,
+            Function<Picture, String> names,
+            BiConsumer<PixelProbe.Reading, String> listener,
+            Consumer<Throwable> failed) {
+        this.canvas = canvas;
+        this.names = names;
+        this.listener = listener;
+        probe = new PixelProbe(failed);
+    }
+
+    /** Pins a place of the picture, or of the one beside it; no place if it is null. */
+    public void set(Point2D newPlace, boolean newInOther) {
+        placeBefore = place;
+        beforeInOther = inOther;
+        place = newPlace;
+        inOther = newInOther;
+        canvas.setPin(place);
+        read();
+    }
+
+    /** Pins again what was pinned before the last {@link #set set}. */
+    public void putBack() {
+        set(placeBefore, beforeInOther);
+    }
+
+    /** Another picture is on the screen. */
+    public void follow() {
+        if (place != null && !canvas.shown().now().holds(place)) {
+            set(null, false);
+        } else if (place != null
+                && (picture().plan() != readPlan || !Objects.equals(names.apply(picture()), readName))) {
+            read();
+        }
+    }
+
+    /** Reads the pinned place again, if there is one. */
+    public void readAgain() {
+        if (place != null) {
+            read();
+        }
+    }
+
+    private Picture picture() {
+        ScreenPicture shown = canvas.shown();
+        return inOther && shown.otherImage() != null ? shown.other() : shown.now();
+    }
+
+    private void read() {
+        Picture picture = picture();
+        if (place == null || picture == null) {
+            // the plan may hold a large scene
+            readPlan = null;
+            listener.accept(null, null);
+            return;
+        }
+        readPlan = picture.plan();
+        String name = names.apply(picture);
+        readName = name;
+        probe.ask(
+                picture,
+                canvas.shown().placeIn(picture, place),
+                reading -> listener.accept(place == null ? null : reading, name));
+    }
+
+    @Override
+    public void close() {
+        probe.close();
+    }
+}

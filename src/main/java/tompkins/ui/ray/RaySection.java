@@ -1,0 +1,147 @@
+package tompkins.ui.ray;
+
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JMenuItem;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import tompkins.io.FactText;
+import tompkins.measure.RayHistory;
+import tompkins.primitive.Described;
+import tompkins.studio.StudioPath;
+import tompkins.trace.Frame;
+import tompkins.trace.RayLife;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.Buttons;
+import tompkins.ui.widget.ChoiceRow;
+import tompkins.ui.widget.Rows;
+import tompkins.ui.widget.Section;
+import tompkins.ui.widget.Texts;
+
+/** The life of the ray of a pinned pixel, in a part of the side panel that is there only while a pixel is pinned. */
+public final class RaySection {
+
+    private final StudioModel model;
+    private final Consumer<StudioPath> editor;
+    private final StoryPane story = new StoryPane();
+    private final DiagramPane diagram = new DiagramPane();
+    private final JComponent frames = ChoiceRow.of(
+            List.of(Frame.SCENE, Frame.CAMERA),
+            each -> Texts.get("ray.diagram." + each),
+            each -> Texts.get("ray.diagram." + each),
+            each -> Texts.get("ray.diagram." + each + ".choose"),
+            this::draw);
+    private Map<Frame, SpaceTimeDiagram> diagrams = Map.of();
+    private Frame frame = Frame.SCENE;
+    private final JButton edit = Buttons.of("ray.edit", this::edit);
+    private final Section section;
+    private List<RayLife.Encounter> hits = List.of();
+
+    /**
+     * A section.
+     *
+     * @param unpin called by its button
+     * @param editor opens the editor for an object that the ray hit
+     */
+    public RaySection(StudioModel model, Runnable unpin, Consumer<StudioPath> editor) {
+        this.model = model;
+        this.editor = editor;
+        story.setName("ray.story");
+        story.getAccessibleContext().setAccessibleName(Texts.get("ray.title"));
+        JButton button = new JButton(Texts.get("ray.unpin"));
+        button.setName(Texts.get("ray.unpin"));
+        button.addActionListener(event -> unpin.run());
+        JPanel buttons = Rows.of("gap 6", "[][]push");
+        buttons.add(edit);
+        buttons.add(button);
+        JPanel content = Rows.column();
+        content.add(frames, "wmin 0");
+        content.add(diagram, "wmin 0");
+        content.add(story, "wmin 0");
+        content.add(buttons);
+        section = new Section(Texts.get("ray.title"), content, true);
+        section.component().setVisible(false);
+    }
+
+    /** The section itself. */
+    public JComponent component() {
+        return section.component();
+    }
+
+    /**
+     * Shows a ray, or nothing if it is null.
+     *
+     * @param picture what the picture is called that the ray belongs to, or null if it is the studio's
+     */
+    public void show(PixelProbe.Reading reading, String picture) {
+        section.component().setVisible(reading != null);
+        // an unpinned ray must not keep its scene in memory
+        RayLife life = reading == null ? null : reading.sighting().life();
+        hits = life == null ? List.of() : life.hits();
+        edit.setEnabled(!objects().isEmpty());
+        diagrams = reading == null ? Map.of() : reading.diagrams();
+        frames.setVisible(!diagrams.isEmpty());
+        draw(frame);
+        if (reading != null) {
+            String pixel = Texts.get("probe.pixel", reading.column(), reading.row());
+            story.show(Stream.concat(
+                            Stream.of(
+                                    new FactText.Line(
+                                            0,
+                                            true,
+                                            picture == null ? pixel : Texts.get("ray.other", pixel, picture),
+                                            ""),
+                                    new FactText.Line(0, false, Texts.get("ray.followed"), Texts.get("ray.backwards"))),
+                            FactText.SIGNS.lines(RayHistory.of(reading.sighting())))
+                    .toList());
+        }
+    }
+
+    private void draw(Frame upright) {
+        frame = upright;
+        diagram.show(diagrams.get(frame));
+    }
+
+    /** The objects that the ray hit and that the studio still holds, with their names. */
+    private Map<StudioPath, String> objects() {
+        Map<StudioPath, String> objects = new LinkedHashMap<>();
+        // glass is hit again and again, and finding it in a large scene takes time
+        Set<Described> sought = Collections.newSetFromMap(new IdentityHashMap<>());
+        for (RayLife.Encounter hit : hits) {
+            if (sought.add(hit.object())) {
+                StudioPath.to(model.studio(), hit.object())
+                        .ifPresent(path -> objects.put(path, hit.object().description()));
+            }
+        }
+        return objects;
+    }
+
+    private void edit() {
+        Map<StudioPath, String> objects = objects();
+        // they may have been deleted since
+        edit.setEnabled(!objects.isEmpty());
+        if (objects.size() == 1) {
+            editor.accept(objects.keySet().iterator().next());
+            return;
+        }
+        if (objects.isEmpty()) {
+            return;
+        }
+        JPopupMenu menu = new JPopupMenu();
+        objects.forEach((path, name) -> {
+            JMenuItem item = new JMenuItem();
+            item.setText(name);
+            item.addActionListener(event -> editor.accept(path));
+            menu.add(item);
+        });
+        menu.show(edit, 0, edit.getHeight());
+    }
+}

@@ -1,0 +1,242 @@
+package tompkins.ui.ride;
+
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.geom.Point2D;
+import java.util.Optional;
+import javax.swing.UIManager;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import tompkins.animation.Animation;
+import tompkins.image.PictureLabel;
+import tompkins.measure.Sighting;
+import tompkins.property.InvalidPropertyException;
+import tompkins.spacetime.Event;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.LensEvent;
+import tompkins.studio.RideMoment;
+import tompkins.studio.Studio;
+import tompkins.ui.animate.AnimationExport;
+import tompkins.ui.animate.PlayPanel;
+import tompkins.ui.number.NumberProperty;
+import tompkins.ui.overlay.PictureOverlays;
+import tompkins.ui.photograph.Captions;
+import tompkins.ui.photograph.WindowParts;
+import tompkins.ui.picture.Pace;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.widget.EntryField;
+import tompkins.ui.widget.TabStrip;
+import tompkins.ui.widget.Texts;
+
+/** What moves in the window: an animation or a ride, with their tabs under the photograph, and the camera by hand. */
+public final class Motion {
+
+    /** A ride begins so far on the way to what was chosen. */
+    private static final double NEAR = 0.9;
+
+    private final WindowParts window;
+    private final PictureCanvas canvas;
+    private final AnimationExport export;
+    private final Captions captions;
+    private final RidePilot pilot;
+    private final SteeringMouse steering;
+    private final RideReading reading = new RideReading();
+    private final TabStrip strip;
+
+    // made when they are first wanted
+    private PlayPanel play;
+    private RidePanel ride;
+
+    /** What moves in a window, with its tabs in a strip. */
+    public Motion(WindowParts window, TabStrip strip, AnimationExport export, Captions captions) {
+        this.window = window;
+        this.strip = strip;
+        this.export = export;
+        this.captions = captions;
+        canvas = window.view().canvas();
+        pilot = new RidePilot(window.model(), window.status()::report);
+        steering = new SteeringMouse(canvas, new CameraHand(window.model(), window.view(), pilot));
+        new RideKeys(canvas, pilot);
+        canvas.addOverlay((g, picture, bounds, visible, free) -> paintLine(g, free));
+        pilot.addListener(() -> captions.setRiding(pilot.isRiding()));
+        pilot.addListener(canvas::repaint);
+        pilot.addListener(this::complete);
+        strip.fill(
+                TabStrip.Tab.PLAY,
+                () -> playPanel().component(),
+                shown -> playPanel().setShown(shown));
+        strip.fill(
+                TabStrip.Tab.RIDE,
+                () -> ridePanel().component(),
+                shown -> ridePanel().setShown(shown));
+        window.view().setRideAtRest(pilot::atRest);
+        window.view().setRideNotice(this::trouble, this::goHome);
+    }
+
+    private String trouble(Picture picture) {
+        reading.note(picture);
+        return pilot.isRiding() ? reading.trouble(picture) : "";
+    }
+
+    private void goHome() {
+        pilot.home();
+        canvas.requestFocusInWindow();
+    }
+
+    /** The picture is completed when a ride pauses. */
+    private void complete() {
+        if (!pilot.isRiding()) {
+            window.view().render();
+        }
+    }
+
+    /** Who steers the ride. */
+    public RidePilot pilot() {
+        return pilot;
+    }
+
+    /** How soon a picture of a change has to come. */
+    public Pace pace() {
+        return pilot.isRiding() ? Pace.RIDE : isPlaying() ? Pace.FILM : Pace.HAND;
+    }
+
+    /** Pauses what moves by itself. */
+    public void pause() {
+        pilot.setRiding(false);
+        if (play != null) {
+            play.setPlaying(false);
+        }
+    }
+
+    /** Pauses what moves by itself; false if nothing did. */
+    public boolean pauseIfMoving() {
+        boolean moves = isPlaying() || pilot.isRiding();
+        pause();
+        return moves;
+    }
+
+    private boolean isPlaying() {
+        return play != null && play.isPlaying();
+    }
+
+    private PlayPanel playPanel() {
+        if (play == null) {
+            play = new PlayPanel(window.model(), export::ask, captions::setAnimated);
+        }
+        return play;
+    }
+
+    /** Takes what is half typed, which would otherwise stop an animation at once. */
+    private void takeEntries() {
+        EntryField.takeAll(window.frame());
+    }
+
+    /** Animates a number. */
+    public void play(NumberProperty property) {
+        takeEntries();
+        pilot.setRiding(false);
+        strip.open(TabStrip.Tab.PLAY);
+        playPanel().run(property);
+    }
+
+    /** Lets the light of flashes travel. */
+    public void playLight() {
+        takeEntries();
+        pilot.setRiding(false);
+        strip.open(TabStrip.Tab.PLAY);
+        Optional<Picture> shown = Optional.ofNullable(canvas.shown().now());
+        playPanel().runLight(shown.flatMap(picture -> picture.plan().litTimes()));
+    }
+
+    /** Plays the animation, or pauses it. */
+    public void togglePlay() {
+        takeEntries();
+        pilot.setRiding(false);
+        strip.open(TabStrip.Tab.PLAY);
+        playPanel().setPlaying(!playPanel().isPlaying());
+    }
+
+    /** The animation that its tab describes; none if what is typed into it is refused. */
+    public Optional<Animation> wantedAnimation() {
+        takeEntries();
+        strip.open(TabStrip.Tab.PLAY);
+        return playPanel().wanted();
+    }
+
+    /** Begins a ride, or pauses it. */
+    public void toggleRide() {
+        takeEntries();
+        strip.open(TabStrip.Tab.RIDE);
+        pilot.setRiding(!pilot.isRiding());
+        canvas.requestFocusInWindow();
+    }
+
+    /** Turns the camera to what is at a place of the picture. */
+    public void lookAt(Point2D place) {
+        steering.lookAt(place);
+    }
+
+    /** Begins a ride at rest, close before what is seen. */
+    public void rideFrom(Sighting seen) {
+        pause();
+        Studio studio = window.model().studio();
+        Event lens = LensEvent.inScene(studio);
+        Vector3d place = lens.position().lerp(seen.inScene().position(), NEAR, new Vector3d());
+        Velocity rest = Velocity.of(SpeedScale.BETA, 0, studio.velocity().givenDirection());
+        Event start = new Event(place.x, place.y, place.z, lens.time());
+        try {
+            window.model().set(LensEvent.moved(studio, start, rest, new Quaterniond()));
+            toggleRide();
+        } catch (InvalidPropertyException tooFar) {
+            window.view().fail(tooFar);
+        }
+    }
+
+    /** Shows a recorded ride. */
+    public void replayRide() {
+        takeEntries();
+        strip.open(TabStrip.Tab.RIDE);
+        pilot.replay();
+    }
+
+    private RidePanel ridePanel() {
+        if (ride == null) {
+            ride = new RidePanel(
+                    window.model(), window.settings(), pilot, canvas::requestFocusInWindow, export::askForRide);
+        }
+        return ride;
+    }
+
+    private void paintLine(Graphics2D g, Rectangle free) {
+        String text = line();
+        if (!text.isEmpty()) {
+            Font font = UIManager.getFont("Label.font").deriveFont(Font.BOLD);
+            PictureLabel.paint(g, font, text, free, PictureLabel.Corner.TOP_MIDDLE);
+        }
+    }
+
+    /** What the line at the top of the picture says; empty if the camera is not on a ride. */
+    private String line() {
+        RideMoment moment = pilot.moment();
+        return moment == null || ride == null || !ride.isShown()
+                ? ""
+                : state() + Captions.of(moment, pilot.isRiding()) + rate();
+    }
+
+    private String rate() {
+        boolean wanted = pilot.isRiding() && window.settings().number(PictureOverlays.RATE, 0) != 0;
+        return wanted ? " \u00b7 " + reading.rate() : "";
+    }
+
+    private String state() {
+        String key = pilot.isReplaying()
+                ? "ride.state.replay"
+                : pilot.isRecording()
+                        ? "ride.state.recording"
+                        : !pilot.isRiding() ? "ride.state.pause" : pilot.isBraking() ? "ride.state.brake" : "";
+        return key.isEmpty() ? "" : Texts.get(key) + " \u00b7 ";
+    }
+}

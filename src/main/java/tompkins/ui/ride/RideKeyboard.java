@@ -1,0 +1,97 @@
+package tompkins.ui.ride;
+
+import java.awt.im.InputContext;
+import java.lang.Character.UnicodeScript;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.function.IntUnaryOperator;
+import java.util.stream.Collectors;
+import tompkins.ui.widget.Texts;
+
+/**
+ * A keyboard, by the letters that lie where an American one has W, A, S, D, Q, E and B: a ride is steered by places
+ * under the fingers, and Java tells letters.
+ *
+ * @param name what it is called; empty for one that somebody typed
+ * @param letters seven small letters, in that order
+ */
+record RideKeyboard(String name, String letters) {
+
+    /** The command of the last letter; those before are the directions of thrust. */
+    static final int BRAKE = 6;
+
+    private static final int COUNT = BRAKE + 1;
+
+    /** The languages and countries of which most keyboards have A where others have Q. */
+    private static final Set<String> AZERTY = Set.of("fr_FR", "fr_BE", "nl_BE", "fr");
+
+    /** The common keyboards, the most common first. */
+    static List<RideKeyboard> common() {
+        return Texts.get("ride.keyboards")
+                .lines()
+                .map(line -> line.split("\t"))
+                .map(parts -> new RideKeyboard(parts[1], parts[0]))
+                .toList();
+    }
+
+    /** The keyboard that is used now, as far as the system tells. */
+    static RideKeyboard usual() {
+        return usual(InputContext.getInstance().getLocale());
+    }
+
+    /** The keyboard of a language, which may be null. */
+    static RideKeyboard usual(Locale locale) {
+        boolean azerty = locale != null
+                && AZERTY.contains(
+                        locale.getLanguage() + (locale.getCountry().isEmpty() ? "" : "_" + locale.getCountry()));
+        return common().get(azerty ? 1 : 0);
+    }
+
+    /** The keyboard with some letters, between which there may be spaces; null if they are not seven. */
+    static RideKeyboard of(String typed) {
+        String letters = mapped(typed.replaceAll("\\s", ""), Character::toLowerCase);
+        if (letters.length() != COUNT || letters.chars().distinct().count() != COUNT) {
+            return null;
+        }
+        return common().stream()
+                .filter(keyboard -> keyboard.letters.equals(letters))
+                .findFirst()
+                .orElse(new RideKeyboard("", letters));
+    }
+
+    /** The letters as they stand on keys, with spaces between them. */
+    String text() {
+        // of two small letters with one capital the second stays small
+        return String.join(
+                " ",
+                mapped(
+                                letters,
+                                c -> Character.toLowerCase(Character.toUpperCase(c)) == c
+                                        ? Character.toUpperCase(c)
+                                        : c)
+                        .split(""));
+    }
+
+    /** Letter by letter: a whole word may end with a letter of its own. */
+    private static String mapped(String text, IntUnaryOperator change) {
+        return text.chars().map(change).mapToObj(Character::toString).collect(Collectors.joining());
+    }
+
+    /**
+     * What a letter means: 0 to 5 thrust to the place of W, A, S, D, Q or E, {@link #BRAKE} to brake; -1 nothing. A
+     * letter of another script means what it does on the first keyboard that has it.
+     */
+    int command(char letter) {
+        char small = Character.toLowerCase(letter);
+        int here = letters.indexOf(small);
+        if (here >= 0 || !Character.isLetter(small) || UnicodeScript.of(small) == UnicodeScript.LATIN) {
+            return here;
+        }
+        return common().stream()
+                .mapToInt(keyboard -> keyboard.letters.indexOf(small))
+                .filter(command -> command >= 0)
+                .findFirst()
+                .orElse(-1);
+    }
+}

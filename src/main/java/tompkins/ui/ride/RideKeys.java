@@ -1,0 +1,168 @@
+package tompkins.ui.ride;
+
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyAdapter;
+import java.awt.event.KeyEvent;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import javax.swing.Timer;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.ui.picture.PictureCanvas;
+
+/**
+ * The keys of a ride on a canvas: those that are held down give thrust. Letters count by where they lie; the arrows,
+ * Shift and the page keys do the same without letters. Some displays repeat a key that is held by releasing it for a
+ * moment each time; only a key that stays released counts.
+ */
+final class RideKeys {
+
+    private static final int REPEAT_MILLISECONDS = 20;
+
+    private static final Vector3dc FORWARDS = new Vector3d(0, 0, 1);
+    private static final Vector3dc BACK = new Vector3d(0, 0, -1);
+    private static final Vector3dc LEFT = new Vector3d(-1, 0, 0);
+    private static final Vector3dc RIGHT = new Vector3d(1, 0, 0);
+    private static final Vector3dc DOWN = new Vector3d(0, -1, 0);
+    private static final Vector3dc UP = new Vector3d(0, 1, 0);
+
+    /** The thrust of each letter but the last, in the order of {@link RideKeyboard}. */
+    private static final List<Vector3dc> LETTERS = List.of(FORWARDS, LEFT, BACK, RIGHT, DOWN, UP);
+
+    private static final Map<Integer, Vector3dc> ARROWS = Map.of(KeyEvent.VK_UP, FORWARDS, KeyEvent.VK_DOWN, BACK);
+
+    private static final Map<Integer, Vector3dc> WITH_SHIFT = Map.of(
+            KeyEvent.VK_UP, FORWARDS,
+            KeyEvent.VK_DOWN, BACK,
+            KeyEvent.VK_LEFT, LEFT,
+            KeyEvent.VK_RIGHT, RIGHT,
+            KeyEvent.VK_PAGE_DOWN, DOWN,
+            KeyEvent.VK_PAGE_UP, UP);
+
+    /** A key that is held: its thrust, and what ends it soon after the key is released. */
+    private record Held(Vector3dc thrust, Timer ending) {}
+
+    private final RidePilot pilot;
+    private final Map<Integer, Held> held = new HashMap<>();
+
+    /** Listens to the keys of a canvas. */
+    RideKeys(PictureCanvas canvas, RidePilot pilot) {
+        this.pilot = pilot;
+        canvas.addKeyListener(new KeyAdapter() {
+            @Override
+            public void keyPressed(KeyEvent event) {
+                if (isOfRide(event)) {
+                    press(event);
+                }
+            }
+
+            @Override
+            public void keyReleased(KeyEvent event) {
+                Held ending = held.get(key(event));
+                if (ending != null) {
+                    ending.ending.restart();
+                }
+            }
+
+            @Override
+            public void keyTyped(KeyEvent event) {
+                // letters of a ride mean nothing else
+                if (isOfRide(event)) {
+                    event.consume();
+                }
+            }
+        });
+        canvas.addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusLost(FocusEvent event) {
+                letGo();
+            }
+        });
+    }
+
+    private boolean isOfRide(KeyEvent event) {
+        return pilot.isFlying() && (event.getModifiersEx() & ~InputEvent.SHIFT_DOWN_MASK) == 0;
+    }
+
+    /** The same number when a key is pressed and when it is released, also for letters without a code of their own. */
+    private static int key(KeyEvent event) {
+        return event.getKeyCode() == KeyEvent.VK_UNDEFINED ? event.getExtendedKeyCode() : event.getKeyCode();
+    }
+
+    /** The letter on a key; one that types none may still have a letter in its code. */
+    private static char letter(KeyEvent event) {
+        return event.getKeyChar() == KeyEvent.CHAR_UNDEFINED ? (char) event.getExtendedKeyCode() : event.getKeyChar();
+    }
+
+    private void press(KeyEvent event) {
+        int code = event.getKeyCode();
+        boolean shift = event.isShiftDown();
+        int letter = pilot.keyboard().command(letter(event));
+        Vector3dc thrust = letter >= 0 && letter < RideKeyboard.BRAKE
+                ? LETTERS.get(letter)
+                : (shift ? WITH_SHIFT : ARROWS).get(code);
+        if (thrust != null) {
+            hold(key(event), thrust);
+        } else if (letter == RideKeyboard.BRAKE || shift && code == KeyEvent.VK_SPACE) {
+            letGo();
+            pilot.brake();
+        } else {
+            switch (code) {
+                case KeyEvent.VK_SPACE -> {
+                    letGo();
+                    pilot.stopThrust();
+                }
+                case KeyEvent.VK_HOME -> {
+                    letGo();
+                    pilot.home();
+                }
+                case KeyEvent.VK_LEFT -> pilot.turn(-1, 0);
+                case KeyEvent.VK_RIGHT -> pilot.turn(1, 0);
+                case KeyEvent.VK_PAGE_UP -> pilot.turn(0, 1);
+                case KeyEvent.VK_PAGE_DOWN -> pilot.turn(0, -1);
+                default -> {
+                    return;
+                }
+            }
+        }
+        event.consume();
+    }
+
+    private void hold(int key, Vector3dc thrust) {
+        Held before = held.get(key);
+        if (before != null) {
+            before.ending.stop();
+            return;
+        }
+        Timer ending = new Timer(REPEAT_MILLISECONDS, event -> release(key));
+        ending.setRepeats(false);
+        held.put(key, new Held(thrust, ending));
+        pilot.setThrust(thrust());
+    }
+
+    private void release(int key) {
+        held.remove(key);
+        if (pilot.isFlying()) {
+            pilot.setThrust(thrust());
+        }
+    }
+
+    /** Forgets all keys that are held. */
+    private void letGo() {
+        boolean thrusts = !held.isEmpty();
+        held.values().forEach(key -> key.ending.stop());
+        held.clear();
+        if (thrusts && pilot.isFlying()) {
+            pilot.setThrust(new Vector3d());
+        }
+    }
+
+    private Vector3d thrust() {
+        Vector3d sum = new Vector3d();
+        held.values().forEach(key -> sum.add(key.thrust));
+        return sum;
+    }
+}

@@ -1,0 +1,396 @@
+package tompkins.ui.ride;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import javax.swing.Timer;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.animation.RideFilm;
+import tompkins.camera.Aim;
+import tompkins.camera.Camera;
+import tompkins.property.InvalidPropertyException;
+import tompkins.studio.FrontWindow;
+import tompkins.studio.Ride;
+import tompkins.studio.RideMoment;
+import tompkins.studio.RideRecorder;
+import tompkins.studio.Studio;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.Messages;
+import tompkins.ui.widget.Texts;
+
+/**
+ * Rides with the camera of a model: time runs, thrust changes the velocity, and what happens can be recorded and
+ * replayed. A whole ride is one step of the history. It ends when something else changes where the camera is.
+ */
+public final class RidePilot {
+
+    /** As often as pictures can be made. */
+    private static final int TICK_MILLISECONDS = 16;
+
+    /** After a longer pause of the program the ride goes on as if there had been none. */
+    private static final double LONGEST_STEP_SECONDS = 0.1;
+
+    /** The rapidity that thrust gives in a second on board, however slow light is there. */
+    private static final double RAPIDITY_PER_SECOND = 0.5;
+
+    /** Share of the field of view by which a step turns. */
+    private static final double TURN = 0.03;
+
+    private final StudioModel model;
+    private final Consumer<String> teller;
+    private final List<Runnable> listeners = new ArrayList<>();
+    private final Object gesture = new Object();
+    private final Timer timer = new Timer(TICK_MILLISECONDS, event -> tick());
+    private final Vector3d wish = new Vector3d();
+    private boolean braking;
+    private double unitsPerSecond = 1;
+    private RideKeyboard keyboard = RideKeyboard.common().get(0);
+
+    /** Where the ride began that is flown; null before the first. */
+    private Studio start;
+
+    private String task = "";
+
+    private RideMoment moment;
+    private RideRecorder recorder;
+
+    /** Where the ride begins that was shown last, or that was there before one by hand; null if there was none. */
+    private Studio replayed;
+
+    private RideFilm film;
+    private double filmTime;
+    private long lastTick;
+
+    /** A pilot for the camera of a model; messages about the ride go to {@code teller}. */
+    public RidePilot(StudioModel model, Consumer<String> teller) {
+        this.model = model;
+        this.teller = teller;
+    }
+
+    /** Calls a listener when a ride begins or ends, or a recording does. */
+    public void addListener(Runnable listener) {
+        listeners.add(listener);
+    }
+
+    private void tell() {
+        listeners.forEach(Runnable::run);
+    }
+
+    /** Whether time runs. */
+    public boolean isRiding() {
+        return timer.isRunning();
+    }
+
+    /** Whether thrust and turns lead it. */
+    boolean isFlying() {
+        return isRiding() && film == null;
+    }
+
+    /** Whether the ride is recorded. */
+    public boolean isRecording() {
+        return recorder != null;
+    }
+
+    /** Whether a recorded ride is shown. */
+    public boolean isReplaying() {
+        return film != null;
+    }
+
+    /** The gesture to which all changes of a ride belong. */
+    public Object gesture() {
+        return gesture;
+    }
+
+    /** The present moment of the ride, which may be paused; null if the camera has been moved elsewhere since. */
+    public RideMoment moment() {
+        return moment != null && moment.studio() == model.studio() ? moment : null;
+    }
+
+    /**
+     * The present studio as a camera at rest takes it at the same event, which in the frame of a moving camera has
+     * other coordinates; null if the camera is not on a ride, nor on one that pauses.
+     */
+    public Studio atRest() {
+        Studio now = model.studio();
+        return moment == null || !moment.isOf(now) ? null : moment.with(now).atRest();
+    }
+
+    /** Where thrust is wished, at once: each component from -1 to 1, to the right, up and forwards. */
+    public void setThrust(Vector3dc direction) {
+        wish.set(direction);
+        if (direction.lengthSquared() > 0) {
+            braking = false;
+        }
+        if (isRiding()) {
+            tick();
+        }
+    }
+
+    /** Ends thrust and braking. */
+    public void stopThrust() {
+        wish.zero();
+        braking = false;
+    }
+
+    /** Brakes until the camera is at rest in the scene. */
+    public void brake() {
+        wish.zero();
+        braking = true;
+    }
+
+    /** Turns the view, by steps to the right and up. */
+    void turn(int right, int up) {
+        Camera camera = model.studio().camera();
+        double angle = TURN * Math.toRadians(camera.horizontalAngleDegrees());
+        model.look(FrontWindow.held(model.studio(), new Aim(right * angle, up * angle).turn(camera)), gesture);
+    }
+
+    /** What to try on the ride; empty if nothing is said. */
+    String task() {
+        return task;
+    }
+
+    /** Goes back to where the ride began; a recording ends there, too. */
+    public void home() {
+        if (recorder != null) {
+            setRecording(false);
+        } else if (start != null && moment() != null) {
+            stopThrust();
+            film = null;
+            moment = RideMoment.start(model.studio().withCamera(start.camera()).withVelocity(start.velocity()));
+            model.look(moment.studio(), gesture);
+        }
+    }
+
+    /** The keyboard whose letters steer. */
+    RideKeyboard keyboard() {
+        return keyboard;
+    }
+
+    /** Lets the letters of another keyboard steer from now on. */
+    void setKeyboard(RideKeyboard other) {
+        keyboard = other;
+    }
+
+    /** Whether it brakes. */
+    public boolean isBraking() {
+        return braking;
+    }
+
+    /** How far light goes in a second of the ride, in scene units; above 0. */
+    public void setUnitsPerSecond(double units) {
+        unitsPerSecond = units;
+    }
+
+    /** How far light goes in a second of the ride, in scene units. */
+    public double unitsPerSecond() {
+        return unitsPerSecond;
+    }
+
+    /** Begins or continues a ride, or pauses it; a recording is then kept in the scene. */
+    public void setRiding(boolean riding) {
+        if (riding == isRiding()) {
+            return;
+        }
+        if (riding) {
+            begin();
+        } else {
+            end();
+        }
+        tell();
+    }
+
+    private void begin() {
+        if (moment() == null) {
+            List<Ride> rides = model.studio().rides();
+            if (isPhotograph() && !rides.isEmpty()) {
+                attempt(() -> goToStart(rides.get(0)));
+            }
+            if (moment() == null) {
+                task = "";
+                startFrom(model.studio());
+            }
+        }
+        stopThrust();
+        lastTick = System.nanoTime();
+        timer.start();
+    }
+
+    /** Whether the camera is where the scene has it. */
+    private boolean isPhotograph() {
+        Studio opened = model.opened();
+        Studio now = model.studio();
+        return now.velocity().equals(opened.velocity()) && now.camera().equals(opened.camera());
+    }
+
+    private void startFrom(Studio beginning) {
+        // a ride by hand leaves the place where the recorded one begins
+        for (Studio left : List.of(model.studio(), beginning)) {
+            if (!left.ride().isEmpty()) {
+                replayed = left;
+            }
+        }
+        start = beginning;
+        moment = RideMoment.start(beginning);
+    }
+
+    private void goToStart(Ride ride) {
+        unitsPerSecond = ride.lightSpeed();
+        startFrom(ride.start(model.studio()));
+        model.look(moment.studio(), gesture);
+        task = ride.task();
+    }
+
+    /** Rides from the start of a ride of the scene. */
+    void begin(Ride ride) {
+        setRiding(false);
+        attempt(() -> {
+            goToStart(ride);
+            setRiding(true);
+        });
+    }
+
+    private void end() {
+        timer.stop();
+        film = null;
+        keepRecording();
+        model.endGesture(gesture);
+    }
+
+    /** Begins to record, and to ride; or ends both. */
+    public void setRecording(boolean recording) {
+        if (!recording) {
+            setRiding(false);
+            return;
+        }
+        film = null;
+        setRiding(true);
+        moment = RideMoment.start(model.studio());
+        recorder = new RideRecorder(model.studio());
+        tell();
+    }
+
+    /** The scene goes back to where the recorded ride begins, with the ride in it. */
+    private void keepRecording() {
+        if (recorder == null) {
+            return;
+        }
+        Studio recorded = recorder.studio();
+        double seconds = recorder.seconds();
+        recorder = null;
+        if (!recorded.ride().isEmpty()) {
+            model.adjust(recorded, gesture);
+            teller.accept(Texts.get("ride.recorded", String.format(Locale.ROOT, "%.1f", seconds)));
+        }
+    }
+
+    /** Whether there is a recorded ride to show. */
+    public boolean canReplay() {
+        return !beginning().ride().isEmpty();
+    }
+
+    /** Where the recorded ride begins, if there is one to show; otherwise the present studio. */
+    public Studio beginning() {
+        Studio now = model.studio();
+        return now.ride().isEmpty() && replayed != null && moment() != null ? replayed : now;
+    }
+
+    /**
+     * Shows the ride that begins with the present studio; if that is on a ride, the one that was shown last or was
+     * there before.
+     */
+    public void replay() {
+        setRiding(false);
+        Studio beginning = beginning();
+        if (beginning.ride().isEmpty()) {
+            teller.accept(Texts.get("ride.nothingRecorded"));
+            return;
+        }
+        attempt(() -> {
+            film = new RideFilm(beginning);
+            replayed = beginning;
+            filmTime = 0;
+            moment = film.moment(0.0);
+            model.look(moment.studio(), gesture);
+            lastTick = System.nanoTime();
+            timer.start();
+        });
+        tell();
+    }
+
+    private void tick() {
+        long now = System.nanoTime();
+        double seconds = Math.min(LONGEST_STEP_SECONDS, (now - lastTick) * 1e-9);
+        lastTick = now;
+        if (!follow(model.studio())) {
+            setRiding(false);
+            return;
+        }
+        attempt(() -> {
+            if (film != null) {
+                show(seconds);
+            } else {
+                ride(seconds);
+            }
+        });
+    }
+
+    /** Takes changes by others: another view or other lights are part of the ride, another place is not; false then. */
+    private boolean follow(Studio studio) {
+        if (studio == moment.studio()) {
+            return true;
+        }
+        if (film != null || !moment.isOf(studio)) {
+            return false;
+        }
+        moment = moment.with(studio);
+        return true;
+    }
+
+    private void show(double seconds) {
+        filmTime += seconds;
+        moment = film.moment(filmTime);
+        model.flow(moment.studio(), gesture);
+        if (filmTime >= film.seconds()) {
+            setRiding(false);
+        }
+    }
+
+    private void ride(double seconds) {
+        double strength = RAPIDITY_PER_SECOND / unitsPerSecond;
+        double properTime = unitsPerSecond * seconds;
+        if (braking) {
+            double needed = moment.rider().rapidity() / strength;
+            double part = Math.min(needed, properTime);
+            step(moment.brake(strength), part);
+            step(new Vector3d(), properTime - part);
+        } else {
+            double length = wish.length();
+            step(wish.mul(length > 1 ? strength / length : strength, new Vector3d()), properTime);
+        }
+        model.flow(moment.studio(), gesture);
+    }
+
+    private void step(Vector3dc thrust, double properTime) {
+        if (properTime <= 0) {
+            return;
+        }
+        RideMoment next = moment.after(thrust, properTime);
+        if (recorder != null) {
+            recorder.add(moment.studio(), thrust, properTime, properTime / unitsPerSecond, next.studio());
+        }
+        moment = next;
+    }
+
+    /** A camera that gets too fast, or too far away, ends the ride. */
+    private void attempt(Runnable action) {
+        try {
+            action.run();
+        } catch (InvalidPropertyException refused) {
+            setRiding(false);
+            teller.accept(Texts.get("ride.ended", Messages.of(refused)));
+        }
+    }
+}

@@ -1,0 +1,168 @@
+package tompkins.ui.ride;
+
+import java.util.function.UnaryOperator;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.camera.Aim;
+import tompkins.camera.Aim.PicturePosition;
+import tompkins.camera.Camera;
+import tompkins.camera.CameraMotion;
+import tompkins.camera.ThinLensCamera;
+import tompkins.math.Vectors;
+
+/**
+ * Turns and moves the camera of a picture by hand: as a person on board does by turning the head and stepping aside.
+ * All changes up to {@link #letGo} are one gesture.
+ */
+final class Steering {
+
+    /** Share of the distance by which a notch of the wheel brings nearer. */
+    private static final double STEP = 0.1;
+
+    /** Factor of the field of view for a notch of the wheel. */
+    private static final double ZOOM = 1.1;
+
+    /** Share of the field of view by which a key turns. */
+    private static final double TURN = 0.05;
+
+    /** A point that is seen more obliquely than this is not moved with the mouse. */
+    private static final double OBLIQUE = 0.05;
+
+    private final CameraHand hand;
+
+    /** The distance of what is under the hand; NaN while it is unknown. */
+    private double distance = Double.NaN;
+
+    private boolean asked;
+
+    /** What waits for the distance; null if nothing does. */
+    private Runnable waiting;
+
+    private PicturePosition waitingFrom;
+    private double waitingNotches;
+
+    /** Whether the gesture ends as soon as the distance has come. */
+    private boolean ending;
+
+    Steering(CameraHand hand) {
+        this.hand = hand;
+    }
+
+    /** Turns the camera so that what was at a place is at another one. */
+    void turn(PicturePosition from, PicturePosition to) {
+        change(camera -> Aim.at(camera, from.direction(camera), to));
+    }
+
+    /** Turns the camera to what is at a place. */
+    void centre(PicturePosition place) {
+        change(camera -> Aim.along(camera, place.direction(camera)));
+        letGo();
+    }
+
+    /** Changes the field of view about a place, by notches of the wheel towards the user. */
+    void zoom(PicturePosition place, double notches) {
+        change(camera -> Aim.zoomed(camera, Math.pow(ZOOM, notches), place));
+    }
+
+    /** Turns by a part of the field of view, to the right and up. */
+    void turn(int right, int up) {
+        double angle = TURN * Math.toRadians(hand.camera().horizontalAngleDegrees());
+        change(new Aim(right * angle, up * angle)::turn);
+    }
+
+    /** Moves the lens sideways and up, so that what was at a place is about at another one. */
+    void slide(PicturePosition from, PicturePosition to) {
+        waitingFrom = waitingFrom == null ? from : waitingFrom;
+        whenFar(from, () -> {
+            Camera camera = hand.camera();
+            Vector3d first = waitingFrom.direction(camera);
+            Vector3d second = to.direction(camera);
+            waitingFrom = null;
+            // the plane in which it moves: across the view of a lens, across the first direction of a panorama
+            Vector3d across = camera instanceof ThinLensCamera ? Vectors.unit(camera.viewDirection()) : first;
+            double oblique = second.dot(across);
+            if (oblique > OBLIQUE) {
+                double ratio = first.dot(across) / oblique;
+                move(new Vector3d(first).fma(-ratio, second).mul(distance));
+            }
+        });
+    }
+
+    /** Moves the lens sideways and up, by a part of what the picture shows at the distance of a place. */
+    void slide(PicturePosition place, int right, int up) {
+        whenFar(place, () -> {
+            Camera camera = hand.camera();
+            double step = distance * Math.min(1, TURN * Math.toRadians(camera.horizontalAngleDegrees()));
+            move(new Vector3d(camera.rightDirection()).mul(right * step).fma(up * step, camera.upDirection()));
+        });
+    }
+
+    /** Moves the lens towards what is at a place, by notches of the wheel towards the user. */
+    void approach(PicturePosition place, double notches) {
+        waitingNotches += notches;
+        whenFar(place, () -> {
+            double left = distance * Math.pow(1 - STEP, -waitingNotches);
+            waitingNotches = 0;
+            move(place.direction(hand.camera()).mul(distance - left));
+            distance = left;
+        });
+    }
+
+    private void move(Vector3dc way) {
+        if (hand.canMove()) {
+            change(camera -> CameraMotion.shifted(camera, way));
+        }
+    }
+
+    private void change(UnaryOperator<Camera> change) {
+        hand.hold(change.apply(hand.camera()));
+    }
+
+    /** Does something as soon as the distance of what is at a place is known. */
+    private void whenFar(PicturePosition place, Runnable action) {
+        if (Double.isFinite(distance)) {
+            action.run();
+            return;
+        }
+        if (ending) {
+            // the answer to the previous gesture never came
+            forget();
+        }
+        waiting = action;
+        if (!asked) {
+            asked = true;
+            hand.askDistance(place, this::answer);
+        }
+    }
+
+    private void answer(double far) {
+        if (waiting == null) {
+            return;
+        }
+        distance = far;
+        Runnable action = waiting;
+        waiting = null;
+        action.run();
+        if (ending) {
+            letGo();
+        }
+    }
+
+    /** The gesture is over. */
+    void letGo() {
+        ending = waiting != null;
+        if (!ending) {
+            forget();
+            hand.letGo();
+        }
+    }
+
+    private void forget() {
+        distance = Double.NaN;
+        asked = false;
+        ending = false;
+        waiting = null;
+        waitingFrom = null;
+        waitingNotches = 0;
+    }
+}

@@ -1,0 +1,26 @@
+package tompkins.ui.widget;
+
+import com.formdev.flatlaf.FlatClientProperties;
+import javax.swing.JButton;
+
+/** Buttons with the text of a key, and the tooltip of that key with {@code Tip} appended. */
+public final class Buttons {
+
+    private Buttons() {}
+
+    /** A button that does something. */
+    public static JButton of(String key, Runnable action) {
+        JButton button = new JButton(Texts.get(key));
+        Naming.name(button, key);
+        button.addActionListener(event -> action.run());
+        return button;
+    }
+
+    /** A small cross that closes a bar. */
+    public static JButton closing(String key, Runnable action) {
+        JButton button = of(key, action);
+        button.setText("\u00d7");
+        button.putClientProperty(FlatClientProperties.BUTTON_TYPE, FlatClientProperties.BUTTON_TYPE_TOOLBAR_BUTTON);
+        return button;
+    }
+}

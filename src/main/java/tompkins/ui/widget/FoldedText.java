@@ -1,0 +1,91 @@
+package tompkins.ui.widget;
+
+import com.formdev.flatlaf.FlatClientProperties;
+import java.awt.Dimension;
+import javax.swing.JComponent;
+import javax.swing.JToggleButton;
+import javax.swing.JViewport;
+
+/** A text of which a few lines are seen, and with a button all of it. */
+public final class FoldedText extends Part {
+
+    private static final int LINES = 2;
+
+    private final Note note = new Note("");
+    private final JToggleButton more = new JToggleButton();
+    private final JViewport seen = new Lines();
+
+    /** A folded text with a name, without words yet. */
+    public FoldedText(String name) {
+        super(Rows.column());
+        note.component().setName(name);
+        seen.setOpaque(false);
+        seen.setView(note.component());
+        more.putClientProperty(FlatClientProperties.BUTTON_TYPE, FlatClientProperties.BUTTON_TYPE_TOOLBAR_BUTTON);
+        more.putClientProperty(FlatClientProperties.STYLE, "font: $small.font; margin: 0,4,0,4; minimumWidth: 0");
+        more.addItemListener(event -> fold());
+        panel.add(seen, "wmin 0");
+        fold();
+        setText("");
+    }
+
+    private void fold() {
+        String key = more.isSelected() ? "remarks.less" : "remarks.more";
+        more.setText(Texts.get(key));
+        Naming.name(more, Texts.get(key), Texts.get("remarks.moreTip"));
+        panel.revalidate();
+    }
+
+    /** The button that unfolds it, to be put near it. */
+    public JComponent button() {
+        return more;
+    }
+
+    /** What it says. */
+    public String text() {
+        return note.text();
+    }
+
+    /** Says something else, folded. */
+    public void setText(String text) {
+        note.setText(text);
+        more.setSelected(false);
+        panel.setVisible(!text.isEmpty());
+        more.setVisible(!text.isEmpty());
+        panel.revalidate();
+    }
+
+    /** Shows the first lines, or all of them; the button is there where it has something to do. */
+    private final class Lines extends JViewport {
+
+        private static final long serialVersionUID = 1;
+
+        @Override
+        public Dimension getPreferredSize() {
+            JComponent text = note.component();
+            Dimension size = text.getPreferredSize();
+            return new Dimension(size.width, more.isSelected() ? size.height : Math.min(size.height, few()));
+        }
+
+        private int few() {
+            JComponent text = note.component();
+            return LINES * text.getFontMetrics(text.getFont()).getHeight();
+        }
+
+        @Override
+        public void setBounds(int x, int y, int width, int height) {
+            super.setBounds(x, y, width, height);
+            // the height of wrapped text is known only when its width is
+            note.component().setSize(width, height);
+            more.setVisible(more.isSelected() || note.component().getPreferredSize().height > few());
+            if (getPreferredSize().height != height) {
+                panel.revalidate();
+            }
+        }
+
+        @Override
+        public Dimension getMinimumSize() {
+            return new Dimension(0, getPreferredSize().height);
+        }
+    }
+}

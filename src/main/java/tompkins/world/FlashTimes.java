@@ -1,0 +1,67 @@
+package tompkins.world;
+
+import java.util.List;
+import java.util.stream.DoubleStream;
+import org.joml.Vector3dc;
+import tompkins.light.Pulse;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.spacetime.Event;
+import tompkins.spacetime.TransformationLaw;
+
+/** When, in the time of the camera, flashes light what a ray has hit. */
+public final class FlashTimes {
+
+    private final World world;
+    private final FrameRoutes routes;
+    private final boolean hasOneCarrier;
+
+    /** The times in a world. */
+    public FlashTimes(World world, FrameRoutes routes, TransformationLaw law) {
+        this.world = world;
+        this.routes = routes;
+        hasOneCarrier = law == TransformationLaw.GALILEAN;
+    }
+
+    /**
+     * When the surface that a ray has hit is seen lit by one flash of a lamp, if the shutter opens sooner or later and
+     * the ray keeps its direction in the camera frame. Exact where the surface is flat; elsewhere its tangent plane
+     * stands for it.
+     *
+     * @param ray a ray that has come from the camera without a mirror or glass on the way
+     * @param cycle the number of the flash, as {@link Pulse#cycle} counts
+     */
+    public List<LitSpan> of(int source, Pulse flash, double cycle, Ray ray, Hit hit) {
+        Vector3dc lamp = world.lights().get(source).position();
+        int lampFrame = world.frameOfLight(source);
+        Hit event = hit.event == null ? hit : hit.event;
+        int lightFrame = hasOneCarrier ? routes.camera() : event.frame;
+        double begin = flash.start() + cycle * flash.period();
+        Event[] ends = DoubleStream.of(begin, begin + flash.duration())
+                .mapToObj(time -> new Event(lamp.x(), lamp.y(), lamp.z(), time + world.lampZeros()[source]))
+                .map(routes.route(lampFrame, lightFrame)::transform)
+                .toArray(Event[]::new);
+        Event met = routes.route(event.frame, lightFrame).transform(new Event(event.x, event.y, event.z, event.time));
+        // in one unit of camera time the event goes with the camera, and along the ray to where the surface is
+        Event camera = routes.route(routes.camera(), hit.frame).worldLine();
+        double across = camera.x() * hit.normalX + camera.y() * hit.normalY + camera.z() * hit.normalZ;
+        double farther = -across / hit.cosine(ray);
+        Event along = new Event(farther * ray.dx, farther * ray.dy, farther * ray.dz, -farther * ray.slowness);
+        Event shift = routes.route(hit.frame, lightFrame).difference(camera.plus(along));
+        double square = hasOneCarrier
+                ? product(shift, shift)
+                : 2 * product(camera, along) - 1 + farther * farther * (1 - ray.slowness * ray.slowness);
+        // when the camera gets to the surface, or came from it, the ray does not meet it any more
+        double reached = -hit.distance / farther;
+        return LitSpan.of(ends[0], ends[1], met, shift, square).stream()
+                .map(span -> farther > 0
+                        ? new LitSpan(Math.max(span.from(), reached), span.to())
+                        : farther < 0 ? new LitSpan(span.from(), Math.min(span.to(), reached)) : span)
+                .filter(span -> span.from() < span.to())
+                .toList();
+    }
+
+    private static double product(Event one, Event other) {
+        return one.position().dot(other.position()) - one.time() * other.time();
+    }
+}

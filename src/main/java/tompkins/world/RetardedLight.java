@@ -1,0 +1,186 @@
+package tompkins.world;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import org.joml.Vector3dc;
+import tompkins.light.Sightline;
+import tompkins.primitive.Primitive;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
+import tompkins.search.LampShadows;
+import tompkins.search.LampTrack;
+import tompkins.search.NearestHit;
+import tompkins.search.ObjectTree;
+import tompkins.spacetime.TransformationLaw;
+
+/**
+ * The ways of light from lamps to a hit, when both may move: a lamp shines from where it was when the light left it,
+ * and what was in the way when the light passed throws the shadow. One for each thread.
+ */
+public final class RetardedLight {
+
+    private final World world;
+    private final FrameRoutes routes;
+    private final RayCounts counts;
+    private final NearestHit scratch;
+    private final int[] lampFrames;
+    private final double[] lampZeros;
+
+    /** The velocities of the lamps in the camera frame; null unless light has one carrier. */
+    private final Vector3dc[] paces;
+
+    private final ObjectTree[] trees;
+    private final int[] filled;
+    private final Primitive[] lastShadows;
+    private final Hit place = Hit.blank();
+    private final Ray eventRay = Ray.blank();
+    private final Ray way = Ray.blank();
+    private final Ray shadow = Ray.blank();
+    private final Ray inFrame = Ray.blank();
+
+    /** The ways in a world, for one thread. */
+    public RetardedLight(World world, FrameRoutes routes, TransformationLaw law, RayCounts counts) {
+        this.world = world;
+        this.routes = routes;
+        this.counts = counts;
+        scratch = new NearestHit(counts);
+        trees = world.trees();
+        filled = world.filledFrames();
+        lampFrames = new int[world.lights().size()];
+        for (int i = 0; i < lampFrames.length; i++) {
+            lampFrames[i] = world.frameOfLight(i);
+        }
+        lampZeros = world.lampZeros();
+        paces = law != TransformationLaw.GALILEAN
+                ? null
+                : IntStream.of(lampFrames)
+                        .mapToObj(frame ->
+                                routes.route(frame, routes.camera()).worldLine().position())
+                        .toArray(Vector3dc[]::new);
+        lastShadows = new Primitive[world.frameCount()];
+    }
+
+    /** Forgets what was seen before, so that the work for a packet depends on nothing else. */
+    public void beginBlock() {
+        Arrays.fill(lastShadows, null);
+    }
+
+    /**
+     * Finds the way from a hit to a lamp.
+     *
+     * @return false if no light of the lamp gets to the event
+     */
+    public boolean find(int source, Hit hit, Sightline sight) {
+        Vector3dc at = world.lights().get(source).position();
+        int lampFrame = lampFrames[source];
+        if (paces != null) {
+            return findWithOneCarrier(source, at, hit, sight);
+        }
+        if (lampFrame == hit.frame) {
+            sight.set(at.x() - hit.x, at.y() - hit.y, at.z() - hit.z, hit.time - lampZeros[source]);
+            return true;
+        }
+        routes.transform(way.setShadow(hit.event, 0, 0, 1), lampFrame, way);
+        double x = at.x() - way.x;
+        double y = at.y() - way.y;
+        double z = at.z() - way.z;
+        double length = Math.sqrt(x * x + y * y + z * z);
+        if (length == 0) {
+            return false;
+        }
+        double emission = way.time - length - lampZeros[source];
+        routes.transform(way.aim(x / length, y / length, z / length), hit.frame, way);
+        double stretched = length * way.directionLength;
+        sight.set(way.dx * stretched, way.dy * stretched, way.dz * stretched, way.directionLength, 1, emission);
+        return true;
+    }
+
+    /**
+     * In a Galilean world light has speed 1 in the camera frame, on every leg. With R from the hit to where the lamp is
+     * at the time of the hit, and its velocity w, both in the camera frame, the light has been on its way for the time
+     * s that solves |R - w s| = s.
+     */
+    private boolean findWithOneCarrier(int source, Vector3dc at, Hit hit, Sightline sight) {
+        Vector3dc w = paces[source];
+        routes.transform(eventRay.setShadow(hit, 0, 0, 1), routes.camera(), eventRay);
+        double hitX = eventRay.x;
+        double hitY = eventRay.y;
+        double hitZ = eventRay.z;
+        double hitTime = eventRay.time;
+        place.setPlace(lampFrames[source], at.x(), at.y(), at.z(), 0);
+        routes.transform(eventRay.setShadow(place, 0, 0, 1), routes.camera(), eventRay);
+        double later = hitTime - eventRay.time;
+        double rx = eventRay.x + w.x() * later - hitX;
+        double ry = eventRay.y + w.y() * later - hitY;
+        double rz = eventRay.z + w.z() * later - hitZ;
+        double along = rx * w.x() + ry * w.y() + rz * w.z();
+        double squared = rx * rx + ry * ry + rz * rz;
+        double root = along * along + (1 - w.x() * w.x() - w.y() * w.y() - w.z() * w.z()) * squared;
+        double divisor = along + Math.sqrt(root);
+        double duration = divisor > 0 ? squared / divisor : 0;
+        if (!(duration > 0)) {
+            return false;
+        }
+        place.setPlace(routes.camera(), hitX, hitY, hitZ, hitTime);
+        way.setShadow(place, rx / duration - w.x(), ry / duration - w.y(), rz / duration - w.z());
+        routes.transform(way, hit.frame, way);
+        double stretched = duration * way.directionLength;
+        sight.set(
+                way.dx * stretched,
+                way.dy * stretched,
+                way.dz * stretched,
+                1,
+                way.slowness,
+                later - duration - lampZeros[source]);
+        return true;
+    }
+
+    /** Whether nothing throws a shadow on a hit along a way that was found for it. */
+    public boolean isClear(int source, Hit hit, Sightline sight) {
+        counts.shadowRays++;
+        double length = sight.length;
+        shadow.setShadow(hit, sight.x / length, sight.y / length, sight.z / length, sight.slowness);
+        for (int i : filled) {
+            if (i == hit.frame) {
+                if (isDark(source, i, hit, shadow, length)) {
+                    return false;
+                }
+                continue;
+            }
+            routes.transform(shadow, i, inFrame);
+            if (Double.isNaN(inFrame.dx)) {
+                continue;
+            }
+            Ray start = routes.transform(eventRay.setShadow(hit.event, 0, 0, 1), i, eventRay);
+            place.setPlace(i, start.x, start.y, start.z, start.time);
+            inFrame.setStart(place);
+            if (isDark(source, i, place, inFrame, length * inFrame.directionLength)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean isDark(int source, int frame, Hit start, Ray ray, double length) {
+        LampShadows seen = null;
+        double place = 0;
+        LampTrack track = world.lampTrack(source, frame);
+        if (lampFrames[source] == frame) {
+            seen = world.lampShadows(source);
+        } else if (track != null) {
+            place = track.at(ray, length);
+            seen = place == LampTrack.NOWHERE ? null : track.seenFrom(place);
+        }
+        if (seen != null) {
+            return seen.shadows(start, ray, place - Math.floor(place), length, counts);
+        }
+        Primitive last = lastShadows[frame];
+        if (last != null && last.shadows(ray, length)) {
+            return true;
+        }
+        scratch.forgetLeaf();
+        lastShadows[frame] = trees[frame].shadow(ray, length, scratch);
+        return lastShadows[frame] != null;
+    }
+}

@@ -1,0 +1,65 @@
+package tompkins.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.util.Collections;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import tompkins.TestRun;
+
+/** The program with less memory than it needs. */
+class ProgramMemoryTest extends ShellTest {
+
+    /** As for 60 000 spheres in a photograph of 64 x 48. */
+    @Test
+    void aPhotographThatTheMemoryCannotHoldIsNamed() throws IOException, InterruptedException {
+        String sphere = "{\"type\": \"Sphere\", \"centre\": [0, 0, 50]}";
+        Files.writeString(
+                folder.resolve("many.json"),
+                "{\"settings\": {\"width\": 1, \"height\": 1, \"samples\": 1}, \"scene\": ["
+                        + String.join(",", Collections.nCopies(60_000, sphere)) + "]}");
+        assertThat(ProgramRun.of("render", folder.resolve("many.json"), "-o", folder.resolve("many.png"))
+                        .code())
+                .isZero();
+
+        List<String> commands = List.of("check many.png", "render many.png -o again.png", "explain many.png");
+        for (String command : commands.subList(0, TestRun.cases(1, 3))) {
+            ProgramRun run =
+                    shell("tompkins() { \"$JAVA\" -Xmx24m " + Main.class.getName() + " \"$@\"; }; tompkins " + command);
+
+            assertThat(run.err()).matches("many.png: not enough memory: Java may use 2\\d MB; .*-Xmx\n");
+            assertThat(run.code()).isEqualTo(Failures.FAILURE);
+        }
+    }
+
+    @Test
+    void aSceneThatTheMemoryCannotHoldIsSaidInOneLine() throws IOException, InterruptedException {
+        Files.writeString(folder.resolve("rods.json"), """
+                { "scene": [{ "type": "CylinderLattice", "points": [1000, 1000, 1000] }] }
+                """);
+
+        ProgramRun run = shell("tompkins check rods.json");
+
+        assertThat(run.err())
+                .matches("rods.json: not enough memory: Java may use 6\\d MB; start java with a larger -Xmx\n");
+        assertThat(run.out()).isEmpty();
+        assertThat(run.code()).isEqualTo(Failures.FAILURE);
+    }
+
+    /** 46 bytes a pixel: sums of all samples and of half of them, their number, the picture, and two bytes a level. */
+    @Test
+    void picturesBeyondTheMemoryAreRefusedFirst() throws IOException, InterruptedException {
+        Files.writeString(folder.resolve("large.json"), "{\"settings\": {\"width\": 2000, \"height\": 1500}}");
+        for (String command : List.of("explain", "render")) {
+            ProgramRun run = shell("tompkins " + command + " large.json --error");
+
+            assertThat(run.code()).isEqualTo(Failures.MISTAKE);
+            assertThat(run.err()).startsWith("a picture of 2000 x 1500 pixels needs about 143 MB of memory");
+            assertThat(run.out()).isEmpty();
+        }
+        assertThat(shell("tompkins explain large.json --size 20x15 --error").code())
+                .isZero();
+    }
+}

@@ -1,0 +1,32 @@
+package tompkins.app;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/** Runs the program as a process of its own, from a shell in which {@code tompkins} is its name. */
+final class ProgramShell {
+
+    /** The program for those who call it by another name. */
+    static final String PROGRAM =
+            "\"$JAVA\" $OPTIONS -Xmx64m -Xshare:auto -XX:-UsePerfData -XX:TieredStopAtLevel=1 " + Main.class.getName();
+
+    private ProgramShell() {}
+
+    /** What a line of the shell prints, and its exit code. */
+    static ProgramRun run(Path folder, String line) throws IOException, InterruptedException {
+        Path err = folder.resolve("err");
+        ProcessBuilder builder = new ProcessBuilder("sh", "-c", "tompkins() { " + PROGRAM + " \"$@\"; }; " + line);
+        builder.environment()
+                .put(
+                        "JAVA",
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        builder.environment().put("CLASSPATH", System.getProperty("java.class.path"));
+        Process process =
+                builder.directory(folder.toFile()).redirectError(err.toFile()).start();
+        String out = new String(process.getInputStream().readAllBytes(), UTF_8);
+        return new ProgramRun(process.waitFor(), out, Files.readString(err));
+    }
+}

@@ -1,0 +1,194 @@
+package tompkins.file;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assumptions.assumeThat;
+
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tompkins.image.Samples;
+
+class PendingFileTest {
+
+    @TempDir
+    private Path folder;
+
+    private static PendingFile written(Path target, String content) throws IOException {
+        PendingFile pending = PendingFile.newFile(target);
+        pending.write(content.getBytes(StandardCharsets.UTF_8));
+        return pending;
+    }
+
+    @Test
+    void whatAppearsMeanwhileIsNotReplaced() throws IOException {
+        Path target = folder.resolve("a.b.png");
+        PendingFile pending = written(target, "mine");
+        Files.writeString(target, "another's");
+        Files.createSymbolicLink(folder.resolve("a.b-2.png"), folder.resolve("nothing"));
+        Files.createDirectory(folder.resolve("a.b-3.png"));
+
+        Path place = pending.commit();
+
+        assertThat(place).isEqualTo(folder.resolve("a.b-4.png")).hasContent("mine");
+        assertThat(target).hasContent("another's");
+        assertThat(Samples.names(folder)).containsExactlyInAnyOrder("a.b.png", "a.b-2.png", "a.b-3.png", "a.b-4.png");
+    }
+
+    /** A process that was killed cannot tidy; a process that still works must not be disturbed. */
+    @Test
+    void whatWasLeftADayAgoIsRemovedByTheNext() throws IOException {
+        Path old = Files.createDirectories(folder.resolve(".tompkins-1234.part/frames"));
+        Files.writeString(old.resolve("frame0001.png"), "half");
+        Path atWork = Files.createDirectories(folder.resolve(".tompkins-5678.part"));
+        Path written = Files.writeString(atWork.resolve("film.gif"), "half");
+        Path file = Files.writeString(folder.resolve(".tompkins-9.part"), "somebody's");
+        Path outside = Files.createDirectories(folder.resolve("outside"));
+        Path link = Files.createSymbolicLink(folder.resolve(".tompkins-10.part"), outside);
+        FileTime before = FileTime.from(Instant.now().minus(Duration.ofHours(25)));
+        for (Path part : List.of(old.resolve("frame0001.png"), old, old.getParent(), atWork, file, outside)) {
+            Files.setLastModifiedTime(part, before);
+        }
+
+        written(folder.resolve("new.png"), "new").commit();
+
+        assertThat(old.getParent()).doesNotExist();
+        assertThat(Samples.names(folder))
+                .containsExactlyInAnyOrder(
+                        "new.png", "outside", link.getFileName().toString(), ".tompkins-9.part", ".tompkins-5678.part");
+        assertThat(written).hasContent("half");
+    }
+
+    @Test
+    void thoseWhoComeTogetherLoseNothing() throws Exception {
+        Path target = folder.resolve("one.png");
+        int many = 24;
+        CountDownLatch start = new CountDownLatch(1);
+        List<CompletableFuture<Path>> places = IntStream.range(0, many)
+                .mapToObj(i -> CompletableFuture.supplyAsync(() -> committed(target, "number " + i, start)))
+                .toList();
+        start.countDown();
+
+        for (int i = 0; i < many; i++) {
+            assertThat(places.get(i).get()).hasContent("number " + i);
+        }
+        assertThat(Samples.names(folder)).hasSize(many);
+    }
+
+    private static Path committed(Path target, String content, CountDownLatch start) {
+        try {
+            PendingFile pending = written(target, content);
+            start.await();
+            return pending.commit();
+        } catch (IOException | InterruptedException failure) {
+            throw new IllegalStateException(failure);
+        }
+    }
+
+    /** As on a memory card: a zip file has no links either. */
+    @Test
+    void nothingIsReplacedWhereThereAreNoLinks() throws IOException {
+        try (FileSystem zip = FileSystems.newFileSystem(folder.resolve("card.zip"), Map.of("create", "true"))) {
+            Path target = zip.getPath("/a.png");
+            PendingFile first = written(target, "first");
+            PendingFile second = written(target, "second");
+
+            assertThat(second.commit()).isEqualTo(target);
+            assertThat(first.commit()).isEqualTo(zip.getPath("/a-2.png"));
+
+            assertThat(Files.readString(target)).isEqualTo("second");
+            assertThat(Files.readString(zip.getPath("/a-2.png"))).isEqualTo("first");
+            assertThat(Samples.names(zip.getPath("/"))).containsExactlyInAnyOrder("a.png", "a-2.png");
+        }
+    }
+
+    @Test
+    void aFolderTakesThePlaceOfAnEmptyOneOnly() throws IOException {
+        Path target = folder.resolve("frames");
+        PendingFile first = PendingFile.newFolder(target);
+        PendingFile second = PendingFile.newFolder(target);
+        PendingFile third = PendingFile.newFolder(target);
+        for (PendingFile pending : List.of(first, second, third)) {
+            pending.open("frame.png").close();
+        }
+        Files.createDirectory(target);
+        assertThat(first.commit()).isEqualTo(target);
+        assertThat(second.commit()).isEqualTo(folder.resolve("frames-2"));
+        Files.writeString(folder.resolve("frames-3"), "a file");
+
+        assertThat(third.commit()).isEqualTo(folder.resolve("frames-4"));
+        assertThat(folder.resolve("frames-3")).hasContent("a file");
+        assertThat(target.resolve("frame.png")).exists();
+    }
+
+    @Test
+    void aPipeIsNeverReplaced() throws Exception {
+        Path pipe = folder.resolve("pipe.png");
+        assumeThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
+                .isZero();
+
+        assertThatThrownBy(() -> PendingFile.replacing(pipe))
+                .hasMessage(pipe + ": cannot be written: it is a device or a pipe, not a file");
+        assertThat(Files.readAttributes(pipe, "isOther").get("isOther")).isEqualTo(true);
+    }
+
+    /** What is written on would come back after it was removed. */
+    @Test
+    void whoeverWritesIsStoppedBeforeTheRestIsRemoved() throws IOException {
+        PendingFile pending = PendingFile.newFolder(folder.resolve("frames"));
+        OutputStream open = pending.open("frame1.png");
+        boolean[] stopped = {false};
+        pending.stopAtEnd(() -> {
+            assertThat(Samples.names(folder)).as("still there").hasSize(1);
+            stopped[0] = true;
+        });
+
+        pending.close();
+
+        assertThat(stopped[0]).isTrue();
+        assertThatThrownBy(() -> {
+                    open.write(new byte[1 << 20]);
+                    open.flush();
+                })
+                .isInstanceOf(IOException.class);
+        assertThatThrownBy(() -> pending.open("frame2.png")).isInstanceOf(InterruptedIOException.class);
+        assertThatThrownBy(pending::commit).isInstanceOf(InterruptedIOException.class);
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    @Test
+    void aFolderGoesAgainIfNothingComesIntoIt() throws IOException {
+        Path empty = folder.resolve("empty");
+        OutputFolder unused = OutputFolder.at(empty);
+        assertThat(empty).isDirectory();
+        unused.close();
+        assertThat(empty).doesNotExist();
+
+        OutputFolder used = OutputFolder.at(empty);
+        Files.writeString(empty.resolve("a"), "a");
+        used.close();
+        OutputFolder.at(empty).close();
+        assertThat(empty.resolve("a")).exists();
+
+        assertThatThrownBy(() -> OutputFolder.at(empty.resolve("a")))
+                .hasMessage(empty.resolve("a") + ": cannot be written: it is a file, not a folder");
+        assertThatThrownBy(() -> OutputFolder.at(folder.resolve("no/deep")))
+                .hasMessage(
+                        folder.resolve("no/deep") + ": cannot be written: there is no folder " + folder.resolve("no"));
+    }
+}

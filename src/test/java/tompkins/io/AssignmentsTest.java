@@ -1,0 +1,214 @@
+package tompkins.io;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.lang.reflect.RecordComponent;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.fuzz.RandomStudio;
+import tompkins.property.Descriptions;
+import tompkins.property.MistakeException;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.shutter.DetectorPlaneShutter;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.FrontWindow;
+import tompkins.studio.RenderSettings;
+import tompkins.studio.Studio;
+import tompkins.surface.LorentzWindow;
+import tompkins.surface.LuminousSurface;
+
+class AssignmentsTest {
+
+    private static final Path HERE = Path.of("");
+
+    private static final Studio STUDIO = Studio.DEFAULT
+            .withScene(List.of(Plane.DEFAULT, Sphere.DEFAULT))
+            .withVelocity(Velocity.of(SpeedScale.BETA, 0.6, new Vector3d(1, 0, 0)));
+
+    /** The studio after settings that are separated by two spaces. */
+    private static Studio with(Studio studio, String settings) {
+        return Assignments.applyTo(studio, assignments(settings), HERE);
+    }
+
+    private static List<Assignment> assignments(String settings) {
+        return Arrays.stream(settings.split("  "))
+                .map(setting -> setting.split("=", 2))
+                .map(parts -> new Assignment("--set", parts[0], parts[1]))
+                .toList();
+    }
+
+    private static Sphere sphere(Studio studio) {
+        return (Sphere) studio.scene().get(1);
+    }
+
+    @Test
+    void anyKeyTakesAValueAsInTheFile() {
+        Studio studio = with(
+                STUDIO,
+                "title=a 'b'  settings.width=12  settings.seed=-9007199254740993  colours=doppler  scene[1].radius=.5"
+                        + "  scene[1].centre.y=7  scene[0].normal=0,1,0  scene[1].surface.diffuse.green=0.25"
+                        + "  camera.shutter.openingTime=1e-3  lights=[{\"type\": \"AmbientLight\"}]");
+
+        assertThat(studio.title()).isEqualTo("a 'b'");
+        assertThat(studio.settings())
+                .isEqualTo(RenderSettings.DEFAULT.withSize(12, 480).withSeed(-9007199254740993L));
+        assertThat(sphere(studio).radius()).isEqualTo(0.5);
+        assertThat(sphere(studio).centre()).isEqualTo(new Vector3d(0, 7, 10));
+        assertThat(((Plane) studio.scene().get(0)).normal()).isEqualTo(new Vector3d(0, 1, 0));
+        assertThat(studio.camera().shutter().openingTime()).isEqualTo(1e-3);
+        assertThat(studio.lights()).hasSize(1);
+        assertThat(StudioWriter.write(studio)).contains("[0.8, 0.25, 0.8]", "\"colours\": \"doppler\"");
+    }
+
+    /** gamma of 3/5 is 5/4. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "velocity.gamma=1.25 | 0.6, 0, 0",
+                "velocity.beta=0.5 | 0.5, 0, 0",
+                "velocity.direction=[0, 0, -2] | 0, 0, -0.6",
+                "velocity.gamma=1.25  velocity.direction=0,3,4 | 0, 0.36, 0.48",
+                "velocity=[0, 0, 0.25] | 0, 0, 0.25",
+                "velocity={\"beta\": 0.5} | 0, 0, 0.5"
+            })
+    void aVelocityKeepsWhatIsNotSet(String settings, String expected) {
+        double[] beta =
+                Stream.of(expected.split(", ")).mapToDouble(Double::parseDouble).toArray();
+        assertThat(with(STUDIO, settings).velocity().components().distance(beta[0], beta[1], beta[2]))
+                .isLessThan(1e-15);
+    }
+
+    /** 65535 x 480 pixels, and 640 x 65535, are few enough; together they are not. */
+    @Test
+    void valuesCountTogetherInAnyOrder() {
+        Studio wide = STUDIO.withSettings(RenderSettings.DEFAULT.withSize(65_535, 480));
+        for (String order :
+                List.of("settings.width=640  settings.height=65535", "settings.height=65535  settings.width=640")) {
+            assertThat(with(wide, order).settings()).isEqualTo(RenderSettings.DEFAULT.withSize(640, 65_535));
+        }
+    }
+
+    @Test
+    void anotherTypeHasItsOwnDefaults() {
+        Studio studio = with(
+                STUDIO,
+                "camera.shutter.detectorDistance=2  camera.shutter.type=DetectorPlaneShutter  scene[1].type=Plane");
+        assertThat(studio.camera().shutter())
+                .isEqualTo(Descriptions.with(DetectorPlaneShutter.DEFAULT, "detectorDistance", 2.0));
+        assertThat(studio.scene()).containsExactly(Plane.DEFAULT, Plane.DEFAULT);
+        Studio same = with(STUDIO, "scene[1].radius=3  scene[1].type=Sphere");
+        assertThat(sphere(same).radius()).isEqualTo(3);
+    }
+
+    @Test
+    void theWindowBeforeTheLensFollows() {
+        Studio windowed = FrontWindow.with(STUDIO, FrontWindow.withVelocity(LorentzWindow.DEFAULT, STUDIO.velocity()));
+        assertThat(FrontWindow.matches(with(windowed, "velocity.beta=0.5"))).isTrue();
+        assertThat(FrontWindow.matches(with(windowed, "velocity.beta=0.5  cameraFrame[0].surface.velocity.beta=0.4")))
+                .isFalse();
+        String still = "velocity.beta=0.5  cameraFrame[0].surface.velocity.beta=0.6";
+        assertThat(FrontWindow.matches(with(windowed, still))).isFalse();
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '~', textBlock = """
+            settings.widht=3     | --set: settings: unknown key "widht"; allowed are width, height, samples, targetError, \
+            seed, maximumDepth, toneCurve; did you mean "width"?
+            settings=3           | --set: settings: must be an object in braces, was 3
+            settings.width.x=3   | --set: settings.width: unknown key "x"; there are none here
+            settings.width=wide  | --set: settings.width: must be a whole number, was "wide"
+            settings.width=      | --set: settings.width: must be a whole number, was ""
+            settings.width=null  | --set: settings.width: must be a whole number, was null
+            settings[0]=3        | --set: settings: unknown key "[0]"; allowed are width, height, samples, targetError, \
+            seed, maximumDepth, toneCurve
+            scene[2].radius=1    | --set: scene: has no part [2], only [0] to [1]
+            scene.radius=1       | --set: scene: has no part radius, only [0] to [1]
+            cameraFrame[0].radius=1 | --set: cameraFrame: has no part [0]; it is empty
+            scene[1].radius=-1   | --set: scene[1].radius: must be a finite number above 0, was -1
+            scene[1].centre.w=1  | --set: scene[1].centre: unknown key "w"; allowed are x, y, z
+            scene[1].centre.x=a  | --set: scene[1].centre.x: must be a number, was "a"
+            scene[1].type=Spher  | --set: scene[1]: unknown type "Spher"; allowed are @OBJECTS@; did you mean "Sphere"?
+            scene[1]={"type": "Sphere", "radius": 0} | --set: scene[1].radius: must be a finite number above 0, was 0
+            scene[1]={"type"     | --set: scene[1]: the text ends too early; the { of line 1 is not closed
+            scene[1]={"type" 1}  | --set: scene[1]: not valid JSON: a colon must stand between a key and its value, found 1
+            scene[1]=[1, 2       | --set: scene[1]: the text ends too early; the [ of line 1 is not closed
+            scene[1]={} {}       | --set: scene[1]: the value ends before its last letters
+            title="a             | --set: title: the text ends too early
+            title=2020           | --set: title: must be a text in quotes, was 2020
+            velocity.beta=1      | --set: velocity.beta: must be at least 0 and below 1 (the speed of light), was 1
+            velocity.beta=.5  velocity.gamma=2 | --set: velocity: must have exactly one of beta, gamma, rapidity, \
+            oneMinusBeta, has 2 of them
+            velocity.direction=0,0,0 | --set: velocity.direction: must be a direction, not the zero vector, was [0, 0, 0]
+            settings.width=3  settings.width=4 | --set: settings.width: is already given by --set
+            scene[1].radius=3  scene[1]={"type": "Plane"} | --set: scene[1]: is already given by --set
+            scene[1]={"type": "Plane"}  scene[1].radius=3 | --set: scene[1].radius: is already given by --set
+            settings.height=65535  settings.width=65535 | --set: settings.height: must be small enough for at most \
+            100000000 pixels, was 65535 (with width 65535)
+            settings.width=65535  settings.samples=0 | --set: settings.samples: must be a whole number from 1 to 1048576, was 0
+            version=2            | --set: unknown key "version"; allowed are @KEYS@
+            sc ene=2             | --set: must begin with the path of a key, such as settings.width, velocity.gamma or \
+            scene[0].radius, was sc ene
+            """)
+    void mistakesAreToldAsInTheFile(String settings, String message) {
+        String objects = String.join(", ", DescriptionTypes.memberNames(SceneObject.class));
+        String keys = String.join(", ", DescriptionTypes.keys(Studio.class));
+        assertThatThrownBy(() -> with(STUDIO, settings))
+                .isInstanceOf(MistakeException.class)
+                .hasMessage(message.replace("@OBJECTS@", objects).replace("@KEYS@", keys));
+    }
+
+    @Test
+    void allMistakesAreToldAtOnceEachWithItsOption() {
+        List<Assignment> wrong = List.of(
+                new Assignment("--gamma", "velocity.gamma", "0.5"),
+                new Assignment("--size", "settings.width", "0"),
+                new Assignment("--set", "scene[1].radius", "0"));
+        assertThatThrownBy(() -> Assignments.applyTo(STUDIO, wrong, HERE))
+                .hasMessageContaining("--gamma: velocity.gamma: must be 1 or above, was 0.5")
+                .hasMessageContaining("--size: settings.width: must be a whole number from 1 to 65535, was 0")
+                .hasMessageContaining("--set: scene[1].radius: must be a finite number above 0, was 0");
+    }
+
+    /** One part of a studio at a time comes from another one, of whatever type it is there. */
+    @Test
+    void whatIsBetweenTwoStudiosMakesOneOfTheOther() {
+        int made = 0;
+        for (long seed = 0; seed < 40; seed++) {
+            Studio first = RandomStudio.of(seed);
+            for (RecordComponent component : Studio.class.getRecordComponents()) {
+                Object other = Descriptions.value(component, RandomStudio.of(seed + 1));
+                Studio second = Descriptions.with(first, component.getName(), other);
+                Optional<List<Assignment>> between = Differences.between(first, second);
+                if (between.isPresent()) {
+                    assertThat(Assignments.changed(first, between.get(), HERE)).isEqualTo(second);
+                    made++;
+                }
+            }
+        }
+        assertThat(made).isGreaterThan(400);
+    }
+
+    @Test
+    void whatIsBetweenIsAsSmallAsItCanBe() {
+        Studio other = STUDIO.withVelocity(Velocity.of(SpeedScale.GAMMA, 2, new Vector3d(1, 0, 0)))
+                .withScene(
+                        List.of(Plane.DEFAULT, Descriptions.with(Sphere.DEFAULT, "surface", LuminousSurface.DEFAULT)));
+        assertThat(Differences.between(STUDIO, other))
+                .contains(assignments("scene[1].surface.type=LuminousSurface  velocity.gamma=2"));
+        assertThat(Differences.between(STUDIO, STUDIO)).contains(List.of());
+        assertThat(Assignments.applyTo(STUDIO, Collections.emptyList(), HERE)).isSameAs(STUDIO);
+    }
+}

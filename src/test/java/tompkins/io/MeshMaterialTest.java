@@ -1,0 +1,188 @@
+package tompkins.io;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import javax.imageio.ImageIO;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.image.LinearImage;
+import tompkins.ray.Colour;
+import tompkins.ray.MeshDetail;
+import tompkins.ray.MeshMaterial;
+import tompkins.render.Renderer;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+
+/** What OBJ files say besides corners: it is shown, or noted. */
+class MeshMaterialTest {
+
+    @TempDir
+    private Path folder;
+
+    private static final String SQUARE = "v -1 -1 -5\nv 1 -1 -5\nv 1 1 -5\nv -1 1 -5\n";
+
+    /** A scene with a mesh of this text, in white light from everywhere, looked at from 5 units away. */
+    private Studio studio(String obj) throws IOException {
+        return studio(obj, "{\"type\": \"AmbientLight\", \"colour\": 1}");
+    }
+
+    private Studio studio(String obj, String light) throws IOException {
+        Files.writeString(folder.resolve("model.obj"), obj);
+        String text = "{\"scene\": [{\"type\": \"TriangleMesh\", \"mesh\": \"model.obj\"}],"
+                + " \"lights\": [" + light + "],"
+                + " \"background\": {\"colour\": [0, 0, 1]},"
+                + " \"camera\": {\"horizontalAngleDegrees\": 22, \"verticalAngleDegrees\": 22},"
+                + " \"settings\": {\"width\": 8, \"height\": 8}}";
+        return StudioReader.read(text, "scene.json", folder);
+    }
+
+    private static LinearImage photograph(Studio studio) throws InterruptedException {
+        try (Renderer renderer = new Renderer(1)) {
+            return renderer.render(RenderPlan.of(studio)).image();
+        }
+    }
+
+    private static double[] pixel(LinearImage image, int x, int y) {
+        return new double[] {image.value(x, y, 0), image.value(x, y, 1), image.value(x, y, 2)};
+    }
+
+    private void picture(String name, int... colours) throws IOException {
+        BufferedImage image = new BufferedImage(2, 2, BufferedImage.TYPE_INT_ARGB);
+        image.setRGB(0, 0, 2, 2, colours, 0, 2);
+        Files.createDirectories(folder.resolve(name).getParent());
+        ImageIO.write(image, "png", folder.resolve(name).toFile());
+    }
+
+    private void materials(String text) throws IOException {
+        Files.writeString(folder.resolve("model.mtl"), text);
+    }
+
+    /** Red and green above, black and white below; the mesh turns the picture by a quarter with its coordinates. */
+    @Test
+    void aPictureLiesWhereTheCoordinatesSay() throws Exception {
+        picture("art/wall.png", 0xffff0000, 0xff00ff00, 0xff000000, 0xffffffff);
+        materials("newmtl wall\nKd 1 1 1\nmap_Kd art\\wall.png\n");
+        String face = "mtllib model.mtl\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl wall\n";
+
+        LinearImage upright = photograph(studio(SQUARE + face + "f 1/1 2/2 3/3 4/4\n"));
+        assertThat(pixel(upright, 1, 1)).containsExactly(new double[] {1, 0, 0}, within(0.05));
+        assertThat(pixel(upright, 6, 1)).containsExactly(new double[] {0, 1, 0}, within(0.05));
+        assertThat(pixel(upright, 1, 6)).containsExactly(new double[] {0, 0, 0}, within(0.05));
+
+        LinearImage turned = photograph(studio(SQUARE + face + "f 1/2 2/3 3/4 4/-4\n"));
+        assertThat(pixel(turned, 6, 6)).containsExactly(new double[] {0, 1, 0}, within(0.05));
+        assertThat(pixel(turned, 6, 1)).containsExactly(new double[] {1, 0, 0}, within(0.05));
+    }
+
+    /** The colour of a material multiplies its picture, its opacity lets the background through. */
+    @Test
+    void eachFaceHasItsMaterial() throws Exception {
+        picture("p.png", 0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff);
+        materials("newmtl plain\nKd 0.5 0 0\nKs 0.1 0.2 0.3\n\nnewmtl dim\nKd 0 0.5 0\nmap_Kd p.png\n"
+                + "newmtl thin\nKd 1 0 0\nd 0.25\n");
+        String obj = "mtllib model.mtl\nvt 0 0\nv -1 -1 -5\nv 0 -1 -5\nv 0 1 -5\nv -1 1 -5\nv 1 -1 -5\nv 1 0 -5\n"
+                + "v 0 0 -5\nv 1 1 -5\n";
+        Studio studio =
+                studio(obj + "usemtl plain\nf 1 2 3 4\nusemtl dim\nf 2/1 5/1 6/1 7/1\nusemtl thin\nf 7 6 8 3\n");
+
+        LinearImage image = photograph(studio);
+
+        assertThat(pixel(image, 2, 4)).containsExactly(new double[] {0.5, 0, 0}, within(1e-6));
+        assertThat(pixel(image, 6, 6)).containsExactly(new double[] {0, 0.5, 0}, within(1e-6));
+        assertThat(pixel(image, 6, 1)).containsExactly(new double[] {0.25, 0, 0.75}, within(1e-6));
+        List<MeshMaterial> materials = detail(studio).materials();
+        assertThat(materials.get(0).specular()).isEqualTo(new Colour(0.1, 0.2, 0.3));
+    }
+
+    private static MeshDetail detail(Studio studio) {
+        return ((tompkins.sceneobject.TriangleMesh) studio.scene().get(0))
+                .mesh()
+                .detail();
+    }
+
+    /** With materials off, or without any, the mesh looks as the scene says. */
+    @Test
+    void materialsCanBeLeftOut() throws Exception {
+        materials("newmtl red\nKd 1 0 0\n");
+        String obj = SQUARE + "mtllib model.mtl\nusemtl red\nf 1 2 3 4\n";
+        Studio shown = studio(obj);
+        String text = StudioWriter.write(shown).replace("\"model.obj\"", "\"model.obj\", \"materials\": false");
+        Studio left = StudioReader.read(text, "scene.json", folder);
+        assertThat(pixel(photograph(shown), 4, 4)).containsExactly(new double[] {1, 0, 0}, within(1e-6));
+        assertThat(pixel(photograph(left), 4, 4)).containsExactly(new double[] {0.8, 0.8, 0.8}, within(1e-6));
+    }
+
+    /** A flat square with the normals of a ball of radius 2: lit by a lamp it is as bright as the ball would be. */
+    @Test
+    void normalsBetweenTheCornersAreSmooth() throws Exception {
+        StringBuilder normals = new StringBuilder();
+        for (double[] corner : new double[][] {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+            normals.append("vn " + corner[0] + " " + corner[1] + " " + Math.sqrt(2) + "\n");
+        }
+        LinearImage image = photograph(studio(
+                SQUARE + normals + "f 1//1 2//2 3//3 4//4\n",
+                "{\"type\": \"PointLight\", \"position\": [0, 1e6, 0], \"colour\": 1, \"highlightColour\": 0}"));
+        Vector3d lamp = new Vector3d(0, 1, 0);
+        double angle = Math.tan(Math.toRadians(11));
+        for (int y = 0; y < 8; y++) {
+            double height = 5 * angle * (1 - (y + 0.5) / 4);
+            double across = 5 * angle * 0.125;
+            // on each triangle of the square the normal is linear; along the diagonal both agree
+            Vector3d normal = new Vector3d(across, height, -Math.sqrt(2)).normalize();
+            double expected = 0.8 * Math.max(0, normal.dot(lamp));
+            if (Math.abs(height) < 0.9) {
+                assertThat(image.value(4, y, 1)).as("row %d", y).isCloseTo((float) expected, within(0.02f));
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "curv 0 1 1 2 | model.obj: \"curv\" is not read",
+                "usemtl gold | model.obj: there is no material \"gold\"",
+                "mtllib lost.mtl | lost.mtl: its materials are not shown: there is no such file in ",
+                "mtllib ../up.mtl | ../up.mtl: its materials are not shown: must be the name of a file of materials in",
+                "vt 0,5 1 | model.obj: texture coordinates (vt) cannot be read",
+                "f 1/7 2/7 3/7 | model.obj: faces name a \"vt\" that is missing or not finite (3 times)",
+                "mtllib model.mtl | model.mtl: \"illum\" is not read (2 times)",
+                "mtllib model.mtl | model.mtl: \"Ns\" is not read",
+                "mtllib model.mtl | model.mtl: \"Kd\" must be three numbers from 0 to 1",
+                "mtllib model.mtl | model.mtl: a picture is not shown: there is no such file in ",
+                "mtllib model.mtl | model.mtl: a picture is not shown: bad.png: not a picture that can be read; ",
+                "mtllib model.mtl | model.mtl: \"map_Kd\" with options such as \"-s\" is not read"
+            })
+    void whatIsNotShownIsNotedOnce(String line, String note) throws IOException {
+        Files.writeString(folder.resolve("bad.png"), "no picture");
+        materials("newmtl a\nillum 2\nNs 10\nKd 2 0 0\nmap_Kd lost.png\nnewmtl b\nillum 1\nmap_Kd bad.png\n"
+                + "newmtl c\nmap_Kd -s 2 2 2 tiles.png\n");
+        List<String> notes = StudioWriter.notes(studio(SQUARE + line + "\nf 1 2 3 4\n"));
+        assertThat(notes).filteredOn(each -> each.startsWith(note)).hasSize(1);
+    }
+
+    @Test
+    void namesAndGroupsNeedNoNote() throws IOException {
+        assertThat(StudioWriter.notes(studio("o a\ng b\ns 1\n" + SQUARE + "f 1 2 3 4\n")))
+                .isEmpty();
+    }
+
+    /** Its materials would be lost inside a photograph, and so it is named there. */
+    @Test
+    void aMeshWithMaterialsIsOnlyNamed() throws IOException {
+        materials("newmtl red\nKd 1 0 0\n");
+        Studio studio = studio(SQUARE + "mtllib model.mtl\nusemtl red\nf 1 2 3 4\n");
+        assertThat(StudioWriter.filesOnlyNamed(studio)).containsExactly("model.obj");
+        assertThat(StudioReader.read(StudioWriter.writeSelfContained(studio), "photograph.png", folder))
+                .isEqualTo(studio);
+    }
+}

@@ -1,0 +1,177 @@
+package tompkins.measure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import tompkins.camera.Camera;
+import tompkins.io.FactText;
+import tompkins.light.AmbientLight;
+import tompkins.light.PointLight;
+import tompkins.light.Pulse;
+import tompkins.ray.Colour;
+import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Moving;
+import tompkins.sceneobject.Plane;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Lighting;
+import tompkins.studio.Studio;
+import tompkins.studio.Studios;
+import tompkins.studio.View;
+import tompkins.surface.ColouredSurface;
+import tompkins.surface.Mirror;
+import tompkins.surface.Refractive;
+import tompkins.trace.RenderPlan;
+
+/** The numbers are closed formulas, the order is that of the ray. */
+class RayHistoryTest {
+
+    private static List<FactText.Line> history(Studio studio, double x, double y) {
+        return FactText.SIGNS
+                .lines(RayHistory.of(Sighting.of(RenderPlan.of(studio), x, y)))
+                .toList();
+    }
+
+    private static Stream<String> headings(List<FactText.Line> history) {
+        return history.stream().filter(FactText.Line::isHeading).map(FactText.Line::name);
+    }
+
+    /** A fact under the last heading that begins like this; null if it is not told. */
+    private static String fact(List<FactText.Line> history, String heading, String name) {
+        int start = 0;
+        for (int i = 0; i < history.size(); i++) {
+            start = history.get(i).isHeading() && history.get(i).name().startsWith(heading) ? i : start;
+        }
+        return history.stream()
+                .skip(start + 1)
+                .takeWhile(line -> !line.isHeading())
+                .filter(line -> line.name().equals(name))
+                .map(FactText.Line::value)
+                .findFirst()
+                .orElse(null);
+    }
+
+    /**
+     * With beta = 0.8 the camera finds the point of z = 9, t = -9 at gamma (z - beta t) = 27, and light 3 times bluer.
+     */
+    @Test
+    void theEndOfTheRayIsToldInBothFrames() {
+        List<FactText.Line> history = history(Studios.sphere().withVelocity(Velocity.of(0, 0, 0.8)), 32, 24);
+        assertThat(headings(history))
+                .containsExactly(
+                        "Starts in the camera frame", "Enters the scene frame", "Hits sphere", "Colour (linear)");
+        assertThat(fact(history, "Starts", "position")).isEqualTo("(0, 0, 0)");
+        assertThat(fact(history, "Starts", "time")).isEqualTo("0");
+        assertThat(fact(history, "Enters", "direction")).isEqualTo("(0, 0, 1)");
+        assertThat(fact(history, "Enters", "Doppler factor (camera/scene)")).isEqualTo("3");
+        assertThat(fact(history, "Enters", "gamma")).isEqualTo("1.667");
+        assertThat(fact(history, "Hits", "distance (scene)")).isEqualTo("9");
+        assertThat(fact(history, "Hits", "scene frame")).isEqualTo("(0, 0, 9), time -9");
+        assertThat(fact(history, "Hits", "camera frame")).isEqualTo("(0, 0, 27), time -27");
+        assertThat(fact(history, "Hits", "throughput")).isNull();
+    }
+
+    /** The wall z = 9 - 0.8 t is seen at z = 45, t = -45, its proper time gamma (t + 0.8 (z - 9)) = -27. */
+    @Test
+    void whatMovesIsToldInItsOwnFrameToo() {
+        Plane wall = new Plane("wall", new Vector3d(1, 2, 0), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT);
+        Moving moving = new Moving("moving", Velocity.of(0, 0, -0.8), new Vector3d(0, 0, 9), 100, List.of(wall));
+        Studio studio = Studios.sphere().withScene(List.of(moving));
+        List<FactText.Line> history = history(studio, 32, 24);
+        assertThat(fact(history, "Hits wall", "distance (scene)")).isEqualTo("45");
+        assertThat(fact(history, "Hits wall", "scene frame")).isEqualTo("(0, 0, 45), time -45");
+        assertThat(fact(history, "Hits wall", "rest frame"))
+                .startsWith("(0, 0, ")
+                .endsWith("), proper time -27, clock reading 73, Doppler factor (camera/object) 3");
+        assertThat(fact(history(Studios.sphere(), 32, 24), "Hits sphere", "rest frame"))
+                .isNull();
+    }
+
+    /** At the time 5 of the camera the wall is at z = 9 - 0.8 x 5, whatever light brings of it. */
+    @Test
+    void whatIsMeasuredHasNoFrequency() {
+        Plane wall = new Plane("wall", new Vector3d(), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT);
+        Moving moving = new Moving("moving", Velocity.of(0, 0, -0.8), new Vector3d(0, 0, 9), 0, List.of(wall));
+        Studio studio = Studios.sphere().withScene(List.of(moving)).withView(View.MEASURED);
+        Camera later = studio.camera().withShutter(studio.camera().shutter().openedAt(5));
+        List<FactText.Line> history = history(studio.withCamera(later), 32, 24);
+        assertThat(fact(history, "Enters", "Doppler factor (camera/scene)")).startsWith("none: measured");
+        assertThat(fact(history, "Hits", "scene frame")).isEqualTo("(0, 0, 5), time 5");
+        assertThat(fact(history, "Hits", "rest frame")).endsWith("), proper time 3");
+    }
+
+    /** The ball is met at (0, 0, 9), 5 away from the lamp, at time -9: its light left at -14, 3 after a flash began. */
+    @Test
+    void lightOfAFlashIsToldWithItsTime() {
+        PointLight lamp = new PointLight(new Vector3d(0, 3, 5), Colour.WHITE, Colour.WHITE, 1, new Pulse(3, 0.5, 4));
+        Studio studio = Lighting.of(Studios.sphere(), List.of(AmbientLight.DEFAULT, PointLight.DEFAULT, lamp));
+        assertThat(fact(history(studio, 32, 24), "Hits sphere", "light of lamp 2 left at"))
+                .isEqualTo("-14, lamp off, number of the flash -5");
+        assertThat(fact(history(studio, 32, 24), "Hits sphere", "light of lamp 1 left at"))
+                .isNull();
+    }
+
+    @Test
+    void aRayThatMeetsNothingEndsInTheBackground() {
+        assertThat(headings(history(Studios.sphere(), 0.5, 0.5)))
+                .containsExactly(
+                        "Starts in the camera frame",
+                        "Enters the scene frame",
+                        "Meets nothing else: the background",
+                        "Colour (linear)");
+    }
+
+    /** Light that a camera of the speed 0.5 sees coming from ahead in a medium of index 2 has the speed 0 there. */
+    @Test
+    void lightThatStandsStillInTheSceneIsNotTheBackground() {
+        Plane medium = new Plane("medium", new Vector3d(0, 0, -1), new Vector3d(0, 0, -1), new Refractive(2));
+        Studio studio = Studios.sphere()
+                .withScene(List.of())
+                .withVelocity(Velocity.of(0, 0, 0.5))
+                .withTransformation(TransformationLaw.GALILEAN)
+                .withCameraFrame(List.of(medium));
+        assertThat(headings(history(studio, 32, 24)))
+                .containsExactly(
+                        "Starts in the camera frame",
+                        "No light comes from there: the camera is as fast as light in what is around it, or faster",
+                        "Colour (linear)");
+        assertThat(headings(history(studio, 33, 24))).contains("Meets nothing else: the background");
+    }
+
+    /** What the slab before the lens reflects is told as a weaker branch, and crosses into the scene by itself. */
+    @Test
+    void weakerBranchesAreMarked() {
+        Studio studio = Studios.sphere()
+                .withCameraFrame(
+                        List.of(new Box("slab", new Vector3d(-5, -5, 2), new Vector3d(5, 5, 3), Refractive.DEFAULT)));
+        List<FactText.Line> history = history(studio, 32, 24);
+        assertThat(headings(history.stream().filter(line -> line.branch() == 0).toList()))
+                .containsExactly(
+                        "Starts in the camera frame",
+                        "Hits slab",
+                        "Hits slab",
+                        "Enters the scene frame",
+                        "Hits sphere",
+                        "Colour (linear)");
+        assertThat(history).anyMatch(line -> line.branch() > 0 && line.name().equals("Hits slab"));
+        // the last of three ways through it, each 1.5 long in time; both frames are one
+        assertThat(fact(history, "Hits slab", "camera frame")).isEqualTo("(0, 0, 3), time -6.5");
+        assertThat(fact(history, "Hits slab", "scene frame")).isNull();
+    }
+
+    /** What the mirror sends on meets the wall behind the camera. */
+    @Test
+    void theShareOfARayThatIsNotTheWholeLightIsTold() {
+        Vector3d forwards = new Vector3d(0, 0, 1);
+        Studio studio = Studio.DEFAULT.withScene(List.of(
+                new Plane("near", new Vector3d(0, 0, 5), forwards, new Mirror(0.25)),
+                new Plane("far", new Vector3d(0, 0, -5), forwards, ColouredSurface.DEFAULT)));
+        List<FactText.Line> history = history(studio, 320, 240);
+        assertThat(fact(history, "Hits far", "distance (scene)")).isEqualTo("10");
+        assertThat(fact(history, "Hits far", "throughput")).isEqualTo("0.25");
+        assertThat(fact(history, "Hits near", "throughput")).isNull();
+    }
+}

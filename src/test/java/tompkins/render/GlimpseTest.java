@@ -1,0 +1,159 @@
+package tompkins.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.Test;
+import tompkins.animation.RideFilm;
+import tompkins.image.BufferedImages;
+import tompkins.image.Levels;
+import tompkins.image.LinearImage;
+import tompkins.io.StudioReader;
+import tompkins.studio.RideMoment;
+import tompkins.studio.Studio;
+import tompkins.studio.Studios;
+import tompkins.trace.RenderPlan;
+
+/** Pictures that are seen for a moment. The size is that of the picture in a window of 1366 x 768 pixels. */
+class GlimpseTest {
+
+    private static final int WIDTH = 826;
+    private static final int HEIGHT = 620;
+    private static final Renderer RENDERER = new Renderer();
+
+    @AfterAll
+    static void close() {
+        RENDERER.close();
+    }
+
+    private static RenderPlan plan(Studio studio) {
+        return RenderPlan.of(studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT)));
+    }
+
+    private static RenderJob glimpse(RenderPlan plan, double samples) throws InterruptedException {
+        RenderJob job = RENDERER.start(
+                plan,
+                new EdgeSchedule((first, seconds) -> (long) (samples * WIDTH * HEIGHT)),
+                false,
+                Tile.of(WIDTH, HEIGHT),
+                RenderListener.NONE);
+        job.await();
+        return job;
+    }
+
+    /** The pictures of the ride with one sample in each pixel, which all tests compare theirs with. */
+    private static final Map<Studio, BufferedImage> WHOLE = new HashMap<>();
+
+    private static LinearImage whole(RenderPlan plan) throws InterruptedException {
+        return RENDERER.render(plan, new Quality.Samples(1)).image();
+    }
+
+    private static double samples(RenderJob job) {
+        return job.samples() / (double) (WIDTH * HEIGHT);
+    }
+
+    private static BufferedImage levels(RenderPlan plan, LinearImage image) {
+        return BufferedImages.toBufferedImage(image, plan.studio().settings().toneCurve());
+    }
+
+    private static BufferedImage wholeLevels(RenderPlan plan) throws InterruptedException {
+        BufferedImage known = WHOLE.get(plan.studio());
+        if (known == null) {
+            known = levels(plan, whole(plan));
+            WHOLE.put(plan.studio(), known);
+        }
+        return known;
+    }
+
+    /** Differences to the whole pictures on the ride of the first scene, every two seconds, moving and at rest. */
+    private static List<Double> differences(double samples) throws Exception {
+        RideFilm film = new RideFilm(StudioReader.read(Path.of("scenes/town-square.json")));
+        List<Double> differences = new ArrayList<>();
+        for (double time = 0; time <= film.seconds(); time += 2) {
+            RideMoment moment = film.moment(time);
+            for (Studio studio : List.of(moment.studio(), moment.atRest())) {
+                RenderPlan plan = plan(studio);
+                RenderJob job = glimpse(plan, samples);
+                assertThat(samples(job)).isLessThan(samples + 0.01);
+                differences.add(Levels.difference(levels(plan, job.image()), wholeLevels(plan)));
+            }
+        }
+        Collections.sort(differences);
+        return differences;
+    }
+
+    @Test
+    void aFifthOfThePixelsIsSharpOnARide() throws Exception {
+        List<Double> differences = differences(0.2);
+        assertThat(differences.get(differences.size() / 2)).isLessThan(4);
+        assertThat(differences.get(differences.size() - 1)).isLessThan(8);
+    }
+
+    @Test
+    void moreSamplesAreBetter() throws Exception {
+        List<Double> few = differences(0.1);
+        List<Double> more = differences(0.15);
+        assertThat(more.get(more.size() / 2)).isLessThan(0.75 * few.get(few.size() / 2));
+    }
+
+    /** Nothing is between the knots of the net of four by four pixels. */
+    @Test
+    void whereNothingDiffersTheNetIsEnough() throws Exception {
+        Studio empty = Studios.sphere().withScene(List.of());
+        RenderJob job = glimpse(plan(empty), 1);
+        assertThat(job.samples()).isEqualTo((WIDTH + 3) / 4 * ((HEIGHT + 3) / 4));
+        assertThat(job.isComplete()).isTrue();
+    }
+
+    /** All pixels beside an edge of the whole picture are those of the whole picture. */
+    @Test
+    void edgesAreNotSmoothed() throws Exception {
+        RenderPlan plan = plan(Studios.sphere());
+        float[] whole = whole(plan).rgb();
+        float[] seen = glimpse(plan, 1).image().rgb();
+        int edges = 0;
+        for (int i = 0; i < whole.length - 3; i++) {
+            if (Math.abs(whole[i] - whole[i + 3]) > 0.3) {
+                edges++;
+                assertThat(seen[i]).isEqualTo(whole[i]);
+                assertThat(seen[i + 3]).isEqualTo(whole[i + 3]);
+            }
+        }
+        assertThat(edges).isGreaterThan(100);
+    }
+
+    @Test
+    void fasterPicturesGetMoreSamples() {
+        GlimpseBudget budget = new GlimpseBudget();
+        assertThat(budget.most(1000, 1e-3, 0.02, 50_000)).isEqualTo(20_000);
+        assertThat(budget.most(2000, 1e-3, 0.02, 50_000)).isEqualTo(40_000);
+    }
+
+    /** With a fifth of the pixels it can be looked at, for which it may take three times as long. */
+    @Test
+    void aPictureMayTakeLongerToBeGoodEnough() {
+        assertThat(new GlimpseBudget().most(500, 1e-3, 0.02, 100_000)).isEqualTo(20_000);
+    }
+
+    /** A slow moment is not taken for a slow machine; a slow scene is, after some time. */
+    @Test
+    void slownessCountsOnceItLasts() {
+        GlimpseBudget budget = new GlimpseBudget();
+        budget.most(1000, 1e-3, 0.02, 50_000);
+        assertThat(budget.most(1000, 1e-2, 0.02, 50_000)).isEqualTo(19_600);
+        long last = 0;
+        for (int i = 0; i < 200; i++) {
+            last = budget.most(1000, 1e-2, 0.02, 50_000);
+        }
+        // three times the time, because fewer than 0.2 samples of a pixel fit in
+        assertThat(last).isCloseTo(6000, within(1L));
+    }
+}

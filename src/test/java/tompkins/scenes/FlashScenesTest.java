@@ -1,0 +1,68 @@
+package tompkins.scenes;
+
+import static org.assertj.core.api.Assertions.as;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.InstanceOfAssertFactories.STRING;
+
+import java.io.IOException;
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.studio.Studio;
+import tompkins.trace.FlashSight;
+import tompkins.trace.RayLife;
+import tompkins.trace.RenderPlan;
+import tompkins.world.LitSpan;
+
+/** The scenes with light in flight show what their remarks say. */
+class FlashScenesTest {
+
+    /** Each opening time lies where something is lit; just before the first light nothing is, and just after it is. */
+    @ParameterizedTest
+    @ValueSource(strings = {"rings", "train", "train-aboard", "own-lamp"})
+    void isTakenWhileSomethingIsLit(String name) throws IOException {
+        Studio studio = SceneFiles.read("flash-" + name);
+        RenderPlan plan = RenderPlan.of(studio);
+        LitSpan times = plan.litTimes().orElseThrow();
+
+        assertThat(plan.warnings()).isEmpty();
+        assertThat(studio.camera().shutter().openingTime()).isBetween(times.from(), times.to());
+        if (name.equals("train")) {
+            // it was elsewhere then, and its times are judged by where it is now
+            return;
+        }
+        assertThat(opened(studio, times.from() - 0.001).warnings())
+                .singleElement(as(STRING))
+                .startsWith("no flash lights anything");
+        assertThat(opened(studio, times.from() + 0.001).warnings()).isEmpty();
+    }
+
+    private static RenderPlan opened(Studio studio, double time) {
+        return RenderPlan.of(studio.withCamera(
+                studio.camera().withShutter(studio.camera().shutter().openedAt(time))));
+    }
+
+    /** On board the middle of the train is lit by both lamps at once; so it is in the picture of the embankment. */
+    @ParameterizedTest
+    @CsvSource({"train, 10.8", "train-aboard, 10.05"})
+    void bothFlashesMeetInTheMiddle(String name, double opened) throws IOException {
+        Studio studio = SceneFiles.read("flash-" + name);
+        List<FlashSight> flashes = post(opened(studio, opened)).flashes();
+
+        assertThat(flashes).hasSize(2).allMatch(FlashSight::isLit);
+        assertThat(flashes.get(0).emission()).isCloseTo(flashes.get(1).emission(), within(0.1));
+    }
+
+    private static RayLife.Encounter post(RenderPlan plan) {
+        for (double x = 0.5; x < plan.width(); x++) {
+            RayLife.Encounter seen =
+                    RayLife.of(plan, x, 0.52 * plan.height(), 0, 0).end();
+            if (seen != null && seen.object().description().equals("middle of the train")) {
+                return seen;
+            }
+        }
+        throw new AssertionError("no post is seen");
+    }
+}

@@ -1,0 +1,180 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Component;
+import java.awt.geom.Point2D;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.AbstractButton;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JEditorPane;
+import javax.swing.JFileChooser;
+import javax.swing.JRadioButton;
+import javax.swing.JSlider;
+import javax.swing.JSplitPane;
+import javax.swing.JToggleButton;
+import javax.swing.JTree;
+import javax.swing.plaf.basic.BasicSplitPaneDivider;
+import javax.swing.text.JTextComponent;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import tompkins.io.BundledScenes;
+import tompkins.studio.Studio;
+import tompkins.studio.StudioPath;
+import tompkins.ui.widget.Drawing;
+import tompkins.ui.widget.Texts;
+
+/** Everything in the windows that can be used, or read with keys, has a name for screen readers. */
+@Timeout(300)
+@NeedsDisplay
+class AccessibleNamesTest {
+
+    @TempDir
+    private Path folder;
+
+    @AutoClose
+    private WindowDriver driver;
+
+    @BeforeEach
+    void open() throws Exception {
+        Studio scene = BundledScenes.studio("fig4.json");
+        driver = new WindowDriver(
+                folder.resolve("settings"), scene.withSettings(scene.settings().withSize(64, 48)), null, List.of());
+    }
+
+    private void assertNamed() {
+        Stream<Component> nameless =
+                WindowDriver.onEventThread(() -> Components.all(driver.window().frame())
+                        .filter(Component::isShowing)
+                        .filter(AccessibleNamesTest::isUsed)
+                        .filter(each -> !hasName(each))
+                        .toList()
+                        .stream());
+        assertThat(nameless.map(AccessibleNamesTest::describe)).isEmpty();
+    }
+
+    private static boolean isUsed(Component component) {
+        return component instanceof JTextComponent text && text.isFocusable()
+                || component instanceof AbstractButton button && button.isFocusable()
+                || component instanceof JComboBox<?>
+                || component instanceof JSlider
+                || component instanceof JSplitPane
+                || component instanceof JTree;
+    }
+
+    private static boolean hasName(Component component) {
+        // what a combo box, a file chooser or a divider is made of belongs to them
+        for (Component part = component; part != null; part = part.getParent()) {
+            String name = part.getAccessibleContext() == null
+                    ? null
+                    : part.getAccessibleContext().getAccessibleName();
+            if (name != null && !name.isBlank()) {
+                return true;
+            }
+            if (!(part.getParent() instanceof JComboBox<?> || part.getParent() instanceof BasicSplitPaneDivider)) {
+                return false;
+            }
+        }
+        return false;
+    }
+
+    private static String describe(Component component) {
+        return component.getClass().getName() + " " + component.getName() + " in "
+                + component.getParent().getClass().getName() + " "
+                + component.getParent().getName();
+    }
+
+    @Test
+    void inThePanelWithAllFoldsOpen() {
+        WindowDriver.onEventThread(() -> Components.all(driver.window().frame())
+                .filter(JToggleButton.class::isInstance)
+                .map(JToggleButton.class::cast)
+                .filter(each -> each.getIcon() instanceof Drawing)
+                .filter(each -> !each.isSelected())
+                .toList()
+                .forEach(AbstractButton::doClick));
+        assertNamed();
+    }
+
+    @Test
+    void inTheBarsAndWithAPinnedRay() {
+        driver.menu("menu.ride");
+        driver.menu("menu.ride");
+        driver.menu("menu.playPanel");
+        driver.menu("menu.measure");
+        WindowDriver.onEventThread(() -> driver.window().view().setPin(new Point2D.Double(10, 10)));
+        WindowDriver.await(
+                "the story",
+                () -> Components.showing(driver.window().frame(), JComponent.class)
+                        .anyMatch(each -> "ray.story".equals(each.getName())));
+        assertNamed();
+    }
+
+    @Test
+    void inTheEditor() {
+        driver.menu("menu.editScene");
+        for (StudioPath part : List.of(
+                StudioPath.ROOT,
+                StudioPath.ROOT.then("scene").then(0),
+                StudioPath.ROOT.then("cameraFrame").then(0),
+                StudioPath.ROOT.then("lights").then(0))) {
+            WindowDriver.onEventThread(() -> driver.window().edit(part));
+            assertNamed();
+        }
+    }
+
+    @Test
+    void onThePagesOfALesson() throws IOException {
+        Studio lesson = BundledScenes.studio("lesson-02-turned-cube.json");
+        Studio small = lesson.withSettings(lesson.settings().withSize(64, 48));
+        WindowDriver.onEventThread(() -> driver.window().model().open(small, null));
+        assertNamed();
+        press(JRadioButton.class, "Only the front face, but narrower.");
+        press(JRadioButton.class, Texts.get("lesson.sure"));
+        for (String next : List.of("LOOK", "REASON", "MEASURE")) {
+            press(JButton.class, Texts.get("lesson.next." + next));
+            Components.enter(driver.window().frame(), "Speed of the cube (c)", "0.5");
+            assertNamed();
+        }
+    }
+
+    private <B extends AbstractButton> void press(Class<B> type, String name) {
+        B button = driver.find(type, name);
+        WindowDriver.onEventThread(() -> button.doClick());
+    }
+
+    @Test
+    void inTheQuestionForAFileAndInTheChart() {
+        driver.menu("menu.savePhotograph");
+        JFileChooser chooser = driver.chooser();
+        assertNamed();
+        WindowDriver.onEventThread(chooser::cancelSelection);
+        press(JButton.class, Texts.get("quality.measure"));
+        assertNamed();
+    }
+
+    @Test
+    void inDocumentsAndMessages() {
+        driver.menu("menu.tour");
+        WindowDriver.await(
+                "the tour",
+                () -> Components.showing(driver.window().frame(), JEditorPane.class)
+                        .findAny()
+                        .isPresent());
+        assertNamed();
+        driver.menu("menu.cite");
+        WindowDriver.await(
+                "the reference",
+                () -> Components.messages(driver.window().frame()).findAny().isPresent());
+        assertNamed();
+        driver.answer("Close");
+    }
+}

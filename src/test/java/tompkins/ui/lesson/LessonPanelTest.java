@@ -1,0 +1,331 @@
+package tompkins.ui.lesson;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.AbstractButton;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JRadioButton;
+import javax.swing.JSlider;
+import javax.swing.JToggleButton;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.io.BundledScenes;
+import tompkins.lesson.Lesson;
+import tompkins.lesson.LessonControl;
+import tompkins.lesson.LessonNumber;
+import tompkins.lesson.Prediction;
+import tompkins.lesson.RayReading;
+import tompkins.measure.LessonResult;
+import tompkins.measure.LessonStudio;
+import tompkins.measure.Sketch;
+import tompkins.property.Descriptions;
+import tompkins.shutter.FixedPointSurfaceShutter;
+import tompkins.studio.Studio;
+import tompkins.ui.Components;
+import tompkins.ui.LayoutProblems;
+import tompkins.ui.WindowDriver;
+import tompkins.ui.model.Settings;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Texts;
+
+class LessonPanelTest {
+
+    /** Sizes in sizes of the type: of the panel on the right with its scroll bar, and of the strip at most. */
+    private static final double SIDE = 27;
+
+    private static final double HEIGHT = 18;
+
+    /** Of the first line of the strip, and of its margins. */
+    private static final double HEAD = 3.5;
+
+    private static final int WINDOW = 1280;
+    private static final int MARGINS = 20;
+
+    private final StudioModel model = new StudioModel(with(Lesson.DEFAULT), null);
+    private final List<List<LessonResult>> drawn = new ArrayList<>();
+    private final List<Studio> followed = new ArrayList<>();
+    private final Settings settings = new Settings((Path) null);
+    private final LessonCourse course = new LessonCourse(settings, followed::add);
+    private final LessonPanel panel = new LessonPanel(model, course, drawn::add);
+
+    @BeforeAll
+    static void useLook() {
+        Look.LIGHT.install();
+    }
+
+    @AfterAll
+    static void restore() {
+        Look.LIGHT.install();
+    }
+
+    /** The look may have been changed while no lesson was there. */
+    @Test
+    void theStripOfALaterLessonHasThePresentLook() {
+        StudioModel later = new StudioModel(Studio.DEFAULT, null);
+        JComponent strip = new LessonPanel(
+                        later, new LessonCourse(new Settings((Path) null), studio -> {}), results -> {})
+                .component();
+        int before = new JButton().getFont().getSize();
+        Look.PROJECTOR.install();
+        SwingUtilities.updateComponentTreeUI(strip);
+        later.set(with(Lesson.DEFAULT));
+        List<Integer> sizes = buttonSizes(strip);
+        Look.LIGHT.install();
+        assertThat(sizes).hasSizeGreaterThan(5).allMatch(size -> size > before);
+    }
+
+    private static List<Integer> buttonSizes(JComponent strip) {
+        return Components.all(strip)
+                .filter(AbstractButton.class::isInstance)
+                .map(button -> button.getFont().getSize())
+                .toList();
+    }
+
+    private static Studio with(Lesson lesson) {
+        return Descriptions.with(Studio.DEFAULT, "lesson", lesson);
+    }
+
+    private Container strip() {
+        return panel.component();
+    }
+
+    private JButton next(String step) {
+        return Components.find(strip(), JButton.class, Texts.get("lesson.next." + step));
+    }
+
+    private void choose(String name) {
+        Components.find(strip(), JRadioButton.class, name).setSelected(true);
+    }
+
+    @Test
+    void itIsSeenOnlyWhereThereIsALesson() {
+        assertThat(panel.component().isVisible()).isTrue();
+        model.open(Studio.DEFAULT, null);
+        assertThat(panel.component().isVisible()).isFalse();
+    }
+
+    @Test
+    void nobodyGoesOnWithoutAPrediction() {
+        assertThat(next("LOOK").isEnabled()).isFalse();
+        choose("Nothing.");
+        assertThat(next("LOOK").isEnabled()).isFalse();
+        choose(Texts.get("lesson.unsure"));
+        assertThat(next("LOOK").isEnabled()).isTrue();
+        next("LOOK").doClick();
+        assertThat(Components.notes(strip())).contains("Your prediction (not sure): Nothing.");
+    }
+
+    @Test
+    void theSliderMovesTheNumberOfTheLesson() {
+        JSlider slider = Components.find(strip(), JSlider.class, "Speed, slider");
+        slider.setValue(500);
+        assertThat(model.studio().velocity().speed()).isCloseTo(0.45, within(1e-12));
+        model.undo();
+        assertThat(model.studio().velocity().isRest()).isTrue();
+        assertThat(slider.getValue()).isZero();
+        Components.enter(strip(), "Speed", "0.6");
+        assertThat(model.studio().velocity().speed()).isEqualTo(0.6);
+    }
+
+    @Test
+    void theReasonTellsWhichPredictionIsRight() {
+        go("Nothing.", "lesson.sure");
+        assertThat(Components.labels(strip())).contains(Texts.get("lesson.wrongSure"));
+        assertThat(Components.notes(strip()))
+                .contains(
+                        "The right answer: Something.", "Aberration crowds the scene towards the direction of motion.");
+        assertThat(model.studio().velocity().speed())
+                .as("what is explained is seen")
+                .isEqualTo(0.9);
+        Components.find(strip(), JButton.class, Texts.get("lesson.again")).doClick();
+        assertThat(model.studio()).isEqualTo(model.opened());
+        go("Something.", "lesson.unsure");
+        assertThat(Components.labels(strip())).contains(Texts.get("lesson.right"));
+    }
+
+    private JToggleButton step(String step) {
+        return Components.find(strip(), JToggleButton.class, Texts.get("lesson.step." + step));
+    }
+
+    /** To pages that were seen, but not to others, and not to another answer. */
+    @Test
+    void oneGoesBackAndForwardAgain() {
+        assertThat(step("LOOK").isEnabled()).isFalse();
+        go("Nothing.", "lesson.sure");
+        assertThat(step("MEASURE").isEnabled()).isFalse();
+
+        step("LOOK").doClick();
+
+        assertThat(step("LOOK").isSelected()).isTrue();
+        assertThat(next("REASON").isVisible()).isTrue();
+        Components.enter(strip(), "Speed", "0.2");
+        step("PREDICT").doClick();
+        assertThat(Components.find(strip(), JRadioButton.class, "Something.").isEnabled())
+                .isFalse();
+        step("REASON").doClick();
+        assertThat(model.studio().velocity().speed()).isEqualTo(0.9);
+        assertThat(Components.labels(strip())).contains(Texts.get("lesson.wrongSure"));
+
+        Components.find(strip(), JButton.class, Texts.get("lesson.again")).doClick();
+
+        assertThat(step("PREDICT").isSelected()).isTrue();
+        assertThat(step("LOOK").isEnabled()).isFalse();
+        assertThat(Components.find(strip(), JRadioButton.class, "Something.").isEnabled())
+                .isTrue();
+    }
+
+    private void go(String prediction, String sureness) {
+        choose(prediction);
+        choose(Texts.get(sureness));
+        next("LOOK").doClick();
+        assertThat(next("REASON").isEnabled()).as("before it is moved").isFalse();
+        Components.find(strip(), JSlider.class, "Speed, slider").setValue(500);
+        next("REASON").doClick();
+    }
+
+    /** A lesson is finished with its last page, and then leads to the next one. */
+    @Test
+    void theLastPageLeadsToTheNextLesson() {
+        Studio first = Descriptions.with(with(Lesson.DEFAULT), "title", "Lesson A: first");
+        Studio second = Descriptions.with(with(Lesson.DEFAULT), "title", "Lesson B: second");
+        course.setLessons(List.of(first, second));
+        model.open(first, null);
+        panel.begin();
+        assertThat(Components.labels(strip())).contains("1 of 2, 0 done");
+        go("Something.", "lesson.sure");
+        assertThat(course.isFinished(first)).isFalse();
+        next("MEASURE").doClick();
+        assertThat(course.isFinished(first)).isTrue();
+        assertThat(Components.labels(strip())).contains("1 of 2, 1 done");
+        next("LESSON").doClick();
+        assertThat(followed).containsExactly(second);
+        assertThat(new LessonCourse(settings, studio -> {}).isFinished(first))
+                .as("kept")
+                .isTrue();
+        model.open(second, null);
+        panel.begin();
+        assertThat(course.isFinished(second)).isFalse();
+    }
+
+    @Test
+    void aLessonWithoutNumbersEndsWithTheReason() {
+        model.open(with(Descriptions.with(Lesson.DEFAULT, "numbers", List.of())), null);
+        go("Something.", "lesson.sure");
+        assertThat(Components.all(strip()).filter(JButton.class::isInstance).filter(Component::isVisible))
+                .hasSize(1);
+    }
+
+    @Test
+    void aLessonThatDoesNotFitSaysWhy() {
+        LessonControl control = new LessonControl("scene[3].radius", "Radius", 1, 2, 2);
+        model.open(with(Descriptions.with(Lesson.DEFAULT, "control", control)), null);
+        assertThat(Components.notes(strip()))
+                .singleElement()
+                .satisfies(message ->
+                        assertThat(message).contains("lesson.control.number: number must be the path of a number"));
+    }
+
+    @Test
+    void theSliderRestsWhenItsNumberIsGone() {
+        model.open(
+                with(Descriptions.with(
+                        Lesson.DEFAULT, "control", new LessonControl("camera.shutter.openingTime", "Time", 0, 2, 2))),
+                null);
+        JSlider slider = Components.find(strip(), JSlider.class, "Time, slider");
+        assertThat(slider.isEnabled()).isTrue();
+        model.set(model.studio().withCamera(model.studio().camera().withShutter(FixedPointSurfaceShutter.DEFAULT)));
+        assertThat(slider.isEnabled()).isFalse();
+    }
+
+    static Stream<Arguments> lessonsInAllLooks() throws IOException {
+        List<Lesson> lessons = BundledScenes.studios().stream()
+                .map(Studio::lesson)
+                .filter(Lesson.class::isInstance)
+                .map(Lesson.class::cast)
+                .toList();
+        assertThat(lessons).hasSizeGreaterThan(11);
+        return Stream.concat(
+                Stream.of(Look.values()).flatMap(look -> lessons.stream().map(lesson -> Arguments.of(look, lesson))),
+                // the large type of the projector asks for shorter texts
+                Stream.of(Look.LIGHT, Look.DARK).map(look -> Arguments.of(look, longest())));
+    }
+
+    /** Texts as long as they may be. */
+    private static Lesson longest() {
+        LessonNumber number = new LessonNumber(text(45), RayReading.DEFAULT, text(40), -0.123456, 1e-6, text(12));
+        return new Lesson(
+                text(300),
+                Collections.nCopies(4, new Prediction(text(110), text(200))),
+                1,
+                new LessonControl("velocity.beta", text(40), 0, 0.9, 0.5),
+                text(450),
+                Collections.nCopies(4, number));
+    }
+
+    private static String text(int letters) {
+        return "as long as texts may be, and so on, ".repeat(20).substring(0, letters);
+    }
+
+    @ParameterizedTest(name = "{index}")
+    @MethodSource("lessonsInAllLooks")
+    void everyPageFitsUnderThePictureWithoutScrolling(Look look, Lesson lesson) {
+        WindowDriver.onEventThread(() -> assertPagesFit(look, lesson));
+        // the head of the strip takes a line or two when its width is known
+        WindowDriver.onEventThread(() -> {
+            Components.layOut(strip(), WINDOW - Look.pixels(SIDE));
+            assertThat(LayoutProblems.in(strip())).isEmpty();
+            assertThat(strip().getHeight()).isLessThan(Look.pixels(HEIGHT));
+        });
+    }
+
+    private void assertPagesFit(Look look, Lesson lesson) {
+        look.install(1);
+        int width = WINDOW - Look.pixels(SIDE);
+        model.open(with(lesson), null);
+        LessonQuestionPage.Answer answer = new LessonQuestionPage.Answer(
+                lesson.predictions().get(lesson.right() % lesson.predictions().size()), true);
+        LessonReasonPage reason = new LessonReasonPage(lesson);
+        reason.show(answer);
+        LessonNumbersPage numbers = new LessonNumbersPage();
+        numbers.show(lesson.numbers().stream()
+                .map(number -> new LessonResult(number, number.value() - 0.123456, Sketch.EMPTY))
+                .toList());
+        LessonLookPage lookPage = new LessonLookPage(new LessonSlider(model, lookStudio(lesson)));
+        lookPage.show(answer);
+        List<JComponent> pages = List.of(
+                new LessonQuestionPage(lesson, () -> {}).component(),
+                lookPage.component(),
+                reason.component(),
+                numbers.component());
+        for (JComponent page : pages) {
+            Components.layOut(page, width - MARGINS);
+            assertThat(LayoutProblems.in(page)).isEmpty();
+            assertThat(page.getHeight()).as("page %d", pages.indexOf(page)).isLessThan(Look.pixels(HEIGHT - HEAD));
+        }
+        Components.layOut(strip(), width);
+    }
+
+    /** The slider is as wide whatever it moves. */
+    private static LessonStudio lookStudio(Lesson lesson) {
+        LessonControl speed =
+                new LessonControl("velocity.beta", lesson.control().name(), 0, 0.9, 0.5);
+        return LessonStudio.of(with(Descriptions.with(lesson, "control", speed)))
+                .orElseThrow();
+    }
+}

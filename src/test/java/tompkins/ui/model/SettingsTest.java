@@ -1,0 +1,146 @@
+package tompkins.ui.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import tompkins.ui.widget.Look;
+
+class SettingsTest {
+
+    @TempDir
+    private Path folder;
+
+    private Settings settings() {
+        return new Settings(folder.resolve("deep/window.properties"));
+    }
+
+    @Test
+    void whatIsSetIsRemembered() {
+        Settings first = settings();
+        first.setLook(Look.PROJECTOR);
+        first.setNumber("width", 1234);
+        first.save();
+        assertThat(settings().look()).isEqualTo(Look.PROJECTOR);
+        assertThat(settings().number("width", 1)).isEqualTo(1234);
+        assertThat(settings().number("height", 7)).isEqualTo(7);
+    }
+
+    @Test
+    void theNewestFilesComeFirstAndOnce() {
+        Settings settings = settings();
+        for (int i = 0; i < 12; i++) {
+            settings.addRecentFile(folder.resolve("scene" + i + ".json"));
+        }
+        settings.addRecentFile(folder.resolve("scene9.json"));
+        assertThat(settings().recentFiles())
+                .hasSize(8)
+                .doesNotHaveDuplicates()
+                .startsWith(folder.resolve("scene9.json"), folder.resolve("scene11.json"));
+    }
+
+    /** Two windows with one folder, each of which knows only what it began with. */
+    @Test
+    void twoProgramsKeepWhatBothSet() {
+        Settings first = settings();
+        Settings second = settings();
+        first.addRecentFile(folder.resolve("a.json"));
+        second.addRecentFile(folder.resolve("b.json"));
+        first.setNumber("width", 1000);
+        first.addRecentFile(folder.resolve("c.json"));
+        second.setLook(Look.DARK);
+        assertThat(settings().recentFiles())
+                .containsExactly(folder.resolve("c.json"), folder.resolve("b.json"), folder.resolve("a.json"));
+        assertThat(second.recentFiles()).isEqualTo(settings().recentFiles());
+        assertThat(settings().number("width", 1)).isEqualTo(1000);
+        assertThat(settings().look()).isEqualTo(Look.DARK);
+    }
+
+    @Test
+    void damagedSettingsAreAsIfThereWereNone() throws IOException {
+        Files.createDirectories(folder.resolve("deep"));
+        Files.writeString(folder.resolve("deep/window.properties"), "look=PURPLE\nwidth=wide\nbad=\\u00zz\n");
+        assertThat(settings().look()).isEqualTo(Look.LIGHT);
+        assertThat(settings().number("width", 5)).isEqualTo(5);
+    }
+
+    @Test
+    void whatCannotBeSavedLeavesNothingBehind() throws IOException {
+        Path taken = Files.createDirectory(folder.resolve("window.properties"));
+        Files.writeString(taken.resolve("mine.txt"), "mine");
+
+        new Settings(taken).setLook(Look.DARK);
+
+        assertThat(folder).isDirectoryNotContaining(path -> !path.equals(taken) && !path.endsWith("window.lock"));
+        assertThat(taken.resolve("mine.txt")).hasContent("mine");
+    }
+
+    private static List<String> told(Settings settings) {
+        List<String> told = new ArrayList<>();
+        settings.tellTrouble(told::add);
+        settings.setLook(Look.DARK);
+        settings.save();
+        assertThat(settings.look()).isEqualTo(Look.DARK);
+        return told;
+    }
+
+    @Test
+    @Timeout(60)
+    void whatIsNoFileIsToldOnceAndKept() throws Exception {
+        Path pipe = folder.resolve("window.properties");
+        assumeThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
+                .isZero();
+
+        assertThat(told(new Settings(pipe))).hasSize(1).first().asString().contains(pipe.toString());
+        assertThat(Files.isRegularFile(pipe)).isFalse();
+        Path file = Files.writeString(folder.resolve("file"), "");
+        assertThat(told(new Settings(file.resolve("window.properties")))).hasSize(1);
+        assertThat(told(new Settings(folder.resolve("new/window.properties")))).isEmpty();
+    }
+
+    @Test
+    void onlyWhatCanBeAFileIsRecent() throws IOException {
+        Path file = Files.writeString(
+                folder.resolve("window.properties"), "recent.0=/\nrecent.1=\nrecent.2=/a/b.json\nrecent.3=\\u0000\n");
+
+        assertThat(new Settings(file).recentFiles()).containsExactly(Path.of("/a/b.json"));
+    }
+
+    @Test
+    void theFolderIsWhereItIsWantedOrThatIsTold() {
+        Path home = Path.of("/home/me/.config/tompkins");
+        assertThat(found(null, null)).isEqualTo(new SettingsFolder(home, ""));
+        assertThat(found(null, "/x")).isEqualTo(new SettingsFolder(Path.of("/x/tompkins"), ""));
+        assertThat(found(null, "")).isEqualTo(new SettingsFolder(home, ""));
+        assertThat(found("mine", "/x")).isEqualTo(new SettingsFolder(Path.of("mine"), ""));
+        assertThat(found(null, "relative").path()).isEqualTo(home);
+        assertThat(found(null, "relative").trouble()).contains("XDG_CONFIG_HOME", "relative");
+        assertThat(found("", null).path()).isEqualTo(home);
+        assertThat(found("", null).trouble()).contains("tompkins.settings");
+        assertThat(found("no\0name", null).path()).isNull();
+        assertThat(found("no\0name", null).trouble()).contains("no name");
+    }
+
+    private static SettingsFolder found(String property, String xdg) {
+        Map<String, String> properties = new HashMap<>(Map.of("user.home", "/home/me"));
+        properties.put("tompkins.settings", property);
+        return SettingsFolder.find(properties::get, name -> name.equals("XDG_CONFIG_HOME") ? xdg : null);
+    }
+
+    @Test
+    void aFolderThatCannotBeWrittenIsNoTrouble() throws IOException {
+        Path file = Files.writeString(folder.resolve("file"), "");
+        Settings settings = new Settings(file.resolve("window.properties"));
+        settings.setLook(Look.DARK);
+        assertThat(settings.look()).isEqualTo(Look.DARK);
+    }
+}

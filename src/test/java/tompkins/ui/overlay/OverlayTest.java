@@ -1,0 +1,201 @@
+package tompkins.ui.overlay;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
+import java.time.Duration;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import tompkins.image.LinearImage;
+import tompkins.measure.OverlayKind;
+import tompkins.property.Descriptions;
+import tompkins.sceneobject.Sphere;
+import tompkins.shutter.DetectorPlaneShutter;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.studio.Studios;
+import tompkins.surface.Mirror;
+import tompkins.trace.RenderPlan;
+import tompkins.ui.WindowDriver;
+import tompkins.ui.picture.Overlay;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.widget.Look;
+
+/** What is drawn over pictures lies where it should. */
+class OverlayTest {
+
+    private static final int WIDTH = 640;
+    private static final int HEIGHT = 480;
+
+    /** Lines are written above and below it. */
+    private static final Rectangle FREE = new Rectangle(0, 30, WIDTH, HEIGHT - 60);
+
+    @BeforeEach
+    void install() {
+        WindowDriver.onEventThread(() -> Look.LIGHT.install());
+    }
+
+    private static BufferedImage painted(Overlay overlay, Studio studio) {
+        return painted(overlay, studio, new Rectangle(WIDTH, HEIGHT));
+    }
+
+    private static BufferedImage painted(Overlay overlay, Studio studio, Rectangle free) {
+        Studio large = studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT));
+        LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
+        return painted(
+                overlay,
+                new Picture(
+                        large, RenderPlan.of(large), image, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE),
+                free);
+    }
+
+    private static BufferedImage painted(Overlay overlay, Picture picture, Rectangle free) {
+        BufferedImage canvas = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = canvas.createGraphics();
+        g.setColor(Color.GRAY);
+        g.fillRect(0, 0, WIDTH, HEIGHT);
+        overlay.paint(g, picture, new Rectangle(WIDTH, HEIGHT), new Rectangle(WIDTH, HEIGHT), free);
+        g.dispose();
+        return canvas;
+    }
+
+    /** The rectangle around what was painted. */
+    private static Rectangle marked(BufferedImage canvas) {
+        Rectangle all = new Rectangle(-1, -1);
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                if (canvas.getRGB(x, y) != Color.GRAY.getRGB()) {
+                    all = all.union(new Rectangle(x, y, 1, 1));
+                }
+            }
+        }
+        return all;
+    }
+
+    private static VelocityArrow arrow() {
+        VelocityArrow arrow = new VelocityArrow();
+        arrow.setShown(true);
+        return arrow;
+    }
+
+    private static Studio flying(double x, double y, double z) {
+        return Studios.sphere().withVelocity(Velocity.of(x, y, z));
+    }
+
+    @Test
+    void ringLiesWhereTheCameraFlies() {
+        // a tenth to the right of the view: 0.1/tan(10 degrees) of half the width
+        Rectangle ring = marked(painted(arrow(), flying(0.05, 0, 0.5)));
+        int x = (int) Math.round(320 + 320 * 0.1 / Math.tan(Math.toRadians(10)));
+        assertThat(ring.x).isBetween(x - 14, x - 9);
+        assertThat(ring.y).isBetween(240 - 14, 240 - 9);
+        Rectangle tail = marked(painted(arrow(), flying(-0.05, 0, -0.5)));
+        assertThat(tail).as("ring around the tail, and an arrow").isNotEqualTo(ring);
+        assertThat(tail.contains(x, 240)).isTrue();
+    }
+
+    @Test
+    void arrowAtTheEdgePointsOutOfThePicture() {
+        Rectangle right = marked(painted(arrow(), flying(0.5, 0, 0)));
+        assertThat(right.getMaxX()).isBetween(620.0, 630.0);
+        assertThat(right.y + right.height / 2).isBetween(238, 242);
+        Rectangle up = marked(painted(arrow(), flying(0, 0.5, 0)));
+        assertThat(up.y).isBetween(10, 16);
+    }
+
+    private static SceneOverlay overlay(OverlayKind... kinds) {
+        SceneOverlay overlay = new SceneOverlay(() -> {}, error -> {
+            throw new AssertionError(error);
+        });
+        overlay.setShown(Set.of(kinds));
+        return overlay;
+    }
+
+    /** At 0.8 c straight ahead tan(a'/2) is a third of tan(a/2). */
+    @Test
+    void outlineLiesAroundTheSphere() {
+        Rectangle outline = marked(painted(overlay(OverlayKind.OUTLINES), flying(0, 0, 0.8)));
+        double angle = 2 * Math.atan(Math.tan(Math.asin(0.1) / 2) / 3);
+        double radius = 320 * Math.tan(angle) / Math.tan(Math.toRadians(10));
+
+        assertThat(outline.getCenterX()).isCloseTo(320, within(1.0));
+        assertThat(outline.getCenterY()).isCloseTo(240, within(1.0));
+        assertThat(outline.width / 2.0).isBetween(radius + 1, radius + 4);
+        assertThat(marked(painted(overlay(), flying(0, 0, 0.8))).isEmpty()).isTrue();
+    }
+
+    @Test
+    void whatMayNotAgreeWithThePictureIsSaid() {
+        Studio fine = flying(0, 0, 0.8);
+        Studio wide = fine.withCamera(Descriptions.with(fine.camera(), "apertureRadius", 0.2));
+        Studio window = fine.withCameraFrame(List.of(new Sphere("", new Vector3d(0, 0, -5), 1, Mirror.DEFAULT)));
+
+        // the line at the top, far from the sphere
+        assertThat(marked(painted(overlay(OverlayKind.OUTLINES), fine)).y).isGreaterThan(100);
+        assertThat(marked(painted(overlay(OverlayKind.OUTLINES), wide)).y).isLessThan(30);
+        assertThat(marked(painted(overlay(OverlayKind.OUTLINES), window)).y).isLessThan(30);
+    }
+
+    /** A shutter that opens at many times is worked out by another thread; then the canvas is painted again. */
+    @Test
+    void slowOverlaysComeLater() throws InterruptedException {
+        CountDownLatch again = new CountDownLatch(1);
+        SceneOverlay overlay = new SceneOverlay(again::countDown, error -> {
+            throw new AssertionError(error);
+        });
+        overlay.setShown(Set.of(OverlayKind.OUTLINES));
+        Studio fine = flying(0, 0, 0.8);
+        Studio slow = fine.withCamera(fine.camera().withShutter(DetectorPlaneShutter.DEFAULT))
+                .withSettings(fine.settings().withSize(WIDTH, HEIGHT));
+        LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
+        Picture picture =
+                new Picture(slow, RenderPlan.of(slow), image, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE);
+
+        assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isTrue();
+        assertThat(again.await(30, TimeUnit.SECONDS)).isTrue();
+        assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isFalse();
+        overlay.close();
+    }
+
+    @Test
+    void nothingIsDrawnAtRestOrIfItIsNotWanted() {
+        assertThat(marked(painted(arrow(), Studios.sphere())).isEmpty()).isTrue();
+        assertThat(marked(painted(new VelocityArrow(), flying(0, 0, 0.5))).isEmpty())
+                .isTrue();
+        assertThat(marked(painted(new SideMap(), flying(0, 0, 0.5))).isEmpty()).isTrue();
+    }
+
+    @Test
+    void theMapLeavesRoomForWhatIsWritten() {
+        SideMap map = new SideMap();
+        map.setShown(true);
+        assertThat(FREE.contains(marked(painted(map, Studios.sphere(), FREE)))).isTrue();
+    }
+
+    /** The sphere lies in front of the camera: in the map to the right of the lens, which is white. */
+    @Test
+    void mapShowsTheSceneFromItsRightSide() {
+        SideMap map = new SideMap();
+        map.setShown(true);
+        BufferedImage canvas = painted(map, Studios.sphere());
+        Rectangle place = marked(canvas);
+        assertThat(place.getMaxX()).isBetween(620.0, 640.0);
+        assertThat(place.getMaxY()).isBetween(460.0, 480.0);
+        int lens = -1;
+        for (int x = place.x; x < place.getMaxX(); x++) {
+            for (int y = place.y; y < place.getMaxY(); y++) {
+                lens = lens < 0 && canvas.getRGB(x, y) == Color.WHITE.getRGB() ? x : lens;
+            }
+        }
+        assertThat(lens).isBetween(place.x, place.x + place.width / 3);
+    }
+}

@@ -1,0 +1,162 @@
+package tompkins.ui.photograph;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.List;
+import javax.swing.JLabel;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Test;
+import tompkins.image.LinearImage;
+import tompkins.property.Descriptions;
+import tompkins.studio.PanoramaBackground;
+import tompkins.studio.Studio;
+import tompkins.studio.Studios;
+import tompkins.trace.RenderPlan;
+import tompkins.ui.Components;
+import tompkins.ui.WindowDriver;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.RenderController;
+import tompkins.ui.ray.PixelProbe;
+import tompkins.ui.widget.Texts;
+
+/** The line under the photograph, without a display. */
+class StatusBarTest {
+
+    private static final int SOON = 50;
+
+    @AutoClose
+    private final RenderController controller = new RenderController(picture -> {}, failure -> {});
+
+    private final StatusBar status = new StatusBar(controller, SOON);
+    private final JLabel what = label(status, "status.what");
+    private final JLabel picture = label(status, "status.picture");
+
+    @AfterEach
+    void stop() {
+        status.stop();
+    }
+
+    private static JLabel label(StatusBar status, String name) {
+        return Components.find(status.component(), JLabel.class, name);
+    }
+
+    private static Picture picture(Studio studio, String... warnings) {
+        return new Picture(
+                studio,
+                RenderPlan.of(studio),
+                new LinearImage(1, 1, new float[3]),
+                true,
+                Duration.ZERO,
+                1,
+                0,
+                List.of(warnings),
+                Picture.Flaw.NONE);
+    }
+
+    /** The first scene of all may be one that cannot be pictured. */
+    @Test
+    void thePictureIsThatOfTheSceneBeforeOnlyIfThereWasOne() {
+        status.fail("too large");
+        assertThat(picture.getText()).isBlank();
+        status.endFailure();
+        status.show(picture(Studio.DEFAULT));
+        status.fail("too large");
+        assertThat(picture.getText()).isEqualTo(Texts.get("status.before"));
+    }
+
+    @Test
+    void anUnknownErrorIsNotSpokenOf() {
+        Picture known = picture(Studio.DEFAULT);
+        status.show(known);
+        assertThat(picture.getText()).contains("error 0");
+        status.show(new Picture(
+                known.studio(),
+                known.plan(),
+                known.image(),
+                true,
+                Duration.ZERO,
+                1,
+                Double.NaN,
+                List.of(),
+                Picture.Flaw.NONE));
+        assertThat(picture.getText())
+                .contains("1 sample per pixel")
+                .doesNotContain("error")
+                .doesNotContain("?");
+    }
+
+    @Test
+    void howToGetAtAFoldedPanelIsSaidWhileItIsFolded() {
+        status.showPanelFolded(true);
+        status.show(picture(Studios.sphere()));
+        assertThat(what.getText()).isEqualTo(Texts.get("status.panelFolded"));
+        status.showPanelFolded(false);
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle"));
+    }
+
+    @Test
+    void aWideApertureThatDoesNotBlurIsSpokenOf() {
+        Studio wide = Studio.DEFAULT.withCamera(Descriptions.with(Studio.DEFAULT.camera(), "apertureRadius", 0.2));
+        status.show(picture(wide));
+        assertThat(picture.getText()).endsWith("too few samples to blur");
+        status.show(picture(wide.withSettings(wide.settings().withSamples(4))));
+        assertThat(picture.getText()).doesNotContain("blur");
+    }
+
+    @Test
+    void theHintOfASceneWithoutObjectsGoesWithTheFirstOne() {
+        status.show(picture(Studio.DEFAULT));
+        assertThat(what.getText()).isEqualTo(Texts.get("status.empty"));
+        status.show(picture(Studios.sphere()));
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle"));
+        status.show(picture(Descriptions.with(Studio.DEFAULT, "background", PanoramaBackground.DEFAULT)));
+        assertThat(what.getText()).as("the sky is there to be seen").isEqualTo(Texts.get("status.idle"));
+        status.say("something else");
+        status.show(picture(Studio.DEFAULT));
+        assertThat(what.getText()).isEqualTo("something else");
+    }
+
+    /** The section that has all of them may be folded. */
+    @Test
+    void aWarningStaysUntilAPictureHasNone() {
+        status.show(picture(Studios.sphere(), "no ray met an object", "all is black"));
+        assertThat(what.getText()).isEqualTo("Warning: no ray met an object.");
+        status.say("something else");
+        status.show((PixelProbe.Reading) null);
+        assertThat(what.getText()).isEqualTo("Warning: no ray met an object.");
+        status.show(picture(Studios.sphere()));
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle"));
+    }
+
+    /** A reading under the mouse, or a message, comes between. */
+    @Test
+    void thatAPointIsToBePickedIsSaidUntilItIs() {
+        status.showPicking(true);
+        assertThat(what.getText()).isEqualTo(Texts.get("lens.picking"));
+        status.say("something else");
+        status.show((PixelProbe.Reading) null);
+        status.show(picture(Studios.sphere()));
+        assertThat(what.getText()).isEqualTo(Texts.get("lens.picking"));
+        status.showPicking(false);
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle"));
+        status.say("nothing is there");
+        status.showPicking(false);
+        assertThat(what.getText()).isEqualTo("nothing is there");
+    }
+
+    @Test
+    void reportsGrowOldAndRequestsDoNot() {
+        StatusBar asking = new StatusBar(controller, SOON);
+        WindowDriver.onEventThread(() -> {
+            asking.report("Saved");
+            asking.say("Click in the picture");
+            status.report("Saved");
+            assertThat(what.getText()).isEqualTo("Saved");
+        });
+        WindowDriver.await("the usual text", () -> what.getText().equals(Texts.get("status.idle")));
+        assertThat(label(asking, "status.what").getText()).isEqualTo("Click in the picture");
+        asking.stop();
+    }
+}

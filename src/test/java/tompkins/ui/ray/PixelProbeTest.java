@@ -1,0 +1,215 @@
+package tompkins.ui.ray;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.geom.Point2D;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import tompkins.camera.FocusDistance;
+import tompkins.camera.PanoramicCamera;
+import tompkins.image.LinearImage;
+import tompkins.measure.Sighting;
+import tompkins.ray.Colour;
+import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.Sphere;
+import tompkins.spacetime.Event;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.FrontWindow;
+import tompkins.studio.Studio;
+import tompkins.studio.Studios;
+import tompkins.surface.Clear;
+import tompkins.surface.ColouredSurface;
+import tompkins.surface.LorentzWindow;
+import tompkins.surface.Refractive;
+import tompkins.surface.Tiling;
+import tompkins.trace.RenderPlan;
+import tompkins.ui.picture.Picture;
+
+/** What the probe says is held against closed formulas: aberration, the light cone, Doppler's factor. */
+class PixelProbeTest {
+
+    private static final double BETA = 0.8;
+    private static final double GAMMA = 1 / 0.6;
+
+    private static Sighting read(Studio studio, double x, double y) {
+        Point2D place = new Point2D.Double(x, y);
+        return PixelProbe.read(RenderPlan.of(studio), place, place).sighting();
+    }
+
+    private static String object(Sighting sighting) {
+        return sighting.hit() == null ? null : sighting.hit().object().description();
+    }
+
+    @Test
+    void atRestBothFramesAgree() {
+        Sighting reading = read(Studios.sphere(), 32, 24);
+        assertThat(object(reading)).isEqualTo("sphere");
+        assertThat(reading.inScene()).isEqualTo(reading.inCamera());
+        assertThat(reading.inScene().z()).isCloseTo(9, within(1e-12));
+        assertThat(reading.inScene().time()).isCloseTo(-9, within(1e-12));
+        assertThat(Math.toDegrees(reading.cameraAngle())).isNaN();
+        assertThat(reading.dopplerFactor()).isEqualTo(1);
+    }
+
+    /** Straight ahead nothing is bent: in the scene the light left at z = 9, t = -9, which is nearer for the camera. */
+    @Test
+    void straightAheadInMotion() {
+        Studio moving = Studios.sphere().withVelocity(Velocity.of(0, 0, BETA));
+        Sighting reading = read(moving, 32, 24);
+        assertThat(reading.inScene().z()).isCloseTo(9, within(1e-12));
+        // z = gamma (z' - beta t'), t = gamma (t' - beta z')
+        assertThat(reading.inCamera().z()).isCloseTo(GAMMA * (9 + BETA * 9), within(1e-12));
+        assertThat(reading.inCamera().time()).isCloseTo(GAMMA * (-9 - BETA * 9), within(1e-12));
+        assertThat(reading.dopplerFactor()).isCloseTo(3, within(1e-12));
+        assertThat(Math.toDegrees(reading.cameraAngle())).isCloseTo(0, within(1e-12));
+    }
+
+    @Test
+    void besideTheAxisTheRayIsBentByAberration() {
+        Studio moving = Studios.sphere().withVelocity(Velocity.of(0, 0, BETA));
+        // a pinhole 20 degrees wide, 64 pixels: the pixel edge 0.7 to the right of the middle
+        double tangent = 0.7 / 32 * Math.tan(Math.toRadians(10));
+        Sighting reading = read(moving, 32.7, 24);
+        double cosine = 1 / Math.hypot(1, tangent);
+        double sceneCosine = (cosine - BETA) / (1 - BETA * cosine);
+        Event event = reading.inScene();
+        double distance = event.position().length();
+        assertThat(event.z() / distance).isCloseTo(sceneCosine, within(1e-12));
+        assertThat(event.position().sub(new Vector3d(0, 0, 10)).length()).isCloseTo(1, within(1e-11));
+        assertThat(event.time()).isCloseTo(-distance, within(1e-12));
+        assertThat(reading.dopplerFactor()).isCloseTo(1 / (GAMMA * (1 - BETA * cosine)), within(1e-12));
+        assertThat(Math.toDegrees(reading.cameraAngle())).isCloseTo(Math.toDegrees(Math.atan(tangent)), within(1e-9));
+        // the half angles of aberration: tan(s/2) = sqrt((1 + beta) / (1 - beta)) tan(c/2)
+        double sceneHalf = Math.sqrt((1 + BETA) / (1 - BETA)) * Math.tan(Math.atan(tangent) / 2);
+        assertThat(Math.toDegrees(reading.sceneAngle()))
+                .isCloseTo(Math.toDegrees(2 * Math.atan(sceneHalf)), within(1e-9));
+        Event camera = reading.inCamera();
+        assertThat(camera.x() / camera.z()).isCloseTo(tangent, within(1e-12));
+        assertThat(camera.position().length()).isCloseTo(-camera.time(), within(1e-11));
+    }
+
+    /** What was picked is sharp: the focus lies at the depth at which the camera sees the point. */
+    @Test
+    void pickedDistanceIsThatOfTheEventInTheCameraFrame() {
+        Studio moving = Studios.sphere().withVelocity(Velocity.of(0, 0, BETA));
+        RenderPlan plan = RenderPlan.of(moving);
+        Point2D middle = new Point2D.Double(32, 24);
+        double depth = PixelProbe.depth(plan, PixelProbe.read(plan, middle, middle));
+        assertThat(depth).isCloseTo(27, within(1e-11));
+        Studio focused = moving.withCamera(FocusDistance.with(moving.camera(), depth));
+        assertThat(FocusDistance.of(focused.camera())).isCloseTo(27, within(1e-11));
+    }
+
+    /** A panorama is in focus on a ball around the camera, also behind it. */
+    @Test
+    void aPanoramaIsFocusedAtTheDistanceOfWhatWasPicked() {
+        Studio studio = Studio.DEFAULT
+                .withScene(List.of(new Sphere("side", new Vector3d(-10, 0, -3), 1, ColouredSurface.DEFAULT)))
+                .withCamera(PanoramicCamera.DEFAULT)
+                .withSettings(Studio.DEFAULT.settings().withSize(360, 180));
+        RenderPlan plan = RenderPlan.of(studio);
+        // 106.7 degrees to the left of the middle
+        double column = 180 - Math.toDegrees(Math.atan2(10, -3));
+        Point2D place = new Point2D.Double(column, 90);
+        PixelProbe.Reading reading = PixelProbe.read(plan, place, place);
+        assertThat(PixelProbe.depth(plan, reading)).isCloseTo(Math.sqrt(109) - 1, within(1e-9));
+    }
+
+    /** Where a cut-out or a silhouette is dark, a ray ends on it; where it is clear, the ray goes on. */
+    @Test
+    void whatEndsOnTheDarkPartOfAPatternEndsOnItsObject() {
+        Studio studio = Studio.DEFAULT.withScene(List.of(new Plane(
+                "board",
+                new Vector3d(0, 0, 10),
+                new Vector3d(0, 0, -1),
+                new Tiling(ColouredSurface.DEFAULT, Clear.DEFAULT, 1, 1, false))));
+        RenderPlan plan = RenderPlan.of(studio);
+        Colour empty = read(Studio.DEFAULT, 320.5, 200.5).life().colour();
+        int ended = 0;
+        int left = 0;
+        for (int column = 0; column < 640; column += 5) {
+            Sighting reading = Sighting.of(plan, column + 0.5, 200.5);
+            boolean background = reading.life().colour().equals(empty);
+            assertThat(object(reading)).isEqualTo(background ? null : "board");
+            ended += background ? 0 : 1;
+            left += background ? 1 : 0;
+        }
+        assertThat(ended).isPositive();
+        assertThat(left).isPositive();
+    }
+
+    @Test
+    void theBackgroundIsNoObject() {
+        Sighting reading = read(Studios.sphere(), 0.5, 0.5);
+        assertThat(object(reading)).isNull();
+        assertThat(reading.inScene()).isNull();
+    }
+
+    /** Of the light that a slab before the lens reflects nothing is told. */
+    @Test
+    void behindGlassTheMainBranchIsRead() {
+        Studio studio = Studios.sphere()
+                .withCameraFrame(
+                        List.of(new Box("slab", new Vector3d(-5, -5, 2), new Vector3d(5, 5, 3), Refractive.DEFAULT)))
+                .withVelocity(Velocity.of(0, 0, 0.6));
+        Sighting reading = read(studio, 32, 24);
+        assertThat(object(reading)).isEqualTo("sphere");
+        assertThat(reading.dopplerFactor()).isCloseTo(2, within(1e-12));
+        assertThat(Math.toDegrees(reading.sceneAngle())).isCloseTo(0, within(1e-12));
+    }
+
+    @Test
+    void theNextQuestionFollowsOneThatFailed() throws InterruptedException {
+        BlockingQueue<Object> answers = new LinkedBlockingQueue<>();
+        Point2D middle = new Point2D.Double(32, 24);
+        try (PixelProbe probe = new PixelProbe(answers::add)) {
+            probe.ask(null, middle, answers::add);
+            assertThat(answers.poll(60, TimeUnit.SECONDS)).isInstanceOf(NullPointerException.class);
+            probe.ask(picture(Studios.sphere()), middle, answers::add);
+            assertThat(answers.poll(60, TimeUnit.SECONDS)).isInstanceOf(PixelProbe.Reading.class);
+        }
+    }
+
+    @Test
+    void theObjectBehindAWindowIsFound() {
+        Velocity fast = Velocity.of(0, 0, BETA);
+        Studio moving = Studios.sphere().withVelocity(fast);
+        Studio corrected = FrontWindow.with(moving, FrontWindow.withVelocity(LorentzWindow.DEFAULT, fast));
+        Sighting reading = read(corrected, 32, 24);
+        assertThat(object(reading)).isEqualTo("sphere");
+        assertThat(reading.life().hits()).hasSize(2);
+    }
+
+    private static Picture picture(Studio studio) {
+        LinearImage image = new LinearImage(64, 48, new float[3 * 64 * 48]);
+        return new Picture(
+                studio, RenderPlan.of(studio), image, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
+    }
+
+    /** The picture on the screen has twice as many pixels in a row: the second one shows the first half of it. */
+    @Test
+    void pixelsAreThoseOfThePhotographInItsOwnSize() throws InterruptedException {
+        Studio studio = Studios.sphere().withVelocity(Velocity.of(0.6, 0, 0));
+        Studio twice = studio.withSettings(studio.settings().withSize(128, 96));
+        LinearImage image = new LinearImage(128, 96, new float[3 * 128 * 96]);
+        Picture large = new Picture(
+                studio, RenderPlan.of(twice), image, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
+        BlockingQueue<Object> answers = new LinkedBlockingQueue<>();
+        try (PixelProbe probe = new PixelProbe(answers::add)) {
+            probe.ask(large, new Point2D.Double(40.25, 30.75), answers::add);
+            PixelProbe.Reading reading = (PixelProbe.Reading) answers.poll(60, TimeUnit.SECONDS);
+            assertThat(reading.column()).isEqualTo(40);
+            assertThat(reading.row()).isEqualTo(30);
+            assertThat(reading.sighting().cameraAngle())
+                    .isCloseTo(read(studio, 40.25, 30.75).cameraAngle(), within(1e-14))
+                    .isNotCloseTo(read(studio, 40.5, 30.5).cameraAngle(), within(1e-5));
+        }
+    }
+}

@@ -1,0 +1,99 @@
+package tompkins.ui.ray;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Container;
+import java.awt.geom.Point2D;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import javax.swing.JButton;
+import javax.swing.JToggleButton;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import tompkins.image.LinearImage;
+import tompkins.measure.Sighting;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.studio.Studios;
+import tompkins.trace.RenderPlan;
+import tompkins.ui.Components;
+import tompkins.ui.WindowDriver;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Texts;
+
+/** The section of the pinned ray, without a display. */
+class RaySectionTest {
+
+    private static final Studio STUDIO = Studios.sphere().withVelocity(Velocity.of(0, 0, 0.8));
+
+    @AutoClose
+    private final PixelProbe probe = new PixelProbe(error -> {});
+
+    private final StudioModel model = new StudioModel(STUDIO, null);
+    private final RaySection section = new RaySection(model, () -> {}, path -> {});
+    private final Container content = (Container) section.component();
+    private final DiagramPane diagram = Components.find(content, DiagramPane.class, "Space-time diagram");
+    private final JToggleButton camera = Components.find(content, JToggleButton.class, "Camera frame");
+
+    @BeforeAll
+    static void look() {
+        Look.LIGHT.install();
+    }
+
+    private PixelProbe.Reading reading() {
+        CompletableFuture<PixelProbe.Reading> answer = new CompletableFuture<>();
+        probe.ask(picture(STUDIO), new Point2D.Double(32, 24), answer::complete);
+        return answer.join();
+    }
+
+    @Test
+    void theFrameThatWasChosenStaysForTheNextRay() {
+        PixelProbe.Reading reading = reading();
+        WindowDriver.onEventThread(() -> {
+            section.show(reading, null);
+            assertThat(diagram.getToolTipText()).contains("in the scene frame");
+            camera.doClick();
+            assertThat(diagram.getToolTipText()).contains("in the camera frame");
+            section.show(reading, null);
+            assertThat(diagram.getToolTipText()).contains("in the camera frame");
+        });
+    }
+
+    @Test
+    void whatWasDeletedCannotBeEdited() {
+        JButton edit = Components.find(content, JButton.class, Texts.get("ray.edit"));
+        PixelProbe.Reading reading = reading();
+        WindowDriver.onEventThread(() -> {
+            section.show(reading, null);
+            assertThat(edit.isEnabled()).isTrue();
+            model.set(STUDIO.withScene(List.of()));
+            edit.doClick();
+            assertThat(edit.isEnabled()).isFalse();
+        });
+    }
+
+    @Test
+    void aRayWithoutEventsHasNoFrameToChoose() {
+        PixelProbe.Reading dark = new PixelProbe.Reading(1, 2, new Sighting(STUDIO, 1.5, 2.5, null), Map.of());
+        PixelProbe.Reading reading = reading();
+        WindowDriver.onEventThread(() -> {
+            section.show(dark, null);
+            assertThat(diagram.isVisible()).isFalse();
+            assertThat(camera.getParent().isVisible()).isFalse();
+            section.show(reading, null);
+            assertThat(diagram.isVisible()).isTrue();
+            assertThat(camera.getParent().isVisible()).isTrue();
+        });
+    }
+
+    private static Picture picture(Studio studio) {
+        LinearImage image = new LinearImage(64, 48, new float[3 * 64 * 48]);
+        return new Picture(
+                studio, RenderPlan.of(studio), image, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
+    }
+}

@@ -1,0 +1,121 @@
+package tompkins.ui.ride;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import tompkins.camera.CameraMotion;
+import tompkins.image.LinearImage;
+import tompkins.property.Descriptions;
+import tompkins.render.Quality;
+import tompkins.render.Renderer;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.LensEvent;
+import tompkins.studio.Ride;
+import tompkins.studio.RideLeg;
+import tompkins.studio.Studio;
+import tompkins.studio.Studios;
+import tompkins.trace.RenderPlan;
+import tompkins.ui.WindowDriver;
+import tompkins.ui.model.StudioModel;
+
+/** Where rides begin, and what is said where nothing is to be seen; without a display. */
+@Timeout(120)
+class RidePilotTest {
+
+    private static final Ride FIRST = new Ride("first", "Hold W.", new Vector3d(0, 0, -4), Velocity.REST, 2, List.of());
+    private static final Ride SECOND =
+            new Ride("second", "Look down.", new Vector3d(0, 5, 0), Velocity.of(0, 0, 0.6), 1, List.of());
+
+    private final Studio photograph = Descriptions.with(
+                    Studios.sphere().withVelocity(Velocity.of(0, 0, 0.8)), "rides", List.of(FIRST, SECOND))
+            .withRide(List.of(RideLeg.DEFAULT));
+    private final StudioModel model = new StudioModel(photograph, null);
+    private final List<String> told = new ArrayList<>();
+    private final RidePilot pilot = new RidePilot(model, told::add);
+
+    @AfterEach
+    void end() {
+        onEventThread(() -> pilot.setRiding(false));
+    }
+
+    private static void onEventThread(Runnable steps) {
+        WindowDriver.onEventThread(steps);
+    }
+
+    private Vector3dc lens() {
+        return LensEvent.inScene(model.studio()).position();
+    }
+
+    @Test
+    void aRideOfTheSceneBeginsAtItsStart() {
+        onEventThread(() -> {
+            pilot.setRiding(true);
+            assertThat(model.studio().velocity()).isEqualTo(Velocity.REST);
+            assertThat(lens().distance(0, 0, -4)).isLessThan(1e-12);
+            assertThat(pilot.task()).isEqualTo("Hold W.");
+            assertThat(pilot.unitsPerSecond()).isEqualTo(2);
+            assertThat(pilot.beginning()).as("of the recorded ride").isEqualTo(photograph);
+            pilot.setRiding(false);
+            model.undo();
+            assertThat(model.studio()).isEqualTo(photograph);
+        });
+    }
+
+    @Test
+    void otherRidesAreChosen() {
+        onEventThread(() -> {
+            pilot.begin(SECOND);
+            assertThat(pilot.isRiding()).isTrue();
+            assertThat(model.studio().velocity().speed()).isCloseTo(0.6, within(1e-15));
+            assertThat(lens().distance(0, 5, 0)).isLessThan(1e-9);
+            assertThat(pilot.task()).isEqualTo("Look down.");
+        });
+    }
+
+    /** Who has moved the camera wants to ride from there. */
+    @Test
+    void fromElsewhereTheRideBeginsThere() {
+        onEventThread(() -> {
+            model.set(photograph.withCamera(CameraMotion.shifted(photograph.camera(), new Vector3d(1, 0, 0))));
+            pilot.setRiding(true);
+            assertThat(model.studio().velocity()).isEqualTo(photograph.velocity());
+            assertThat(pilot.task()).isEmpty();
+        });
+    }
+
+    @Test
+    void homeIsTheStartOfTheRide() {
+        onEventThread(() -> {
+            pilot.begin(SECOND);
+            pilot.setThrust(new Vector3d(1, 0, 0));
+        });
+        WindowDriver.await("some way", () -> lens().x() > 0.01);
+        onEventThread(() -> {
+            pilot.home();
+            assertThat(lens().distance(0, 5, 0)).isLessThan(1e-9);
+            assertThat(model.studio().velocity().speed()).isCloseTo(0.6, within(1e-15));
+            assertThat(pilot.moment().properTime()).isZero();
+        });
+    }
+
+    @Test
+    void insideAnObjectThereIsOneColour() throws InterruptedException {
+        Studio outside = Studios.sphere().withVelocity(Velocity.REST);
+        try (Renderer renderer = new Renderer()) {
+            LinearImage seen = renderer.render(RenderPlan.of(outside), new Quality.Samples(1))
+                    .image();
+            assertThat(RideReading.isOneColour(seen)).isFalse();
+            Studio inside = LensEvent.moved(outside, new Vector3d(0, 0, 10));
+            LinearImage dark = renderer.render(RenderPlan.of(inside), new Quality.Samples(1))
+                    .image();
+            assertThat(RideReading.isOneColour(dark)).isTrue();
+        }
+    }
+}
