@@ -55,7 +55,9 @@ final class OwnEvents extends EventQueue {
     void give(AWTEvent event) {
         WindowDriver.onEventThread(() -> {
             own.add(event);
-            cause = causeOfFocus(event);
+            if (event.getID() == KeyEvent.KEY_PRESSED || event.getID() == MouseEvent.MOUSE_PRESSED) {
+                cause = causeOfFocus(event);
+            }
             postEvent(event);
         });
         // a dialog that it opens waits for its answer: only what comes after it tells that it was handled
@@ -63,7 +65,7 @@ final class OwnEvents extends EventQueue {
         WindowDriver.onEventThread(() -> null);
     }
 
-    /** Why the focus moves after an event, if it does. */
+    /** Why the focus moves after a press, if it does: it may come as late as with the release. */
     private static FocusEvent.Cause causeOfFocus(AWTEvent event) {
         if (event instanceof KeyEvent key && key.getKeyCode() == KeyEvent.VK_TAB) {
             return key.isShiftDown() ? FocusEvent.Cause.TRAVERSAL_BACKWARD : FocusEvent.Cause.TRAVERSAL_FORWARD;
