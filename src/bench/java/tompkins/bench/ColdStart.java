@@ -7,11 +7,15 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** How long the program takes with a fresh process, from the start of Java on, to what it was started for. */
+/**
+ * How long the program takes with a fresh process, from the start of Java on, to what it was started for. The measure
+ * is {@code java -version} in turns with it, or an earlier jar of the program.
+ */
 final class ColdStart {
 
     private static final Path JAR = Path.of("target/tompkins.jar");
     private static final String FIGURE = "scenes/fig1b.json";
+    private static final String SQUARE = "scenes/town-square.json";
     private static final String WINDOW = "tompkins.ui.StartBenchmark";
 
     private ColdStart() {}
@@ -23,65 +27,114 @@ final class ColdStart {
      */
     static void measure(int starts, List<Measure> measures) throws IOException, InterruptedException {
         if (!Files.exists(JAR)) {
-            measures.add(Measure.missing("cold start", "there is no " + JAR));
+            measures.add(Measure.missing(Measure.Kind.RATIO, "cold start", "there is no " + JAR));
             return;
         }
-        file("town square", "scenes/town-square.json", starts, measures);
-        file("fig1b", FIGURE, starts, measures);
+        addStart("to a 640 x 480 file, town square", file(JAR, SQUARE, 1), starts, 10, measures);
+        addStart("to a 640 x 480 file, fig1b", file(JAR, FIGURE, 1), starts, 10, measures);
         if (!Window.isPossible()) {
-            measures.add(Measure.missing("cold start to the window", Window.NO_DISPLAY));
+            measures.add(Measure.missing(Measure.Kind.RATIO, "cold start to the window", Window.NO_DISPLAY));
             return;
         }
-        window("town square", List.of(), starts, measures);
-        window("fig1b", List.of(FIGURE), starts, measures);
+        addStart("to the first picture in the window, town square", window(JAR), starts, 15, measures);
+        addStart("to the first picture in the window, fig1b", window(JAR, FIGURE), starts, 15, measures);
     }
 
-    /** To the end of a photograph that was saved. */
-    private static void file(String name, String scene, int starts, List<Measure> measures)
+    private static void addStart(String what, List<String> command, int starts, double most, List<Measure> measures)
             throws IOException, InterruptedException {
-        Path picture = Files.createTempFile("cold", ".png");
-        double time = milliseconds(
-                starts,
-                List.of("-jar", JAR.toString()),
-                List.of("render", scene, "--size", "640x480", "--samples", "1", "--force", "-o", picture.toString()));
-        Files.delete(picture);
-        measures.add(Measure.atMost("cold start to a 640 x 480 file, " + name, 900, "ms", time));
+        double[] times = inTurns(starts, command, List.of("-version"));
+        measures.add(Measure.ratioAtMost(
+                "cold start " + what + ", in times of `java -version`", most, "x", times[0] / times[1]));
+        measures.add(Measure.time("cold start " + what, "ms", times[0]));
     }
 
-    /** To the first picture in the window; without arguments the program begins with its own scene. */
-    private static void window(String name, List<String> arguments, int starts, List<Measure> measures)
-            throws IOException, InterruptedException {
-        Path settings = Files.createTempDirectory("cold");
-        double time = milliseconds(
-                starts,
-                List.of(
-                        "-Dtompkins.settings=" + settings,
-                        "-cp",
-                        JAR + File.pathSeparator + Path.of("target/test-classes"),
-                        WINDOW),
-                arguments);
-        measures.add(Measure.atMost("cold start to the first picture in the window, " + name, 1200, "ms", time));
+    /**
+     * Compares with another jar of the program, in turns.
+     *
+     * @param before the other jar
+     * @param turns how often each is started
+     */
+    static void compare(Path before, int turns, List<Measure> measures) throws IOException, InterruptedException {
+        addComparison(
+                "fig1a, 256 samples",
+                0.8,
+                file(JAR, "scenes/fig1a.json", 256),
+                file(before, "scenes/fig1a.json", 256),
+                turns,
+                measures);
+        addComparison("fig1b, 256 samples", 0.8, file(JAR, FIGURE, 256), file(before, FIGURE, 256), turns, measures);
+        addComparison(
+                "town square, cold start to a file",
+                0.6,
+                file(JAR, SQUARE, 1),
+                file(before, SQUARE, 1),
+                turns,
+                measures);
+        if (Window.isPossible()) {
+            addComparison(
+                    "cold start to the first picture in the window", 0.7, window(JAR), window(before), turns, measures);
+        }
     }
 
-    private static double milliseconds(int starts, List<String> program, List<String> arguments)
+    private static void addComparison(
+            String what, double most, List<String> now, List<String> before, int turns, List<Measure> measures)
             throws IOException, InterruptedException {
+        double[] times = inTurns(turns, now, before);
+        measures.add(Measure.ratioAtMost(
+                what + ", whole command, against the jar of before", most, "x", times[0] / times[1]));
+    }
+
+    /** The arguments of Java that take a photograph. */
+    private static List<String> file(Path jar, String scene, int samples) {
+        return List.of(
+                "-jar",
+                jar.toString(),
+                "render",
+                scene,
+                "--size",
+                "640x480",
+                "--samples",
+                Integer.toString(samples),
+                "--force",
+                "-o",
+                "target/cold.png");
+    }
+
+    /** The arguments of Java that open the window; without a scene the program begins with its own. */
+    private static List<String> window(Path jar, String... scene) {
+        List<String> arguments = new ArrayList<>(List.of(
+                "-Dtompkins.settings=target/cold-settings",
+                "-cp",
+                jar + File.pathSeparator + Path.of("target/test-classes"),
+                WINDOW));
+        arguments.addAll(List.of(scene));
+        return arguments;
+    }
+
+    /** The median milliseconds of two commands of Java. */
+    private static double[] inTurns(int turns, List<String> first, List<String> second)
+            throws IOException, InterruptedException {
+        double[][] times = new double[2][turns];
+        for (int i = 0; i < turns; i++) {
+            times[0][i] = milliseconds(first);
+            times[1][i] = milliseconds(second);
+        }
+        return new double[] {Measure.median(times[0]), Measure.median(times[1])};
+    }
+
+    private static double milliseconds(List<String> arguments) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-        command.addAll(program);
         command.addAll(arguments);
-        double[] times = new double[starts];
-        for (int i = 0; i < starts; i++) {
-            long start = System.nanoTime();
-            int exit = new ProcessBuilder(command)
-                    .redirectErrorStream(true)
-                    .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-                    .start()
-                    .waitFor();
-            times[i] = (System.nanoTime() - start) / 1e6;
-            if (exit != 0) {
-                throw new IOException("the program ended with exit code " + exit);
-            }
+        long start = System.nanoTime();
+        int exit = new ProcessBuilder(command)
+                .redirectErrorStream(true)
+                .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                .start()
+                .waitFor();
+        if (exit != 0) {
+            throw new IOException("exit code " + exit + " of " + String.join(" ", command));
         }
-        return Measure.median(times);
+        return (System.nanoTime() - start) / 1e6;
     }
 }

@@ -1,5 +1,6 @@
 package tompkins.bench;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Random;
 import java.util.function.IntToDoubleFunction;
@@ -24,6 +25,9 @@ final class Convergence {
 
     private static final double PROMISED = 0.002;
     private static final int RANDOM_SAMPLES = 64;
+    private static final double GOOD = 0.01;
+    private static final double FIRST_LOOK = 0.03;
+    private static final int TURNS = 5;
 
     private final Studio studio;
     private final int[] pixels;
@@ -37,8 +41,36 @@ final class Convergence {
         this.referenceSamples = referenceSamples;
     }
 
-    /** Takes the picture and compares. */
-    Measure measure() throws InterruptedException {
+    /** Takes pictures, compares the number of samples, and the times to a good and to a first look. */
+    void measure(List<Measure> measures) throws InterruptedException {
+        measures.add(samples());
+        try (Renderer renderer = new Renderer()) {
+            RenderPlan plan = RenderPlan.of(studio);
+            double[][] times = new double[3][TURNS];
+            for (int turn = 0; turn < 2 * TURNS; turn++) {
+                // what is compiled in the first half is not counted
+                times[0][turn % TURNS] = milliseconds(renderer, plan, new Quality.Samples(1));
+                times[1][turn % TURNS] = milliseconds(renderer, plan, new Quality.TargetError(GOOD));
+                times[2][turn % TURNS] = milliseconds(renderer, plan, new Quality.TargetError(FIRST_LOOK));
+            }
+            measures.add(Measure.time(
+                    "fig3a: to an error of " + GOOD + ", in pictures of one sample",
+                    "x",
+                    Measure.median(times[1]) / Measure.median(times[0])));
+            measures.add(Measure.noticedAtMost(
+                    "fig3a: first picture whose blur is not noise, error " + FIRST_LOOK,
+                    100,
+                    "ms",
+                    Measure.median(times[2])));
+        }
+    }
+
+    private static double milliseconds(Renderer renderer, RenderPlan plan, Quality quality)
+            throws InterruptedException {
+        return renderer.render(plan, quality).report().time().toNanos() / 1e6;
+    }
+
+    private Measure samples() throws InterruptedException {
         double samples;
         LinearImage image;
         try (Renderer renderer = new Renderer()) {
@@ -59,7 +91,7 @@ final class Convergence {
                 samples,
                 error,
                 needed);
-        return Measure.atLeast(what, 20, "x fewer", needed / samples);
+        return Measure.ratioAtLeast(what, 20, "x fewer", needed / samples);
     }
 
     private double mean(IntToDoubleFunction ofPixel) {

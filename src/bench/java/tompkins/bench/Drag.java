@@ -46,9 +46,9 @@ final class Drag {
             }
         }
         double taken = (System.nanoTime() - start) / 1e9;
-        measures.add(
-                Measure.atLeast("pictures a second while the speed changes, without window", 30, "", pictures / taken));
-        measures.add(Measure.atMost(
+        measures.add(Measure.noticedAtLeast(
+                "pictures a second while the speed changes, without window", 30, "", pictures / taken));
+        measures.add(Measure.noticedAtMost(
                 "longest pause of the garbage collector in " + seconds + " s of that", 10, "ms", longest.get()));
     }
 }

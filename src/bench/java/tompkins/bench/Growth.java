@@ -28,9 +28,12 @@ final class Growth {
 
     private static final int FEWEST = 100;
     private static final int MOST = 1_000_000;
-    private static final int[] SIZES = {FEWEST, 1_000, 10_000, 100_000, MOST};
+    private static final int MIDDLE = 10_000;
+    private static final int[] SIZES = {FEWEST, 1_000, MIDDLE, 100_000, MOST};
 
-    private static final List<String> NAMES = List.of("spheres", "rods", "triangles");
+    private static final String RODS = "rods";
+    private static final String TRIANGLES = "triangles";
+    private static final List<String> NAMES = List.of("spheres", RODS, TRIANGLES);
     private static final int FEWEST_FOR_MEMORY = 10_000;
 
     private static final String HEAD = """
@@ -70,7 +73,7 @@ final class Growth {
     private static SceneObject scene(String name, int size) {
         return switch (name) {
             case "spheres" -> spheres(size);
-            case "rods" -> rods(size);
+            case RODS -> rods(size);
             default -> triangles(size);
         };
     }
@@ -85,7 +88,7 @@ final class Growth {
         for (int round = 0; round < rounds; round++) {
             for (String name : NAMES) {
                 for (int size : SIZES) {
-                    if (round == 0 || size == FEWEST || size == MOST) {
+                    if (round == 0 || size == FEWEST || size == MOST || size == MIDDLE && name.equals(RODS)) {
                         turns.computeIfAbsent(name + size, any -> new ArrayList<>())
                                 .add(OwnProcess.numbers(Growth.class, name, Integer.toString(size)));
                     }
@@ -99,8 +102,7 @@ final class Growth {
             }
             addTargets(name, turns, measures);
         }
-        int rings = rings(MOST);
-        table.append('\n').append(ObjFile.measure(coordinates(rings), corners(rings)));
+        ObjFile.measure(rounds, measures);
         return table.toString();
     }
 
@@ -114,9 +116,18 @@ final class Growth {
     private static void addTargets(String name, Map<String, List<double[]>> turns, List<Measure> measures) {
         double first = median(turns.get(name + FEWEST), 0);
         List<double[]> last = turns.get(name + MOST);
-        measures.add(Measure.atMost(name + ": time per ray at 1e6 to that at 1e2", 4, "x", median(last, 0) / first));
-        measures.add(Measure.atMost(name + ": tree for 1e6", 3000, "ms", median(last, 1)));
-        measures.add(Measure.atMost(name + ": memory at 1e6", 500, "bytes an object", median(last, 2)));
+        measures.add(Measure.ratioAtMost(
+                name + ": time per ray at 1e6 to that at 1e2",
+                name.equals(TRIANGLES) ? 3 : 4,
+                "x",
+                median(last, 0) / first));
+        if (name.equals(RODS)) {
+            double middle = median(turns.get(name + MIDDLE), 0);
+            measures.add(
+                    Measure.ratioAtMost("rods: time per ray at 1e4 to that at 1e6", 1, "x", middle / median(last, 0)));
+        }
+        measures.add(Measure.ratioAtMost(name + ": memory at 1e6", 500, "bytes an object", median(last, 2)));
+        measures.add(Measure.time(name + ": tree for 1e6", "ms", median(last, 1)));
     }
 
     private static double median(List<double[]> turns, int number) {
@@ -166,11 +177,12 @@ final class Growth {
     }
 
     /** Rings of a sphere that is made of about so many triangles; each ring has twice as many vertices. */
-    private static int rings(int triangles) {
+    static int rings(int triangles) {
         return (int) Math.round(Math.sqrt(triangles / 4.0));
     }
 
-    private static double[] coordinates(int rings) {
+    /** Three coordinates of each vertex of such rings. */
+    static double[] coordinates(int rings) {
         int columns = 2 * rings;
         double[] coordinates = new double[3 * (rings + 1) * columns];
         for (int vertex = 0; vertex < (rings + 1) * columns; vertex++) {
@@ -183,7 +195,8 @@ final class Growth {
         return coordinates;
     }
 
-    private static int[] corners(int rings) {
+    /** The vertices of each triangle of such rings, counted from 0. */
+    static int[] corners(int rings) {
         int columns = 2 * rings;
         return IntStream.range(0, rings * columns)
                 .flatMap(vertex -> {

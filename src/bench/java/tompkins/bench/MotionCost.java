@@ -13,11 +13,13 @@ import tompkins.ray.Colour;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Moving;
+import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.PaperStudios;
 import tompkins.studio.Studio;
+import tompkins.surface.Refractive;
 import tompkins.surface.Tiling;
 import tompkins.trace.RenderPlan;
 
@@ -34,6 +36,8 @@ final class MotionCost {
 
     /** When the light arrives that left the middle of the dice at time 0. */
     private static final double OPENING_TIME = 10;
+
+    private static final String GLASS = "GLASS";
 
     /** How the dice move. */
     private enum Motion {
@@ -52,6 +56,10 @@ final class MotionCost {
 
     /** Measures one scene in this process, and prints the nanoseconds per ray. */
     public static void main(String[] arguments) throws InterruptedException {
+        if (arguments[0].equals(GLASS)) {
+            System.out.println(OwnProcess.nanosecondsPerRay(RenderPlan.of(glass(Double.parseDouble(arguments[1])))));
+            return;
+        }
         Studio studio = studio(Motion.valueOf(arguments[0]));
         List<LightSource> lights =
                 Boolean.parseBoolean(arguments[1]) ? studio.lights() : List.of(new AmbientLight(Colour.WHITE));
@@ -63,6 +71,7 @@ final class MotionCost {
     static void measure(int rounds, List<Measure> measures) throws IOException, InterruptedException {
         measure(rounds, false, "no lamp", measures);
         measure(rounds, true, "lamp at rest", measures);
+        measureGlass(rounds, measures);
     }
 
     private static void measure(int rounds, boolean isLit, String lamps, List<Measure> measures)
@@ -77,17 +86,36 @@ final class MotionCost {
         double rest = Measure.median(times[Motion.REST.ordinal()]);
         double one = Measure.median(times[Motion.ONE_VELOCITY.ordinal()]);
         double ten = Measure.median(times[Motion.TEN_VELOCITIES.ordinal()]);
-        measures.add(Measure.atMost(
-                "1000 dice that move together, " + lamps + ", against the same at rest, " + Measure.number(rest)
-                        + " ns per ray",
-                1.3,
+        measures.add(Measure.ratioAtMost(
+                "1000 dice that move together, " + lamps + ", against the same at rest",
+                isLit ? 1.3 : 1.2,
                 "x",
                 one / rest));
-        measures.add(Measure.atMost(
-                "1000 dice with ten velocities, " + lamps + ", against one, " + Measure.number(one) + " ns per ray",
-                3,
+        measures.add(Measure.ratioAtMost(
+                "1000 dice with ten velocities, " + lamps + ", against one velocity", 1.4, "x", ten / one));
+        measures.add(Measure.time("1000 dice at rest, " + lamps, "ns per ray", rest));
+    }
+
+    private static void measureGlass(int rounds, List<Measure> measures) throws IOException, InterruptedException {
+        double[][] times = new double[2][rounds];
+        for (int round = 0; round < rounds; round++) {
+            times[0][round] = OwnProcess.numbers(MotionCost.class, GLASS, "0")[0];
+            times[1][round] = OwnProcess.numbers(MotionCost.class, GLASS, "0.5")[0];
+        }
+        measures.add(Measure.ratioAtMost(
+                "a block of glass that moves, against the same at rest",
+                1.5,
                 "x",
-                ten / one));
+                Measure.median(times[1]) / Measure.median(times[0])));
+    }
+
+    /** A block of glass before a wall, with a velocity to the right. */
+    private static Studio glass(double beta) {
+        Box block = new Box("glass", new Vector3d(-2, -1.5, 0), new Vector3d(2, 1.5, 1.5), Refractive.DEFAULT);
+        Moving moving = new Moving("glass", Velocity.of(beta, 0, 0), new Vector3d(0, 0, 8), 0, List.of(block));
+        SceneObject wall = new Plane("wall", new Vector3d(0, 0, 12), new Vector3d(0, 0, -1), Tiling.DEFAULT);
+        Studio studio = PaperStudios.fig1a().withScene(List.of(wall, moving));
+        return studio.withCamera(studio.camera().withShutter(new AperturePlaneShutter(OPENING_TIME)));
     }
 
     private static Studio studio(Motion motion) {

@@ -4,7 +4,7 @@ import java.io.BufferedWriter;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
+import java.util.List;
 import tompkins.io.StudioReader;
 import tompkins.render.Renderer;
 import tompkins.studio.Studio;
@@ -13,39 +13,59 @@ import tompkins.trace.RenderPlan;
 /** A mesh on its whole way: from an OBJ file through the reader of scenes to the first picture. */
 final class ObjFile {
 
+    private static final int TRIANGLES = 1_000_000;
+    private static final String MESH = "mesh.obj";
+
     private ObjFile() {}
 
-    /**
-     * Writes triangles as an OBJ file with a scene around it, takes its photograph, and tells what that took.
-     *
-     * @param coordinates x, y and z of each vertex
-     * @param corners three numbers of vertices, counted from 0, for each triangle
-     */
-    static String measure(double[] coordinates, int[] corners) throws IOException, InterruptedException {
-        Path folder = Files.createTempDirectory("obj");
-        Path file = folder.resolve("mesh.obj");
-        Path scene = folder.resolve("scene.json");
-        write(coordinates, corners, file);
-        Files.writeString(scene, "{\"scene\": [{\"type\": \"TriangleMesh\", \"mesh\": \"mesh.obj\"}]}");
+    /** Measures in this process, and prints the seconds to read the lines, the scene, and to take the picture. */
+    public static void main(String[] arguments) throws IOException, InterruptedException {
+        Path scene = Path.of(arguments[0]);
         long start = System.nanoTime();
-        Studio studio = StudioReader.read(scene);
-        double read = (System.nanoTime() - start) / 1e9;
+        int lines = Files.readAllLines(scene.resolveSibling(MESH)).size();
+        double readLines = seconds(start);
+        if (lines < TRIANGLES) {
+            throw new IOException("only " + lines + " lines");
+        }
         start = System.nanoTime();
+        Studio studio = StudioReader.read(scene);
+        double read = seconds(start);
         try (Renderer renderer = new Renderer()) {
             renderer.render(RenderPlan.of(studio));
         }
-        double taken = (System.nanoTime() - start) / 1e9;
-        double megabytes = Files.size(file) / 1e6;
+        System.out.println(readLines + " " + read + " " + seconds(start));
+    }
+
+    private static double seconds(long start) {
+        return (System.nanoTime() - start) / 1e9;
+    }
+
+    /** Writes the triangles of a sphere with a scene around them, and takes cold photographs of it. */
+    static void measure(int rounds, List<Measure> measures) throws IOException, InterruptedException {
+        Path folder = Files.createTempDirectory("obj");
+        Path file = folder.resolve(MESH);
+        Path scene = folder.resolve("scene.json");
+        int rings = Growth.rings(TRIANGLES);
+        write(Growth.coordinates(rings), Growth.corners(rings), file);
+        Files.writeString(scene, "{\"scene\": [{\"type\": \"TriangleMesh\", \"mesh\": \"" + MESH + "\"}]}");
+        double[][] seconds = new double[3][rounds];
+        for (int round = 0; round < rounds; round++) {
+            double[] numbers = OwnProcess.numbers(ObjFile.class, scene.toString());
+            for (int i = 0; i < numbers.length; i++) {
+                seconds[i][round] = numbers[i];
+            }
+        }
         Files.delete(scene);
         Files.delete(file);
         Files.delete(folder);
-        return String.format(
-                Locale.ROOT,
-                "An OBJ file of %d triangles (%.0f MB) is read with its scene in %.2f s; tree and picture take %.2f s more.%n",
-                corners.length / 3,
-                megabytes,
-                read,
-                taken);
+        double whole = Measure.median(seconds[2]);
+        measures.add(Measure.ratioAtMost(
+                "an OBJ file of a million triangles, cold, to its picture, against Files.readAllLines",
+                4,
+                "x",
+                whole / Measure.median(seconds[0])));
+        measures.add(Measure.time("the same: scene read", "s", Measure.median(seconds[1])));
+        measures.add(Measure.time("the same: picture taken", "s", whole));
     }
 
     private static void write(double[] coordinates, int[] corners, Path file) throws IOException {

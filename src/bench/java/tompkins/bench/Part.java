@@ -20,6 +20,8 @@ enum Part {
     MOTION,
     /** From the start of Java to a file, or to a picture on the screen. */
     START,
+    /** An earlier jar, in turns with this one. */
+    BEFORE,
     /** Fig. 1(b) in the window. */
     WINDOW,
     /** Rides in the window. */

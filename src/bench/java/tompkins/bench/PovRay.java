@@ -14,10 +14,13 @@ final class PovRay {
     private static final Path SCENE = Path.of("src/bench/povray/figure.pov");
     private static final Pattern TIME = Pattern.compile("Trace Time:.*\\(([0-9.]+) seconds\\)");
 
+    /** Why nothing can be compared. */
+    static final String MISSING = "POV-Ray is not installed (apt-get install povray)";
+
     private PovRay() {}
 
-    /** The time of tracing a picture in milliseconds, by two threads; NaN if there is no POV-Ray here. */
-    static double milliseconds(boolean moving, int width, int height) throws InterruptedException {
+    /** The time of tracing a picture in milliseconds; NaN if there is no POV-Ray here. */
+    static double milliseconds(boolean moving, int width, int height, int threads) throws InterruptedException {
         try {
             Process process = new ProcessBuilder(
                             "povray",
@@ -27,7 +30,7 @@ final class PovRay {
                             "+H" + height,
                             "-D",
                             "-A",
-                            "+WT2",
+                            "+WT" + threads,
                             "+BM2",
                             "-F")
                     .redirectErrorStream(true)

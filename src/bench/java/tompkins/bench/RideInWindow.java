@@ -24,7 +24,7 @@ final class RideInWindow {
      */
     static void measure(int thrusts, List<Measure> measures) throws IOException, InterruptedException {
         if (!Window.isPossible()) {
-            measures.add(Measure.missing("rides", Window.NO_DISPLAY));
+            measures.add(Measure.missing(Measure.Kind.NOTICED, "rides", Window.NO_DISPLAY));
             return;
         }
         List<String> command = new ArrayList<>(List.of(
@@ -57,12 +57,12 @@ final class RideInWindow {
         int colon = line.indexOf(": ");
         String ride = "ride, 826 x 620, " + line.substring(0, colon);
         String[] values = line.substring(colon + 2).split(" ");
-        measures.add(Measure.atLeast(ride + ": pictures in a second", 30, "", Double.parseDouble(values[0])));
-        measures.add(
-                Measure.atMost(ride + ": thrust to a picture on the screen", 50, "ms", Double.parseDouble(values[1])));
+        measures.add(Measure.noticedAtLeast(ride + ": pictures in a second", 30, "", Double.parseDouble(values[0])));
+        measures.add(Measure.noticedAtMost(
+                ride + ": thrust to a picture on the screen", 50, "ms", Double.parseDouble(values[1])));
         String difference = ride + ": difference to the whole picture, with " + values[2] + " samples of a pixel";
-        measures.add(Measure.atMost(difference, 4, "levels", Double.parseDouble(values[3])));
-        measures.add(
-                Measure.atMost(ride + ": difference in the worst second", 8, "levels", Double.parseDouble(values[4])));
+        measures.add(Measure.noticedAtMost(difference, 4, "levels", Double.parseDouble(values[3])));
+        measures.add(Measure.noticedAtMost(
+                ride + ": difference in the worst second", 8, "levels", Double.parseDouble(values[4])));
     }
 }

@@ -27,24 +27,24 @@ final class Window {
     /** Opens the window some times, and adds the medians of what was measured in it. */
     static void measure(int times, List<Measure> measures) throws IOException, InterruptedException {
         if (!isPossible()) {
-            measures.add(Measure.missing("window, fig1b", NO_DISPLAY));
+            measures.add(Measure.missing(Measure.Kind.NOTICED, "window, fig1b", NO_DISPLAY));
             return;
         }
         Map<String, List<Double>> values = new TreeMap<>();
         for (int i = 0; i < times; i++) {
             open(values);
         }
-        measures.add(Measure.atMost(
+        measures.add(Measure.noticedAtMost(
                 "window, fig1b: change of the speed to a picture on the screen",
                 50,
                 "ms",
                 median(values, "change to picture on screen")));
-        measures.add(Measure.atMost(
+        measures.add(Measure.noticedAtMost(
                 "window, fig1b: change of the speed to the complete picture",
                 300,
                 "ms",
                 median(values, "change to complete picture")));
-        measures.add(Measure.atLeast(
+        measures.add(Measure.noticedAtLeast(
                 "window, fig1b: pictures in a second while the speed is dragged",
                 30,
                 "",

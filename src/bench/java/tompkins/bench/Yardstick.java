@@ -26,8 +26,8 @@ record Yardstick(String figure, double drTim, double tree, double embree, double
             What it takes in this run tells how much slower or faster this machine is; if their times are multiplied by that, this is how
             they compare:
 
-            | figure | POV-Ray here | factor | Dr TIM takes | a native tree takes | Embree takes | this program takes, of packets |
-            | --- | --- | --- | --- | --- | --- | --- |
+            | figure | POV-Ray here | factor | Dr TIM takes | a native tree takes | Embree takes |
+            | --- | --- | --- | --- | --- | --- |
             """, REST.povRay, MOVING.povRay);
 
     /**
@@ -39,12 +39,26 @@ record Yardstick(String figure, double drTim, double tree, double embree, double
     String line(double time, double[] povRayHere) {
         double pov = Measure.median(povRayHere);
         if (Double.isNaN(pov)) {
-            return "| " + figure + " | not installed | | | | | |\n";
+            return "| " + figure + " | not installed | | | | |\n";
         }
         double factor = pov / povRay;
         return "| " + figure + " | " + Measure.number(pov) + " ms | " + Measure.number(factor) + " | "
-                + times(factor * drTim / time) + times(factor * tree / time) + times(factor * embree / time)
-                + times(time / (factor * packets)).stripTrailing() + "\n";
+                + times(factor * drTim / time) + times(factor * tree / time)
+                + times(factor * embree / time).stripTrailing() + "\n";
+    }
+
+    /**
+     * How much longer this program takes than native packets of sixteen rays would take here.
+     *
+     * @param time milliseconds of this program here
+     * @param povRayHere milliseconds of POV-Ray here, in several rounds
+     */
+    Measure againstPackets(double time, double[] povRayHere) {
+        double pov = Measure.median(povRayHere);
+        String what = figure + " against native 16-wide packets, by way of POV-Ray's time here and there";
+        return Double.isNaN(pov)
+                ? Measure.missing(Measure.Kind.RATIO, what, PovRay.MISSING)
+                : Measure.ratioAtMost(what, 5, "x", time / (pov / povRay * packets));
     }
 
     private static String times(double factor) {
