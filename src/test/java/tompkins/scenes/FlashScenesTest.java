@@ -7,6 +7,7 @@ import static org.assertj.core.api.InstanceOfAssertFactories.STRING;
 
 import java.io.IOException;
 import java.util.List;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -21,7 +22,7 @@ class FlashScenesTest {
 
     /** Each opening time lies where something is lit; just before the first light nothing is, and just after it is. */
     @ParameterizedTest
-    @ValueSource(strings = {"rings", "train", "train-aboard", "own-lamp"})
+    @ValueSource(strings = {"rings", "train", "train-aboard", "own-lamp", "echo"})
     void isTakenWhileSomethingIsLit(String name) throws IOException {
         Studio studio = SceneFiles.read("flash-" + name);
         RenderPlan plan = RenderPlan.of(studio);
@@ -53,6 +54,31 @@ class FlashScenesTest {
 
         assertThat(flashes).hasSize(2).allMatch(FlashSight::isLit);
         assertThat(flashes.get(0).emission()).isCloseTo(flashes.get(1).emission(), within(0.1));
+    }
+
+    /** What is lit lies between two ellipsoids around star and camera. */
+    @Test
+    void theLightEchoIsARing() throws IOException {
+        RenderPlan plan = RenderPlan.of(SceneFiles.read("flash-echo"));
+        int lit = 0;
+        double largest = 0;
+        for (double x = 0.5; x < plan.width(); x++) {
+            double radius = 2002 * Math.tan(Math.toRadians(0.2)) * Math.abs(2 * x / plan.width() - 1);
+            RayLife.Encounter seen =
+                    RayLife.of(plan, x, plan.height() / 2.0, 0, 0).end();
+            boolean isDust = radius > 0.122;
+            assertThat(seen.object().description()).isEqualTo(isDust ? "dust" : "star");
+            if (isDust) {
+                double way = Math.hypot(radius, 2) + Math.hypot(radius, 2002);
+                boolean isLit = seen.flashes().get(0).isLit();
+                assertThat(isLit).as("at radius %s", radius).isEqualTo(way > 2006.6 && way < 2007);
+                lit += isLit ? 1 : 0;
+                largest = isLit ? Math.max(largest, radius) : largest;
+            }
+        }
+        // Fact 4 of light in flight: a camera far away sees the radius of the remarks
+        assertThat(largest).isCloseTo(Math.sqrt(21), within(0.03));
+        assertThat(lit).isGreaterThan(20);
     }
 
     private static RayLife.Encounter post(RenderPlan plan) {
