@@ -32,7 +32,7 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        24_750),
+                        24_620),
                 arguments("file, image", 4_450),
                 arguments("lesson, measure, animation", 4_500),
                 arguments("io, app", 7_400),

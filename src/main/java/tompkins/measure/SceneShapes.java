@@ -16,7 +16,7 @@ import tompkins.primitive.Primitive;
 import tompkins.primitive.SpherePrimitive;
 import tompkins.sceneobject.TriangleMesh;
 import tompkins.spacetime.FrameMotion;
-import tompkins.surface.Surface;
+import tompkins.surface.Continuation;
 import tompkins.world.InertialFrame;
 
 /**
@@ -98,7 +98,7 @@ public record SceneShapes(
                     .toList();
             complete &= first.size() == all.size();
             for (Primitive primitive : first) {
-                turnsRays |= primitive.surface().parts().anyMatch(Surface::turnsRays);
+                turnsRays |= primitive.surface().continuation() == Continuation.TURNED;
                 if (primitive.restFrame().rotation() == null) {
                     add(frame.motion(), origin, primitive);
                 }

@@ -6,6 +6,7 @@ import tompkins.ray.Hit;
 import tompkins.ray.MeshDetail;
 import tompkins.ray.Ray;
 import tompkins.ray.SurfaceCoordinates;
+import tompkins.surface.Continuation;
 import tompkins.surface.Surface;
 
 /**
@@ -43,7 +44,7 @@ public final class ShadedTriangle extends FlatPrimitive {
             memory.locate(textured(flat));
         }
         // light that goes on keeps to the triangle itself
-        if (detail.hasNormals(triangle) && !surface().continuesRays()) {
+        if (detail.hasNormals(triangle) && surface().continuation() == Continuation.NONE) {
             smooth(flat, ray, memory);
         }
         return memory;

@@ -1,6 +1,5 @@
 package tompkins.surface;
 
-import java.util.stream.Stream;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.Colour;
@@ -17,7 +16,7 @@ public record Blinking(
         Surface first,
 
         @Meaning("Surface in the second half") Surface second)
-        implements Surface {
+        implements CompositeSurface {
 
     /** White and dark grey. */
     public static final Blinking DEFAULT = new Blinking(
@@ -31,41 +30,12 @@ public record Blinking(
     }
 
     @Override
-    public Response respond(Ray ray, Hit hit, Tracer tracer) {
-        return at(hit).respond(ray, hit, tracer);
-    }
-
-    private Surface at(Hit hit) {
-        return SquareWave.isOdd(Math.floor(2 * hit.clockReading() / period)) ? second : first;
-    }
-
-    @Override
-    public boolean usesCoordinates() {
-        return first.usesCoordinates() || second.usesCoordinates();
-    }
-
-    @Override
-    public Shadow shadow() {
-        return first.shadow().orElsewhere(second.shadow());
-    }
-
-    @Override
-    public boolean throwsShadowAt(Ray ray, Hit hit) {
-        return at(hit).throwsShadowAt(ray, hit);
-    }
-
-    @Override
-    public Stream<Surface> parts() {
-        return Stream.of(first, second).flatMap(Surface::parts);
+    public double shareOfSecond(Ray ray, Hit hit) {
+        return SquareWave.isOdd(Math.floor(2 * hit.clockReading() / period)) ? 1 : 0;
     }
 
     @Override
     public boolean showsTime() {
         return true;
-    }
-
-    @Override
-    public boolean continuesRays() {
-        return first.continuesRays() || second.continuesRays();
     }
 }

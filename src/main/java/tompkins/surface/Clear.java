@@ -18,12 +18,7 @@ public record Clear() implements Surface {
     }
 
     @Override
-    public Shadow shadow() {
-        return Shadow.NEVER;
-    }
-
-    @Override
-    public boolean continuesRays() {
-        return true;
+    public Continuation continuation() {
+        return Continuation.STRAIGHT;
     }
 }

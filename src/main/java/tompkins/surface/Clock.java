@@ -1,6 +1,5 @@
 package tompkins.surface;
 
-import java.util.stream.Stream;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.Colour;
@@ -23,7 +22,7 @@ public record Clock(
 
         @Meaning("Whether digits below the middle count the whole turns of the hand")
         boolean digits)
-        implements Surface {
+        implements CompositeSurface {
 
     /** A white dial. */
     public static final Clock DEFAULT = new Clock(
@@ -50,11 +49,17 @@ public record Clock(
     }
 
     @Override
-    public Response respond(Ray ray, Hit hit, Tracer tracer) {
-        return at(hit).respond(ray, hit, tracer);
+    public Surface first() {
+        return face;
     }
 
-    private Surface at(Hit hit) {
+    @Override
+    public Surface second() {
+        return hand;
+    }
+
+    @Override
+    public double shareOfSecond(Ray ray, Hit hit) {
         double toRight = hit.coordinates.u() - 0.5;
         double up = hit.coordinates.v() - 0.5;
         double turns = hit.clockReading() / period;
@@ -63,7 +68,7 @@ public record Clock(
                 || digits
                         && SevenSegments.isLit(
                                 Math.floor(turns), toRight / DIGITS_HEIGHT, (up - DIGITS_MIDDLE) / DIGITS_HEIGHT);
-        return marked ? hand : face;
+        return marked ? 1 : 0;
     }
 
     private static boolean isHand(double toRight, double up, double turns) {
@@ -90,27 +95,7 @@ public record Clock(
     }
 
     @Override
-    public Shadow shadow() {
-        return face.shadow().orElsewhere(hand.shadow());
-    }
-
-    @Override
-    public boolean throwsShadowAt(Ray ray, Hit hit) {
-        return at(hit).throwsShadowAt(ray, hit);
-    }
-
-    @Override
-    public Stream<Surface> parts() {
-        return Stream.of(face, hand).flatMap(Surface::parts);
-    }
-
-    @Override
     public boolean showsTime() {
         return true;
-    }
-
-    @Override
-    public boolean continuesRays() {
-        return face.continuesRays() || hand.continuesRays();
     }
 }

@@ -25,12 +25,7 @@ public record ColourFilter(
     }
 
     @Override
-    public Shadow shadow() {
-        return Shadow.NEVER;
-    }
-
-    @Override
-    public boolean continuesRays() {
-        return true;
+    public Continuation continuation() {
+        return Continuation.STRAIGHT;
     }
 }

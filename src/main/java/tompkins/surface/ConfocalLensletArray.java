@@ -77,17 +77,7 @@ public record ConfocalLensletArray(
     }
 
     @Override
-    public Shadow shadow() {
-        return Shadow.NEVER;
-    }
-
-    @Override
-    public boolean continuesRays() {
-        return true;
-    }
-
-    @Override
-    public boolean turnsRays() {
-        return true;
+    public Continuation continuation() {
+        return Continuation.TURNED;
     }
 }

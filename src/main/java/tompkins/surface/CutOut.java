@@ -1,6 +1,5 @@
 package tompkins.surface;
 
-import java.util.stream.Stream;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.Colour;
@@ -18,7 +17,7 @@ public record CutOut(
 
         @Meaning("Surface where the picture is bright or transparent")
         Surface bright)
-        implements Surface {
+        implements CompositeSurface {
 
     /** Nothing is cut out. */
     public static final CutOut DEFAULT =
@@ -32,43 +31,24 @@ public record CutOut(
     }
 
     @Override
-    public Response respond(Ray ray, Hit hit, Tracer tracer) {
-        return at(hit).respond(ray, hit, tracer);
+    public Surface first() {
+        return dark;
     }
 
-    private Surface at(Hit hit) {
+    @Override
+    public Surface second() {
+        return bright;
+    }
+
+    @Override
+    public double shareOfSecond(Ray ray, Hit hit) {
         double u = PictureSurface.inside(hit.coordinates.u());
         double v = PictureSurface.inside(hit.coordinates.v());
-        return picture.isDark(u, v) ? dark : bright;
+        return picture.isDark(u, v) ? 0 : 1;
     }
 
     @Override
     public boolean usesCoordinates() {
         return true;
-    }
-
-    @Override
-    public Shadow shadow() {
-        return dark.shadow().orElsewhere(bright.shadow());
-    }
-
-    @Override
-    public boolean throwsShadowAt(Ray ray, Hit hit) {
-        return at(hit).throwsShadowAt(ray, hit);
-    }
-
-    @Override
-    public Stream<Surface> parts() {
-        return Stream.of(dark, bright).flatMap(Surface::parts);
-    }
-
-    @Override
-    public boolean showsTime() {
-        return dark.showsTime() || bright.showsTime();
-    }
-
-    @Override
-    public boolean continuesRays() {
-        return dark.continuesRays() || bright.continuesRays();
     }
 }

@@ -56,17 +56,7 @@ public record GalileoWindow(
     }
 
     @Override
-    public Shadow shadow() {
-        return Shadow.NEVER;
-    }
-
-    @Override
-    public boolean continuesRays() {
-        return true;
-    }
-
-    @Override
-    public boolean turnsRays() {
-        return true;
+    public Continuation continuation() {
+        return Continuation.TURNED;
     }
 }

@@ -79,17 +79,7 @@ public record IdealLens(
     }
 
     @Override
-    public Shadow shadow() {
-        return Shadow.NEVER;
-    }
-
-    @Override
-    public boolean continuesRays() {
-        return true;
-    }
-
-    @Override
-    public boolean turnsRays() {
-        return true;
+    public Continuation continuation() {
+        return Continuation.TURNED;
     }
 }

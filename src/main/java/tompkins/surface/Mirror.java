@@ -57,12 +57,12 @@ public record Mirror(
     }
 
     @Override
-    public boolean continuesRays() {
-        return true;
+    public Continuation continuation() {
+        return Continuation.TURNED;
     }
 
     @Override
-    public boolean turnsRays() {
-        return true;
+    public Shadow shadow() {
+        return Shadow.ALWAYS;
     }
 }

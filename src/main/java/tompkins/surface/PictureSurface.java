@@ -119,8 +119,8 @@ public record PictureSurface(
     }
 
     @Override
-    public boolean continuesRays() {
-        return !picture.isOpaque();
+    public Continuation continuation() {
+        return picture.isOpaque() ? Continuation.NONE : Continuation.STRAIGHT;
     }
 
     /** The coordinate taken back into one copy of the picture; 1 itself belongs to the first copy. */

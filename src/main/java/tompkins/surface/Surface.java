@@ -9,10 +9,7 @@ public sealed interface Surface
         permits ColouredSurface,
                 LuminousSurface,
                 PictureSurface,
-                Tiling,
-                CutOut,
-                Clock,
-                Blinking,
+                CompositeSurface,
                 Clear,
                 ColourFilter,
                 Mirror,
@@ -20,9 +17,7 @@ public sealed interface Surface
                 LorentzWindow,
                 GalileoWindow,
                 ConfocalLensletArray,
-                IdealLens,
-                TwoSided,
-                Mixture {
+                IdealLens {
 
     /** What becomes of a ray that hit this surface. */
     Response respond(Ray ray, Hit hit, Tracer tracer);
@@ -32,9 +27,9 @@ public sealed interface Surface
         return false;
     }
 
-    /** Whether the surface throws a shadow. */
+    /** Whether the surface throws a shadow; most surfaces behind which rays go on throw none. */
     default Shadow shadow() {
-        return Shadow.ALWAYS;
+        return continuation() == Continuation.NONE ? Shadow.ALWAYS : Shadow.NEVER;
     }
 
     /**
@@ -60,13 +55,8 @@ public sealed interface Surface
         return false;
     }
 
-    /** Whether rays go on from here: mirrors, windows, glass, lenses. */
-    default boolean continuesRays() {
-        return false;
-    }
-
-    /** Whether rays that go on from here turn, so that what they meet is seen elsewhere than it is. */
-    default boolean turnsRays() {
-        return false;
+    /** What becomes of the rays that meet it. */
+    default Continuation continuation() {
+        return Continuation.NONE;
     }
 }

@@ -1,6 +1,5 @@
 package tompkins.surface;
 
-import java.util.stream.Stream;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.Colour;
@@ -28,7 +27,7 @@ public record Tiling(
 
         @Meaning("Whether tiles that are smaller than a pixel merge into their mean instead of flickering")
         boolean filtered)
-        implements Surface {
+        implements CompositeSurface {
 
     /** The spot of a ray is taken in so many parts at most. */
     static final int MOST_PARTS = 16;
@@ -50,16 +49,12 @@ public record Tiling(
     }
 
     @Override
-    public Response respond(Ray ray, Hit hit, Tracer tracer) {
-        return Mixture.respond(first, second, shareOfSecond(ray, hit), ray, hit, tracer);
-    }
-
-    private double shareOfSecond(Ray ray, Hit hit) {
+    public double shareOfSecond(Ray ray, Hit hit) {
         SurfaceCoordinates at = hit.coordinates;
         double u = at.u() / width;
         double v = at.v() / height;
         if (!filtered) {
-            return SquareWave.isOdd(Math.floor(u) + Math.floor(v)) ? 1 : 0;
+            return isSecond(u, v) ? 1 : 0;
         }
         double spreadU = at.spreadU(ray, hit) / width;
         double spreadV = at.spreadV(ray, hit) / height;
@@ -70,6 +65,10 @@ public record Tiling(
                     u, v, spreadU, spreadV, at.alongU(ray, hit) / width, at.alongV(ray, hit) / height, parts);
         }
         return (1 - waves) / 2;
+    }
+
+    private static boolean isSecond(double u, double v) {
+        return SquareWave.isOdd(Math.floor(u) + Math.floor(v));
     }
 
     /**
@@ -101,29 +100,8 @@ public record Tiling(
     }
 
     @Override
-    public Shadow shadow() {
-        return first.shadow().orElsewhere(second.shadow());
-    }
-
-    @Override
     public boolean throwsShadowAt(Ray ray, Hit hit) {
-        boolean odd =
-                SquareWave.isOdd(Math.floor(hit.coordinates.u() / width) + Math.floor(hit.coordinates.v() / height));
-        return (odd ? second : first).throwsShadowAt(ray, hit);
-    }
-
-    @Override
-    public Stream<Surface> parts() {
-        return Stream.of(first, second).flatMap(Surface::parts);
-    }
-
-    @Override
-    public boolean showsTime() {
-        return first.showsTime() || second.showsTime();
-    }
-
-    @Override
-    public boolean continuesRays() {
-        return first.continuesRays() || second.continuesRays();
+        boolean isSecond = isSecond(hit.coordinates.u() / width, hit.coordinates.v() / height);
+        return (isSecond ? second : first).throwsShadowAt(ray, hit);
     }
 }

@@ -1,6 +1,5 @@
 package tompkins.surface;
 
-import java.util.stream.Stream;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
@@ -17,7 +16,7 @@ public record TwoSided(
         @Meaning("What it looks like from outside") Surface outside,
 
         @Meaning("What it looks like from inside") Surface inside)
-        implements Surface {
+        implements CompositeSurface {
 
     /** White outside, dark grey inside. */
     public static final TwoSided DEFAULT = new TwoSided(
@@ -38,41 +37,17 @@ public record TwoSided(
     }
 
     @Override
-    public Response respond(Ray ray, Hit hit, Tracer tracer) {
-        return at(ray, hit).respond(ray, hit, tracer);
-    }
-
-    private Surface at(Ray ray, Hit hit) {
-        return hit.cosine(ray) < 0 ? outside : inside;
+    public Surface first() {
+        return outside;
     }
 
     @Override
-    public boolean usesCoordinates() {
-        return outside.usesCoordinates() || inside.usesCoordinates();
+    public Surface second() {
+        return inside;
     }
 
     @Override
-    public Shadow shadow() {
-        return outside.shadow().orElsewhere(inside.shadow());
-    }
-
-    @Override
-    public boolean throwsShadowAt(Ray ray, Hit hit) {
-        return at(ray, hit).throwsShadowAt(ray, hit);
-    }
-
-    @Override
-    public Stream<Surface> parts() {
-        return Stream.of(outside, inside).flatMap(Surface::parts);
-    }
-
-    @Override
-    public boolean showsTime() {
-        return outside.showsTime() || inside.showsTime();
-    }
-
-    @Override
-    public boolean continuesRays() {
-        return outside.continuesRays() || inside.continuesRays();
+    public double shareOfSecond(Ray ray, Hit hit) {
+        return hit.cosine(ray) < 0 ? 0 : 1;
     }
 }

@@ -14,6 +14,7 @@ import tompkins.shutter.AperturePlaneShutter;
 import tompkins.studio.Studio;
 import tompkins.surface.ColourFilter;
 import tompkins.surface.ConfocalLensletArray;
+import tompkins.surface.Continuation;
 import tompkins.surface.GalileoWindow;
 import tompkins.surface.IdealLens;
 import tompkins.surface.LorentzWindow;
@@ -103,7 +104,7 @@ final class Omissions {
         if (!isFocused()) {
             return;
         }
-        if (has(beforeLens, Surface::turnsRays)) {
+        if (has(beforeLens, part -> part.continuation() == Continuation.TURNED)) {
             sentences.add("The focus ignores windows, glass and mirrors before the lens:"
                     + " it lies where the rays would meet it without them.");
         }
@@ -155,8 +156,8 @@ final class Omissions {
         boolean hasLamps = studio.lights().stream().anyMatch(PointLight.class::isInstance);
         if (isLit && hasLamps) {
             sentences.add("Lamps do not get fainter with distance.");
-            Predicate<Surface> isClear =
-                    part -> part.turnsRays() && !(part instanceof Mirror) || part instanceof ColourFilter;
+            Predicate<Surface> isClear = part -> part.continuation() == Continuation.TURNED && !(part instanceof Mirror)
+                    || part instanceof ColourFilter;
             if (has(inScene, isClear) || has(beforeLens, isClear)) {
                 sentences.add("Filters, glass and windows throw no shadow and do not tint the light of lamps.");
             }

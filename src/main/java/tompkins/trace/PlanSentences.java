@@ -30,6 +30,7 @@ import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
+import tompkins.surface.Continuation;
 import tompkins.surface.IdealLens;
 import tompkins.surface.Surface;
 import tompkins.world.World;
@@ -325,7 +326,7 @@ final class PlanSentences {
     }
 
     private String recursion(Stream<Surface> surfaces) {
-        boolean continues = surfaces.anyMatch(Surface::continuesRays);
+        boolean continues = surfaces.anyMatch(surface -> surface.continuation() != Continuation.NONE);
         return continues
                 ? format(
                         "Some surfaces send rays on: at most %d times, and only while these carry at least 1/%.0f of the light.",

@@ -22,6 +22,7 @@ import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.light.Pulse;
+import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
@@ -93,6 +94,9 @@ import tompkins.surface.WindowAxes;
 public final class RandomStudio {
 
     private static final int TRIES = 1000;
+
+    private static final Class<?>[] SURFACES =
+            Descriptions.members(Surface.class).toArray(Class<?>[]::new);
 
     private final SplittableRandom random;
 
@@ -287,7 +291,7 @@ public final class RandomStudio {
     }
 
     private Surface surface() {
-        return uniform == null ? surface(pick(Surface.class.getPermittedSubclasses()), 2) : uniform;
+        return uniform == null ? surface(pick(SURFACES), 2) : uniform;
     }
 
     private Surface surface(Class<?> type, int depth) {
@@ -320,7 +324,7 @@ public final class RandomStudio {
     }
 
     private Surface surfaceWithin(int depth) {
-        return depth == 0 ? ColouredSurface.DEFAULT : surface(pick(Surface.class.getPermittedSubclasses()), depth - 1);
+        return depth == 0 ? ColouredSurface.DEFAULT : surface(pick(SURFACES), depth - 1);
     }
 
     private LightSource light() {

@@ -23,6 +23,7 @@ import tompkins.lesson.Measurement;
 import tompkins.lesson.MeasuringPoint;
 import tompkins.light.Flash;
 import tompkins.light.LightSource;
+import tompkins.property.Descriptions;
 import tompkins.property.MistakeException;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.Shutter;
@@ -60,8 +61,7 @@ class SceneFileReferenceTest {
     void everyTypeHasASectionAndEveryKeyALine() {
         String text = SceneFileReference.markdown();
         List<Class<?>> types = Families.ALL.stream()
-                .flatMap(family -> Stream.of(family.getPermittedSubclasses()))
-                .<Class<?>>map(type -> type)
+                .flatMap(family -> Descriptions.members(family).stream())
                 .toList();
         assertThat(types).hasSizeGreaterThan(30).allSatisfy(type -> {
             String section = text.split("\n### " + SceneFileReference.heading(type) + "\n", -1)[1]

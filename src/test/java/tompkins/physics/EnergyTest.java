@@ -2,7 +2,6 @@ package tompkins.physics;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
@@ -12,6 +11,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.fuzz.RandomStudio;
 import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
 import tompkins.render.RenderReport;
 import tompkins.sceneobject.SampleShapes;
 import tompkins.sceneobject.SceneObject;
@@ -77,7 +78,7 @@ class EnergyTest {
     }
 
     static Stream<Class<?>> surfaces() {
-        return Arrays.stream(Surface.class.getPermittedSubclasses());
+        return Descriptions.members(Surface.class).stream();
     }
 
     /** Without lamps of their own, no kinds of surfaces make more light than there is. */
@@ -106,11 +107,18 @@ class EnergyTest {
         for (int seed = 0; seed < 10; seed++) {
             Surface surface = RandomStudio.surface(seed, type);
             boolean byPoint = surface.shadow() == Shadow.BY_POINT;
-            boolean bySide = surface.toString().contains("TwoSided");
-            assertThat(byPoint && !bySide && !surface.usesCoordinates() && !surface.showsTime())
-                    .as("asks for a point without coordinates or time")
-                    .isFalse();
+            boolean bySide = !surface.usesCoordinates() && !surface.showsTime();
+            if (byPoint && bySide) {
+                assertThat(throwsShadowAlongNormal(surface, 1))
+                        .as("from outside and from inside: %s", surface)
+                        .isNotEqualTo(throwsShadowAlongNormal(surface, -1));
+            }
         }
+    }
+
+    private static boolean throwsShadowAlongNormal(Surface surface, double side) {
+        Ray ray = Ray.from(0, 0, -side, 0, 0, side, 0);
+        return surface.throwsShadowAt(ray, Hit.blank().set(ray, 1, 0, 0, 1, null, 0, null));
     }
 
     private static Photograph glowing(List<SceneObject> scene, Velocity velocity, int size) {

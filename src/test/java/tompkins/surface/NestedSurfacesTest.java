@@ -64,7 +64,7 @@ class NestedSurfacesTest {
 
         assertThat(clear.shadow()).isEqualTo(Shadow.NEVER);
         assertThat(opaque.shadow()).isEqualTo(Shadow.BY_POINT);
-        assertThat(clear.continuesRays()).isTrue();
-        assertThat(opaque.continuesRays()).isTrue();
+        assertThat(clear.continuation()).isEqualTo(Continuation.STRAIGHT);
+        assertThat(opaque.continuation()).isEqualTo(Continuation.STRAIGHT);
     }
 }

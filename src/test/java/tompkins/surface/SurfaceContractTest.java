@@ -111,8 +111,8 @@ class SurfaceContractTest {
                         surface.respond(ray, hit(ray, surface), DarkTracer.DARK).next() != null;
             }
             if (goesOn || !isPattern) {
-                assertThat(surface.continuesRays())
-                        .as("continuesRays of %s", surface)
+                assertThat(surface.continuation() != Continuation.NONE)
+                        .as("rays go on from %s", surface)
                         .isEqualTo(goesOn);
             }
         }

@@ -1,0 +1,69 @@
+package tompkins.surface;
+
+import java.util.stream.Stream;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+
+/** A surface that shows two others: at each hit one of them, or both, each with a share of the light. */
+public sealed interface CompositeSurface extends Surface permits Tiling, CutOut, Clock, Blinking, TwoSided, Mixture {
+
+    /** One of the surfaces. */
+    Surface first();
+
+    /** The other one. */
+    Surface second();
+
+    /** The share of the second surface at a hit, from 0 to 1. */
+    double shareOfSecond(Ray ray, Hit hit);
+
+    /** Each surface answers for its share of the bundle; the tracer loops over the larger share. */
+    @Override
+    default Response respond(Ray ray, Hit hit, Tracer tracer) {
+        double share = shareOfSecond(ray, hit);
+        if (share == 0) {
+            return first().respond(ray, hit, tracer);
+        }
+        if (share == 1) {
+            return second().respond(ray, hit, tracer);
+        }
+        if (continuation() != Continuation.NONE && ray.throughput * Math.min(share, 1 - share) < Ray.FAINTEST) {
+            // a share too faint to be followed is added to the larger one
+            return (share < 0.5 ? first() : second()).respond(ray, hit, tracer);
+        }
+        Response ofFirst = first().respond(ray.dimmed(1 - share), hit, tracer).times(1 - share);
+        Response ofSecond = second().respond(ray.dimmed(share), hit, tracer).times(share);
+        return share < 0.5 ? ofFirst.plus(ofSecond, tracer) : ofSecond.plus(ofFirst, tracer);
+    }
+
+    @Override
+    default boolean usesCoordinates() {
+        return first().usesCoordinates() || second().usesCoordinates();
+    }
+
+    @Override
+    default Shadow shadow() {
+        return first().shadow().orElsewhere(second().shadow());
+    }
+
+    /** Where light passes one of both there is no shadow. */
+    @Override
+    default boolean throwsShadowAt(Ray ray, Hit hit) {
+        double share = shareOfSecond(ray, hit);
+        return (share == 1 || first().throwsShadowAt(ray, hit)) && (share == 0 || second().throwsShadowAt(ray, hit));
+    }
+
+    @Override
+    default Stream<Surface> parts() {
+        return Stream.of(first(), second()).flatMap(Surface::parts);
+    }
+
+    @Override
+    default boolean showsTime() {
+        return first().showsTime() || second().showsTime();
+    }
+
+    @Override
+    default Continuation continuation() {
+        return first().continuation().orElsewhere(second().continuation());
+    }
+}
