@@ -15,10 +15,6 @@ import tompkins.property.Require;
 import tompkins.spacetime.FrameTree;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.surface.ColouredSurface;
-import tompkins.surface.GalileoWindow;
-import tompkins.surface.LorentzWindow;
-import tompkins.surface.Refractive;
-import tompkins.surface.Surface;
 
 /**
  * Objects that turn about an axis, which rests in the frame around them. Each point of them runs on a circle with a
@@ -91,7 +87,7 @@ public record Rotating(
             if (primitive.bounds() == null) {
                 throw refusal(object, "bounded, without a Plane in it");
             }
-            if (primitive.surface().parts().anyMatch(Rotating::isGlassOrWindow)) {
+            if (!primitive.surface().canTurn()) {
                 throw refusal(object, "without glass and windows");
             }
             double reach = rotation.reach(primitive);
@@ -105,10 +101,6 @@ public record Rotating(
                         angularSpeed);
             }
         }
-    }
-
-    private static boolean isGlassOrWindow(Surface part) {
-        return part instanceof Refractive || part instanceof LorentzWindow || part instanceof GalileoWindow;
     }
 
     /** The primitives of an object as it is described; image points have no place of their own. */

@@ -63,6 +63,11 @@ public sealed interface CompositeSurface extends Surface permits Tiling, CutOut,
     }
 
     @Override
+    default boolean canTurn() {
+        return first().canTurn() && second().canTurn();
+    }
+
+    @Override
     default Continuation continuation() {
         return first().continuation().orElsewhere(second().continuation());
     }

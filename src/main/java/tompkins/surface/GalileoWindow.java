@@ -56,6 +56,11 @@ public record GalileoWindow(
     }
 
     @Override
+    public boolean canTurn() {
+        return false;
+    }
+
+    @Override
     public Continuation continuation() {
         return Continuation.TURNED;
     }

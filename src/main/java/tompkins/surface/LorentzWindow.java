@@ -58,6 +58,11 @@ public record LorentzWindow(
     }
 
     @Override
+    public boolean canTurn() {
+        return false;
+    }
+
+    @Override
     public Continuation continuation() {
         return Continuation.TURNED;
     }

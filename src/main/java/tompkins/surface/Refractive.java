@@ -142,6 +142,11 @@ public record Refractive(
     }
 
     @Override
+    public boolean canTurn() {
+        return false;
+    }
+
+    @Override
     public Continuation continuation() {
         return Continuation.TURNED;
     }

@@ -55,6 +55,11 @@ public sealed interface Surface
         return false;
     }
 
+    /** Whether it may be on what turns: a law that is given for an inertial frame has no meaning there. */
+    default boolean canTurn() {
+        return true;
+    }
+
     /** What becomes of the rays that meet it. */
     default Continuation continuation() {
         return Continuation.NONE;
