@@ -7,7 +7,7 @@ import tompkins.ray.Ray;
 /**
  * A straight ray as it runs past objects that turn, in coordinates that turn with them and begin at the centre: a
  * curve. It knows where it is at a distance along the ray, how fast it runs there, and how strongly it bends at most on
- * the piece in question; and it notes what was found on it. Made for one search.
+ * the piece in question; and it notes what was found on it. Memory of one thread, used again for every ray.
  */
 public final class TurningPath {
 
@@ -23,15 +23,17 @@ public final class TurningPath {
     private final double axisX;
     private final double axisY;
     private final double axisZ;
-    private final double startX;
-    private final double startY;
-    private final double startZ;
-    private final double dx;
-    private final double dy;
-    private final double dz;
-    private final double startAngle;
-    private final double rate;
-    private final double size;
+
+    // the ray
+    private double startX;
+    private double startY;
+    private double startZ;
+    private double dx;
+    private double dy;
+    private double dz;
+    private double startAngle;
+    private double rate;
+    private double size;
 
     // the present place and the change of it with the distance
     double x;
@@ -40,7 +42,7 @@ public final class TurningPath {
     double vx;
     double vy;
     double vz;
-    private double distance = Double.NaN;
+    private double distance;
 
     private double entry;
     private double exit;
@@ -51,18 +53,25 @@ public final class TurningPath {
     double bend;
     double rounding;
 
+    /** The ray where it meets that, as the object sees it that does not turn. */
+    private final Ray turned = Ray.blank();
+
     /** The nearest primitive that was found, or null; its part; and its distance. */
     private Primitive found;
 
     private int part;
-    private double foundDistance = Primitive.NO_HIT;
+    private double foundDistance;
 
-    /** The path of a ray past what turns. */
-    public TurningPath(Rotation rotation, Ray ray) {
+    /** Memory for paths past what turns. */
+    public TurningPath(Rotation rotation) {
         this.rotation = rotation;
         axisX = rotation.axis().x();
         axisY = rotation.axis().y();
         axisZ = rotation.axis().z();
+    }
+
+    /** Makes this the path of a ray, on which nothing was found yet. */
+    public void begin(Ray ray) {
         startX = ray.x - rotation.centre().x();
         startY = ray.y - rotation.centre().y();
         startZ = ray.z - rotation.centre().z();
@@ -76,6 +85,9 @@ public final class TurningPath {
                         rotation.centre().x(),
                         rotation.centre().y(),
                         rotation.centre().z());
+        distance = Double.NaN;
+        found = null;
+        foundDistance = Primitive.NO_HIT;
     }
 
     private static double largest(double x, double y, double z) {
@@ -254,7 +266,7 @@ public final class TurningPath {
         double normalZ = memory.normalZ;
         go(foundDistance);
         double length = Math.sqrt(vx * vx + vy * vy + vz * vz);
-        Ray turned = Ray.from(x(), y(), z(), vx / length, vy / length, vz / length, ray.time);
+        turned.setInFrame(ray, x(), y(), z(), vx / length, vy / length, vz / length, ray.time, 1, 1, 1);
         found.hitOn(memory.part, turned, 0, memory);
         rotation.turn(memory, startAngle + rate * foundDistance);
         boolean isKnown = part == ROUND;

@@ -50,6 +50,9 @@ final class RotatingGroup extends Primitive {
     private final double high;
     private final double radius;
 
+    /** The memory of each thread. */
+    private final ThreadLocal<Search> searches = ThreadLocal.withInitial(Search::new);
+
     private RotatingGroup(List<Primitive> members) {
         super(members.get(0).object(), members.get(0).surface());
         rotation = members.get(0).restFrame().rotation();
@@ -105,54 +108,63 @@ final class RotatingGroup extends Primitive {
         return search(ray, limit, 0).foundDistance();
     }
 
-    /** Looks for the nearest hit up to a limit, beyond what is known to be empty. */
+    /** Looks for the nearest hit up to a limit, beyond what is known to be empty; the next search forgets it. */
     private TurningPath search(Ray ray, double limit, double known) {
-        TurningPath path = new TurningPath(rotation, ray);
-        for (Primitive each : round) {
-            double distance = each.distance(ray, limit(path, limit));
-            if (distance < NO_HIT) {
-                path.find(each, TurningPath.ROUND, distance);
-            }
-        }
-        if (tree == null || !path.enters(low, high, radius)) {
-            return path;
-        }
-        double from = path.entry();
-        double to = path.exit();
-        int chords = 1 + (int) Math.min(MOST_CHORDS, CHORDS * path.turning() * (to - from));
-        double step = (to - from) / chords;
-        int first = known > from ? Math.max(0, (int) ((known - from) / step) - 1) : 0;
-        for (int i = first; i < chords; i++) {
-            double start = from + i * step;
-            if (start > limit(path, limit)) {
-                break;
-            }
-            double end = i + 1 == chords ? to : from + (i + 1) * step;
-            path.take(start, end, radius);
-            search(tree, new Chord(path, start, end), ray, path, limit);
-        }
-        return path;
+        Search search = searches.get();
+        search.of(ray, limit, known);
+        return search.path;
     }
 
-    private static double limit(TurningPath path, double limit) {
-        return Math.min(limit, path.foundDistance());
-    }
+    /** The search of a thread for what a ray meets, on one chord of its path after the other. */
+    private final class Search {
 
-    /** A piece of a path, and the straight line between its ends. */
-    private static final class Chord {
-        final double from;
-        final double to;
-        final double sag;
-        final double x;
-        final double y;
-        final double z;
-        final double inverseX;
-        final double inverseY;
-        final double inverseZ;
+        final TurningPath path = new TurningPath(rotation);
+        private Ray ray;
+        private double limit;
 
-        Chord(TurningPath path, double from, double to) {
-            this.from = from;
-            this.to = to;
+        // the present piece of the path, and the straight line between its ends
+        private double from;
+        private double to;
+        private double sag;
+        private double x;
+        private double y;
+        private double z;
+        private double inverseX;
+        private double inverseY;
+        private double inverseZ;
+
+        void of(Ray newRay, double newLimit, double known) {
+            ray = newRay;
+            limit = newLimit;
+            path.begin(ray);
+            for (Primitive each : round) {
+                double distance = each.distance(ray, nearest());
+                if (distance < NO_HIT) {
+                    path.find(each, TurningPath.ROUND, distance);
+                }
+            }
+            if (tree == null || !path.enters(low, high, radius)) {
+                return;
+            }
+            double entry = path.entry();
+            double exit = path.exit();
+            int chords = 1 + (int) Math.min(MOST_CHORDS, CHORDS * path.turning() * (exit - entry));
+            double step = (exit - entry) / chords;
+            int first = known > entry ? Math.max(0, (int) ((known - entry) / step) - 1) : 0;
+            for (int i = first; i < chords && entry + i * step <= nearest(); i++) {
+                take(entry + i * step, i + 1 == chords ? exit : entry + (i + 1) * step);
+                search(tree);
+            }
+        }
+
+        private double nearest() {
+            return Math.min(limit, path.foundDistance());
+        }
+
+        private void take(double newFrom, double newTo) {
+            from = newFrom;
+            to = newTo;
+            path.take(from, to, radius);
             sag = path.sag(to - from);
             path.go(from);
             x = path.x();
@@ -164,27 +176,23 @@ final class RotatingGroup extends Primitive {
             inverseZ = 1 / (path.z() - z);
         }
 
-        boolean comesNear(TreeNode node) {
-            return node.isNear(x, y, z, inverseX, inverseY, inverseZ, sag);
-        }
-    }
-
-    private void search(TreeNode node, Chord chord, Ray ray, TurningPath path, double limit) {
-        if (!chord.comesNear(node)) {
-            return;
-        }
-        if (node.primitives == null) {
-            search(node.low, chord, ray, path, limit);
-            search(node.high, chord, ray, path, limit);
-            return;
-        }
-        for (int i = node.from; i < node.to; i++) {
-            boolean startsHere = chord.from == 0 && ray.boundary == others[i];
-            for (Face face : faces[i]) {
-                double start = startsHere && ray.part == face.part() ? face.leaving(path) : chord.from;
-                double distance = face.first(path, start, chord.to);
-                if (distance <= limit && distance < NO_HIT) {
-                    path.find(others[i], face.part(), distance);
+        private void search(TreeNode node) {
+            if (!node.isNear(x, y, z, inverseX, inverseY, inverseZ, sag)) {
+                return;
+            }
+            if (node.primitives == null) {
+                search(node.low);
+                search(node.high);
+                return;
+            }
+            for (int i = node.from; i < node.to; i++) {
+                boolean startsHere = from == 0 && ray.boundary == others[i];
+                for (Face face : faces[i]) {
+                    double start = startsHere && ray.part == face.part() ? face.leaving(path) : from;
+                    double distance = face.first(path, start, to);
+                    if (distance <= limit && distance < NO_HIT) {
+                        path.find(others[i], face.part(), distance);
+                    }
                 }
             }
         }

@@ -23,9 +23,11 @@ import tompkins.light.PointLight;
 import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
+import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.Rotating;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.sceneobject.Triangle;
@@ -35,6 +37,7 @@ import tompkins.studio.Lighting;
 import tompkins.studio.PaperStudios;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
+import tompkins.surface.LuminousSurface;
 import tompkins.surface.Refractive;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleSink;
@@ -194,6 +197,25 @@ class RenderWorkTest {
                 .withVelocity(Velocity.of(new Vector3d(0, 0, 0.5)));
 
         assertThat(bytesOfASample(water)).isLessThanOrEqualTo(BYTES_PER_SAMPLE);
+    }
+
+    /** Spokes that turn, each pixel of which is a curve for the search. */
+    @Test
+    void aSampleOfWhatTurnsAllocatesLittle() {
+        List<SceneObject> spokes = IntStream.range(0, 12)
+                .mapToDouble(spoke -> Math.PI * spoke / 6)
+                .<SceneObject>mapToObj(angle -> new Cylinder(
+                        "spoke",
+                        new Vector3d(0, 0, 10),
+                        new Vector3d(2 * Math.cos(angle), 2 * Math.sin(angle), 10),
+                        0.05,
+                        true,
+                        new LuminousSurface(Colour.WHITE, true)))
+                .toList();
+        Studio wheel = Studio.DEFAULT.withScene(
+                List.of(new Rotating("wheel", new Vector3d(0, 0, 10), new Vector3d(0, 0, 1), 0.4, 0, spokes)));
+
+        assertThat(bytesOfASample(wheel)).isLessThanOrEqualTo(BYTES_PER_SAMPLE);
     }
 
     private static long bytesOfASample(Studio studio) {
