@@ -1,14 +1,18 @@
 package tompkins.search;
 
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.surface.Surface;
 
 /**
  * All primitives of one frame, ordered for searching: a bounding-volume tree for what has bounds, a list for infinite
@@ -34,6 +38,7 @@ public final class ObjectTree {
     private final List<Primitive> unbounded;
     private final boolean mostlyLong;
     private final int size;
+    private final Set<Surface> surfaces = Collections.newSetFromMap(new IdentityHashMap<>());
     private final List<RotatingGroup> rotating;
 
     /** Orders primitives that were numbered by a {@link PrimitiveCollector}. */
@@ -45,6 +50,7 @@ public final class ObjectTree {
     public ObjectTree(List<Primitive> primitives, int smallestTree) {
         List<Primitive> searched = RotatingGroup.gather(primitives);
         size = primitives.size();
+        primitives.forEach(primitive -> surfaces.add(primitive.surface()));
         rotating = searched.stream()
                 .filter(RotatingGroup.class::isInstance)
                 .map(RotatingGroup.class::cast)
@@ -74,6 +80,11 @@ public final class ObjectTree {
                 .flatMap(List::stream)
                 .flatMap(each -> each instanceof RotatingGroup group ? group.members().stream() : Stream.of(each))
                 .toList();
+    }
+
+    /** The surfaces of all primitives, each once: a mesh of a million triangles has one. */
+    public Set<Surface> surfaces() {
+        return Collections.unmodifiableSet(surfaces);
     }
 
     /** The largest speed of each of the groups of primitives that turn together, in this frame. */

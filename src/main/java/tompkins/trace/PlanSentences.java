@@ -1,9 +1,7 @@
 package tompkins.trace;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.Comparator;
-import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -67,10 +65,10 @@ final class PlanSentences {
     List<String> sentences() {
         List<String> sentences = new ArrayList<>();
         Set<Surface> inScene = IntStream.range(0, world.frameCount())
-                .mapToObj(i -> surfaces(world.objects(i)))
+                .mapToObj(i -> world.objects(i).surfaces())
                 .flatMap(Set::stream)
                 .collect(Collectors.toSet());
-        Set<Surface> beforeLens = surfaces(cameraFrame);
+        Set<Surface> beforeLens = cameraFrame.surfaces();
         boolean isMeasured = studio.view() == View.MEASURED;
         if (isMeasured) {
             sentences.add(measured());
@@ -129,8 +127,9 @@ final class PlanSentences {
         }
         warnings.addAll(new Flashes(plan, world.lights()).warnings());
         Stream.concat(IntStream.range(0, world.frameCount()).mapToObj(world::objects), Stream.of(cameraFrame))
+                .filter(objects -> objects.surfaces().stream().anyMatch(PlanSentences::isLens))
                 .flatMap(objects -> objects.primitives().stream())
-                .filter(PlanSentences::isRoundLens)
+                .filter(primitive -> isRound(primitive) && isLens(primitive.surface()))
                 .findFirst()
                 .ifPresent(lens -> warnings.add("an IdealLens is for flat objects; \"" + lens.description()
                         + "\" is round, and what is seen through it means nothing"));
@@ -143,11 +142,14 @@ final class PlanSentences {
         return warnings;
     }
 
-    private static boolean isRoundLens(Primitive primitive) {
+    private static boolean isLens(Surface surface) {
+        return surface.parts().anyMatch(IdealLens.class::isInstance);
+    }
+
+    private static boolean isRound(Primitive primitive) {
         return !(primitive instanceof FlatPrimitive
-                        || primitive instanceof PlanePrimitive
-                        || primitive instanceof BoxPrimitive)
-                && primitive.surface().parts().anyMatch(IdealLens.class::isInstance);
+                || primitive instanceof PlanePrimitive
+                || primitive instanceof BoxPrimitive);
     }
 
     /** Whether the picture needs a focus, and there is none, as in an empty group. */
@@ -316,13 +318,6 @@ final class PlanSentences {
         return "moving with " + scale.key() + " "
                 + NumberText.of(NumberText.rounded(scale.valueOf(motion.velocity()), 4))
                 + (motion.outer() == null ? "" : " in what moves");
-    }
-
-    /** The surfaces of all primitives, each once: a mesh of a million triangles has one. */
-    private static Set<Surface> surfaces(ObjectTree objects) {
-        Set<Surface> surfaces = Collections.newSetFromMap(new IdentityHashMap<>());
-        objects.primitives().forEach(primitive -> surfaces.add(primitive.surface()));
-        return surfaces;
     }
 
     private String recursion(Stream<Surface> surfaces) {

@@ -31,6 +31,7 @@ import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
+import tompkins.surface.Surface;
 import tompkins.world.FlashTimes;
 import tompkins.world.FrameRoutes;
 import tompkins.world.InertialFrame;
@@ -196,8 +197,8 @@ public final class RenderPlan {
                 && !world.moves()
                 && !hasFlashes()
                 && Stream.of(world.objects(0), cameraFrame)
-                        .flatMap(objects -> objects.primitives().stream())
-                        .noneMatch(primitive -> primitive.surface().showsTime());
+                        .flatMap(objects -> objects.surfaces().stream())
+                        .noneMatch(Surface::showsTime);
     }
 
     /** Boxes around the first bounded objects, where they are in the scene when the picture is taken. */
