@@ -303,8 +303,8 @@ final class PlanSentences {
     private String content(int frame) {
         ObjectTree objects = world.objects(frame);
         String primitives = count(objects.size(), "primitive") + (objects.hasTree() ? " in a tree" : "");
-        int lamps = (int) IntStream.range(0, world.lights().size())
-                .filter(source -> world.lights().get(source).position() != null && world.frameOfLight(source) == frame)
+        int lamps = (int) world.lamps().stream()
+                .filter(lamp -> lamp.light().position() != null && lamp.frame() == frame)
                 .count();
         return lamps == 0 ? primitives : primitives + " and " + count(lamps, "lamp");
     }

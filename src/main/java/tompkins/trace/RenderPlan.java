@@ -1,6 +1,5 @@
 package tompkins.trace;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -20,7 +19,6 @@ import tompkins.ray.Medium;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.PrimitiveCollector;
-import tompkins.search.LampShadows;
 import tompkins.search.ObjectTree;
 import tompkins.shutter.LensRay;
 import tompkins.spacetime.Event;
@@ -35,6 +33,7 @@ import tompkins.surface.Surface;
 import tompkins.world.FlashTimes;
 import tompkins.world.FrameRoutes;
 import tompkins.world.InertialFrame;
+import tompkins.world.Lamp;
 import tompkins.world.LitSpan;
 import tompkins.world.ObjectPreparation;
 import tompkins.world.World;
@@ -299,17 +298,16 @@ public final class RenderPlan {
     }
 
     private Surroundings beforeLens(RayCounts counts) {
-        int lamps = cameraLights.size();
-        return new RestingSurroundings(cameraFrame, cameraLights, new double[lamps], new LampShadows[lamps], counts);
+        List<Lamp> lamps =
+                cameraLights.stream().map(light -> new Lamp(light, 0, 0)).toList();
+        return new RestingSurroundings(cameraFrame, lamps, counts);
     }
 
     private Surroundings scene(RayCounts counts) {
         if (needsFrames()) {
             return new MovingSurroundings(world, routes, studio.transformation(), shift, counts);
         }
-        LampShadows[] lampShadows = new LampShadows[world.lights().size()];
-        Arrays.setAll(lampShadows, world::lampShadows);
-        return new RestingSurroundings(world.objects(0), world.lights(), world.lampZeros(), lampShadows, counts);
+        return new RestingSurroundings(world.objects(0), world.lamps(), counts);
     }
 
     /** Finds what flash lamps do at hits, for one thread; null if no lamp flashes. */

@@ -1,8 +1,6 @@
 package tompkins.trace;
 
 import java.util.List;
-import org.joml.Vector3dc;
-import tompkins.light.LightSource;
 import tompkins.light.Sightline;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Colour;
@@ -15,14 +13,13 @@ import tompkins.search.NearestHit;
 import tompkins.search.ObjectTree;
 import tompkins.search.PacketQuery;
 import tompkins.spacetime.TransformationLaw;
+import tompkins.world.Lamp;
 
 /** The objects and lamps of one frame, in which nothing moves. */
 final class RestingSurroundings implements Surroundings {
 
     private final ObjectTree objects;
-    private final List<LightSource> lights;
-    private final double[] lampZeros;
-    private final LampShadows[] lampShadows;
+    private final List<Lamp> lamps;
     private final RayCounts counts;
     private final NearestHit nearest;
     private final PacketQuery packet;
@@ -31,22 +28,10 @@ final class RestingSurroundings implements Surroundings {
     /** What threw the last shadow: it often throws the next one, too. */
     private Primitive lastShadow;
 
-    /**
-     * The surroundings in a frame.
-     *
-     * @param lampZeros the time at which the own time of each of the lights is 0
-     * @param lampShadows what each of the lights sees of the objects, or null for those of which that is not prepared
-     */
-    RestingSurroundings(
-            ObjectTree objects,
-            List<LightSource> lights,
-            double[] lampZeros,
-            LampShadows[] lampShadows,
-            RayCounts counts) {
+    /** The surroundings in a frame. */
+    RestingSurroundings(ObjectTree objects, List<Lamp> lamps, RayCounts counts) {
         this.objects = objects;
-        this.lights = lights;
-        this.lampZeros = lampZeros;
-        this.lampShadows = lampShadows;
+        this.lamps = lamps;
         this.counts = counts;
         nearest = new NearestHit(counts);
         packet = new PacketQuery(objects, nearest);
@@ -101,8 +86,7 @@ final class RestingSurroundings implements Surroundings {
 
     @Override
     public boolean find(int source, Hit hit, Sightline sight) {
-        Vector3dc lamp = lights.get(source).position();
-        sight.set(lamp.x() - hit.x, lamp.y() - hit.y, lamp.z() - hit.z, hit.time - lampZeros[source]);
+        lamps.get(source).find(hit, sight);
         return true;
     }
 
@@ -111,7 +95,7 @@ final class RestingSurroundings implements Surroundings {
         counts.shadowRays++;
         double distance = sight.length;
         Ray ray = memory.setShadow(from, sight.x / distance, sight.y / distance, sight.z / distance);
-        LampShadows seen = lampShadows[source];
+        LampShadows seen = lamps.get(source).shadows();
         if (seen != null) {
             return !seen.shadows(from, ray, 0, distance, counts);
         }

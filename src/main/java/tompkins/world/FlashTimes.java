@@ -32,14 +32,14 @@ public final class FlashTimes {
      * @param cycle the number of the flash, as {@link Pulse#cycle} counts
      */
     public List<LitSpan> of(int source, Pulse flash, double cycle, Ray ray, Hit hit) {
-        Vector3dc lamp = world.lights().get(source).position();
-        int lampFrame = world.frameOfLight(source);
+        Lamp lamp = world.lamps().get(source);
+        Vector3dc place = lamp.position();
         Hit event = hit.event == null ? hit : hit.event;
         int lightFrame = hasOneCarrier ? routes.camera() : event.frame;
         double begin = flash.start() + cycle * flash.period();
         Event[] ends = DoubleStream.of(begin, begin + flash.duration())
-                .mapToObj(time -> new Event(lamp.x(), lamp.y(), lamp.z(), time + world.lampZeros()[source]))
-                .map(routes.route(lampFrame, lightFrame)::transform)
+                .mapToObj(time -> new Event(place.x(), place.y(), place.z(), time + lamp.zero()))
+                .map(routes.route(lamp.frame(), lightFrame)::transform)
                 .toArray(Event[]::new);
         Event met = routes.route(event.frame, lightFrame).transform(new Event(event.x, event.y, event.z, event.time));
         // in one unit of camera time the event goes with the camera, and along the ray to where the surface is

@@ -1,7 +1,7 @@
 package tompkins.world;
 
 import java.util.Arrays;
-import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.joml.Vector3dc;
 import tompkins.light.Sightline;
 import tompkins.primitive.Primitive;
@@ -24,8 +24,7 @@ public final class RetardedLight {
     private final FrameRoutes routes;
     private final RayCounts counts;
     private final NearestHit scratch;
-    private final int[] lampFrames;
-    private final double[] lampZeros;
+    private final Lamp[] lamps;
 
     /** The velocities of the lamps in the camera frame; null unless light has one carrier. */
     private final Vector3dc[] paces;
@@ -47,16 +46,13 @@ public final class RetardedLight {
         scratch = new NearestHit(counts);
         trees = world.trees();
         filled = world.filledFrames();
-        lampFrames = new int[world.lights().size()];
-        for (int i = 0; i < lampFrames.length; i++) {
-            lampFrames[i] = world.frameOfLight(i);
-        }
-        lampZeros = world.lampZeros();
+        lamps = world.lamps().toArray(Lamp[]::new);
         paces = law != TransformationLaw.GALILEAN
                 ? null
-                : IntStream.of(lampFrames)
-                        .mapToObj(frame ->
-                                routes.route(frame, routes.camera()).worldLine().position())
+                : Stream.of(lamps)
+                        .map(lamp -> routes.route(lamp.frame(), routes.camera())
+                                .worldLine()
+                                .position())
                         .toArray(Vector3dc[]::new);
         lastShadows = new Primitive[world.frameCount()];
     }
@@ -72,16 +68,16 @@ public final class RetardedLight {
      * @return false if no light of the lamp gets to the event
      */
     public boolean find(int source, Hit hit, Sightline sight) {
-        Vector3dc at = world.lights().get(source).position();
-        int lampFrame = lampFrames[source];
+        Lamp lamp = lamps[source];
         if (paces != null) {
-            return findWithOneCarrier(source, at, hit, sight);
+            return findWithOneCarrier(lamp, paces[source], hit, sight);
         }
-        if (lampFrame == hit.frame) {
-            sight.set(at.x() - hit.x, at.y() - hit.y, at.z() - hit.z, hit.time - lampZeros[source]);
+        if (lamp.frame() == hit.frame) {
+            lamp.find(hit, sight);
             return true;
         }
-        routes.transform(way.setShadow(hit.event, 0, 0, 1), lampFrame, way);
+        Vector3dc at = lamp.position();
+        routes.transform(way.setShadow(hit.event, 0, 0, 1), lamp.frame(), way);
         double x = at.x() - way.x;
         double y = at.y() - way.y;
         double z = at.z() - way.z;
@@ -89,7 +85,7 @@ public final class RetardedLight {
         if (length == 0) {
             return false;
         }
-        double emission = way.time - length - lampZeros[source];
+        double emission = way.time - length - lamp.zero();
         routes.transform(way.aim(x / length, y / length, z / length), hit.frame, way);
         double stretched = length * way.directionLength;
         sight.set(way.dx * stretched, way.dy * stretched, way.dz * stretched, way.directionLength, 1, emission);
@@ -101,14 +97,14 @@ public final class RetardedLight {
      * at the time of the hit, and its velocity w, both in the camera frame, the light has been on its way for the time
      * s that solves |R - w s| = s.
      */
-    private boolean findWithOneCarrier(int source, Vector3dc at, Hit hit, Sightline sight) {
-        Vector3dc w = paces[source];
+    private boolean findWithOneCarrier(Lamp lamp, Vector3dc w, Hit hit, Sightline sight) {
+        Vector3dc at = lamp.position();
         routes.transform(eventRay.setShadow(hit, 0, 0, 1), routes.camera(), eventRay);
         double hitX = eventRay.x;
         double hitY = eventRay.y;
         double hitZ = eventRay.z;
         double hitTime = eventRay.time;
-        place.setPlace(lampFrames[source], at.x(), at.y(), at.z(), 0);
+        place.setPlace(lamp.frame(), at.x(), at.y(), at.z(), 0);
         routes.transform(eventRay.setShadow(place, 0, 0, 1), routes.camera(), eventRay);
         double later = hitTime - eventRay.time;
         double rx = eventRay.x + w.x() * later - hitX;
@@ -132,7 +128,7 @@ public final class RetardedLight {
                 way.dz * stretched,
                 1,
                 way.slowness,
-                later - duration - lampZeros[source]);
+                later - duration - lamp.zero());
         return true;
     }
 
@@ -143,7 +139,7 @@ public final class RetardedLight {
         shadow.setShadow(hit, sight.x / length, sight.y / length, sight.z / length, sight.slowness);
         for (int i : filled) {
             if (i == hit.frame) {
-                if (isDark(source, i, hit, shadow, length)) {
+                if (isDark(lamps[source], i, hit, shadow, length)) {
                     return false;
                 }
                 continue;
@@ -155,19 +151,19 @@ public final class RetardedLight {
             Ray start = routes.transform(eventRay.setShadow(hit.event, 0, 0, 1), i, eventRay);
             place.setPlace(i, start.x, start.y, start.z, start.time);
             inFrame.setStart(place);
-            if (isDark(source, i, place, inFrame, length * inFrame.directionLength)) {
+            if (isDark(lamps[source], i, place, inFrame, length * inFrame.directionLength)) {
                 return false;
             }
         }
         return true;
     }
 
-    private boolean isDark(int source, int frame, Hit start, Ray ray, double length) {
+    private boolean isDark(Lamp lamp, int frame, Hit start, Ray ray, double length) {
         LampShadows seen = null;
         double place = 0;
-        LampTrack track = world.lampTrack(source, frame);
-        if (lampFrames[source] == frame) {
-            seen = world.lampShadows(source);
+        LampTrack track = lamp.track(frame);
+        if (lamp.frame() == frame) {
+            seen = lamp.shadows();
         } else if (track != null) {
             place = track.at(ray, length);
             seen = place == LampTrack.NOWHERE ? null : track.seenFrom(place);

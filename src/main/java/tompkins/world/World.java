@@ -52,15 +52,8 @@ public final class World {
     private final boolean followsCamera;
     private final List<InertialFrame> frames;
 
-    // for each lamp the number of its frame, when its own time is 0 there, and what it sees; lights that have no place
-    // belong to the scene frame
-    private final List<LightSource> lights = new ArrayList<>();
-    private final List<Integer> lightFrames = new ArrayList<>();
-    private final List<Double> lightZeros = new ArrayList<>();
-    private final List<LampShadows> lampShadows = new ArrayList<>();
-
-    /** For each light and frame the way of the light past what rests there, or null if that is not prepared. */
-    private final LampTrack[][] lampTracks;
+    private final List<Lamp> lamps;
+    private final List<LightSource> lights;
 
     /**
      * Prepares the scene of a studio.
@@ -85,33 +78,32 @@ public final class World {
                 1, new Matrix3d(), new Vector3d(), tree.origin(null).position());
         ObjectPreparation.add("scene", described, collector, placement);
         followsCamera = asked[0];
+        List<Lamp> unprepared = new ArrayList<>();
         for (int i = 0; i < describedLights.size(); i++) {
             try {
-                add(describedLights.get(i), collector, placement);
+                add(describedLights.get(i), collector, placement, unprepared);
             } catch (InvalidPropertyException tooFast) {
                 throw new InvalidPropertyException("lights[" + i + "]", tooFast);
             }
         }
         frames = inTrees(collector.frames(), plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE);
-        prepareShadows(plain);
-        lampTracks = new LampTrack[lights.size()][frames.size()];
-        if (!plain && frames.size() > 1) {
-            prepareTracks(routes(tree));
-        }
+        lamps = plain ? List.copyOf(unprepared) : prepared(unprepared, routes(tree));
+        lights = lamps.stream().map(Lamp::light).toList();
     }
 
-    private void add(LightSource source, PrimitiveCollector collector, Placement placement) {
+    private static void add(LightSource source, PrimitiveCollector collector, Placement placement, List<Lamp> lamps) {
         if (source instanceof MovingLights moving) {
             collector.addMoving(
                     moving.velocity(),
                     moving.place(),
                     0,
                     placement,
-                    inner -> moving.objects().forEach(light -> add(light, collector, inner)));
+                    inner -> moving.objects().forEach(light -> add(light, collector, inner, lamps)));
         } else {
-            lights.add(source.seenFrom(placement.point(new Vector3d()).negate()));
-            lightFrames.add(collector.frames().indexOf(collector.frame()));
-            lightZeros.add(collector.rest().zero().time());
+            lamps.add(new Lamp(
+                    source.seenFrom(placement.point(new Vector3d()).negate()),
+                    collector.frames().indexOf(collector.frame()),
+                    collector.rest().zero().time()));
         }
     }
 
@@ -137,40 +129,42 @@ public final class World {
                 .toList();
     }
 
-    private void prepareShadows(boolean plain) {
-        int lamps = 0;
+    private List<Lamp> prepared(List<Lamp> unprepared, FrameRoutes routes) {
+        List<Lamp> prepared = new ArrayList<>();
+        AtomicLong left = new AtomicLong(MOST_SEEN);
+        int places = 0;
         try {
-            for (int i = 0; i < lights.size(); i++) {
-                ObjectTree seen = objects(frameOfLight(i));
-                boolean wanted = !plain
-                        && lights.get(i).position() != null
-                        && lamps++ < Math.min(MOST_BUFFERS, MOST_SEEN / Math.max(1, seen.size()));
-                lampShadows.add(wanted ? LampShadows.of(lights.get(i).position(), seen) : null);
+            for (Lamp lamp : unprepared) {
+                ObjectTree seen = objects(lamp.frame());
+                boolean hasBuffer = lamp.position() != null
+                        && places++ < Math.min(MOST_BUFFERS, MOST_SEEN / Math.max(1, seen.size()));
+                boolean hasTracks = lamp.position() != null && prepared.size() < MOST_BUFFERS;
+                prepared.add(new Lamp(
+                        lamp.light(),
+                        lamp.frame(),
+                        lamp.zero(),
+                        hasBuffer ? LampShadows.of(lamp.position(), seen) : null,
+                        hasTracks ? tracks(lamp, routes, left) : List.of()));
             }
         } catch (ArithmeticException beyondNumbers) {
             throw PrimitiveCollector.refusal("scene", "larger");
         }
+        return List.copyOf(prepared);
     }
 
-    private void prepareTracks(FrameRoutes routes) {
-        AtomicLong left = new AtomicLong(MOST_SEEN);
-        for (int i = 0; i < Math.min(MOST_BUFFERS, lights.size()); i++) {
-            Vector3dc lamp = lights.get(i).position();
-            int own = frameOfLight(i);
-            for (int frame = 0; frame < frames.size() && lamp != null; frame++) {
-                if (frame != own) {
-                    lampTracks[i][frame] = LampTrack.of(
-                            place(routes, own, frame, lamp, 0),
-                            place(routes, own, frame, lamp, 1),
-                            objects(frame),
-                            left);
-                }
-            }
-        }
+    /** The way of a lamp past what rests in each frame other than its own. */
+    private List<LampTrack> tracks(Lamp lamp, FrameRoutes routes, AtomicLong left) {
+        return IntStream.range(0, frames.size())
+                .mapToObj(frame -> frame == lamp.frame()
+                        ? null
+                        : LampTrack.of(
+                                place(routes, lamp, frame, 0), place(routes, lamp, frame, 1), objects(frame), left))
+                .toList();
     }
 
-    private static Vector3dc place(FrameRoutes routes, int from, int to, Vector3dc place, double time) {
-        return routes.route(from, to)
+    private static Vector3dc place(FrameRoutes routes, Lamp lamp, int frame, double time) {
+        Vector3dc place = lamp.position();
+        return routes.route(lamp.frame(), frame)
                 .transform(new Event(place.x(), place.y(), place.z(), time))
                 .position();
     }
@@ -274,24 +268,9 @@ public final class World {
         return lights;
     }
 
-    /** The frame of a light source. */
-    public int frameOfLight(int source) {
-        return lightFrames.get(source);
-    }
-
-    /** When the own time of each light source is 0, in the coordinates of its frame in which the tracer works. */
-    public double[] lampZeros() {
-        return lightZeros.stream().mapToDouble(Double::doubleValue).toArray();
-    }
-
-    /** What a light source sees of what rests with it, or null if that is not prepared. */
-    public LampShadows lampShadows(int source) {
-        return lampShadows.get(source);
-    }
-
-    /** The way of a light source past what rests in another frame than its own, or null if that is not prepared. */
-    LampTrack lampTrack(int source, int frame) {
-        return lampTracks[source][frame];
+    /** The same lights, each with its frame. */
+    public List<Lamp> lamps() {
+        return lamps;
     }
 
     /** The ways between the frames. */

@@ -180,7 +180,7 @@ class GoldenFlashTest {
             Vector3d p = row.vector("p_");
             Event inScene = new Event(p.x, p.y, p.z, 0)
                     .plus(scene.routes
-                            .route(scene.world.frameOfLight(0), 0)
+                            .route(scene.world.lamps().get(0).frame(), 0)
                             .difference(new Event(q.x, q.y, q.z, ownTime)));
             return scene.routes.route(0, lightFrame).transform(inScene);
         }

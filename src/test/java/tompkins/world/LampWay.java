@@ -31,7 +31,8 @@ final class LampWay {
         int frame = row.vector("vs_").length() == 0 ? 0 : 1;
         find(scene, frame, atSurface);
         find(scene, 0, atRest);
-        lampFrameEmission = scene.routes.route(0, scene.world.frameOfLight(0)).transform(emission());
+        lampFrameEmission =
+                scene.routes.route(0, scene.world.lamps().get(0).frame()).transform(emission());
     }
 
     private void find(MovingRow scene, int frame, Sightline sight) {

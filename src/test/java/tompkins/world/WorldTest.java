@@ -165,9 +165,10 @@ class WorldTest {
 
         World world = world(studio);
 
-        assertThat(world.lampShadows(0)).isNull();
-        assertThat(IntStream.rangeClosed(1, 16)).allMatch(i -> world.lampShadows(i) != null);
-        assertThat(world.lampShadows(17)).isNull();
+        assertThat(world.lamps().get(0).shadows()).isNull();
+        assertThat(IntStream.rangeClosed(1, 16))
+                .allMatch(i -> world.lamps().get(i).shadows() != null);
+        assertThat(world.lamps().get(17).shadows()).isNull();
     }
 
     @Test
@@ -176,8 +177,8 @@ class WorldTest {
 
         World plain = new World(studio, frames(studio, AT_THE_ORIGIN), point -> Event.ORIGIN, true);
 
-        assertThat(plain.lampShadows(0)).isNull();
-        assertThat(plain.lampTrack(0, 1)).isNull();
+        assertThat(plain.lamps().get(0).shadows()).isNull();
+        assertThat(plain.lamps().get(0).track(1)).isNull();
     }
 
     /** A lamp passes what moves; beside what rests with it it has a buffer. */
@@ -187,9 +188,9 @@ class WorldTest {
 
         World world = world(studio);
 
-        assertThat(world.lampTrack(0, 1)).isNull();
-        assertThat(world.lampTrack(1, 1)).isNotNull();
-        assertThat(world.lampTrack(1, 0)).isNull();
+        assertThat(world.lamps().get(0).track(1)).isNull();
+        assertThat(world.lamps().get(1).track(1)).isNotNull();
+        assertThat(world.lamps().get(1).track(0)).isNull();
     }
 
     /** Enough balls for a tree and a track, in motion past one ball at rest. */
