@@ -65,6 +65,7 @@ class ArchitectureTest {
             "studio",
             "world",
             "trace",
+            "explain",
             "measure",
             "render",
             "io",

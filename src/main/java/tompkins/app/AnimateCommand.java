@@ -23,6 +23,7 @@ import tompkins.animation.FilmAssembly;
 import tompkins.animation.FrameSelection;
 import tompkins.animation.FrameSequence;
 import tompkins.animation.RideFilm;
+import tompkins.explain.Explanation;
 import tompkins.file.FileException;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
@@ -339,7 +340,9 @@ final class AnimateCommand extends ProgramCommand {
         RenderPlan begin = ScenePlan.of(first, scene);
         RenderPlan end = ScenePlan.of(last, begin, scene);
         Photographer.requireMemory(first.settings(), Quality.of(first));
-        return Stream.concat(begin.warnings().stream(), end.warnings().stream()).toList();
+        return Stream.of(begin, end)
+                .flatMap(plan -> new Explanation(plan).warnings().stream())
+                .toList();
     }
 
     /** The studio with another value, which was given by an option. */

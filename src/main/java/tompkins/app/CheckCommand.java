@@ -5,6 +5,7 @@ import java.util.List;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
+import tompkins.explain.Explanation;
 import tompkins.file.FileException;
 import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
@@ -42,7 +43,7 @@ final class CheckCommand extends ProgramCommand {
             current = scene;
             try {
                 Studio studio = option.read(scene, List.of());
-                ScenePlan.of(studio, scene)
+                new Explanation(ScenePlan.of(studio, scene))
                         .warnings()
                         .forEach(warning -> err().println(scene + ": warning: " + warning));
                 StudioWriter.notes(studio).forEach(note -> err().println(scene + ": note: " + note));

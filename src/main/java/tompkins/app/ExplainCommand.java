@@ -6,6 +6,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 import tompkins.camera.Camera;
+import tompkins.explain.Explanation;
 import tompkins.property.NumberText;
 import tompkins.render.CostForecast;
 import tompkins.render.Quality;
@@ -42,7 +43,7 @@ final class ExplainCommand extends ProgramCommand {
         Photographer.requireMemory(studio.settings(), wish);
         out().println(studio.title());
         studio.remarks().lines().forEach(out()::println);
-        for (String sentence : plan.sentences()) {
+        for (String sentence : new Explanation(plan).sentences()) {
             out().println("- " + sentence);
         }
         out().println("- " + wish.sentence(plan));

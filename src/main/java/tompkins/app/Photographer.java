@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import picocli.CommandLine;
+import tompkins.explain.Explanation;
 import tompkins.file.FileException;
 import tompkins.image.PhotographFile;
 import tompkins.image.PhotographInfo;
@@ -140,7 +141,7 @@ final class Photographer implements AutoCloseable {
         Path place = isPiped
                 ? target
                 : PhotographFile.write(target, job.image(), format, curve, info, mayReplace.getAsBoolean());
-        plan.warnings().forEach(warning -> err.println("warning: " + warning));
+        new Explanation(plan).warnings().forEach(warning -> err.println("warning: " + warning));
         report(place, job.report(), studio.view());
         tellFilesToKeep(studio, err);
     }

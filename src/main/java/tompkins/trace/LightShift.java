@@ -9,7 +9,7 @@ import tompkins.ray.Colour;
  * luminance in the middle of the picture, because a fast camera would see everything ahead thousands of times too
  * bright. What moves with the camera is left as it is. Immutable, shared by all threads.
  */
-final class LightShift {
+public final class LightShift {
 
     /** The largest factor by which the scene is made brighter; what is fainter stays dark. */
     private static final double MOST_GAIN = 0x1p20;
@@ -75,27 +75,27 @@ final class LightShift {
     }
 
     /** The law. */
-    ColourLaw law() {
+    public ColourLaw law() {
         return law;
     }
 
     /** How the light is metered. */
-    Metering metering() {
+    public Metering metering() {
         return metering;
     }
 
     /** The Doppler factor in the middle of the picture. */
-    double middle() {
+    public double middle() {
         return middle;
     }
 
     /** Whether the middle of the picture stays dark, because it is too faint. */
-    boolean isTooFaint() {
+    public boolean isTooFaint() {
         return gain == MOST_GAIN;
     }
 
     /** By how many stops the metering makes the scene brighter. */
-    double stops() {
+    public double stops() {
         return Math.log(gain) / Math.log(2);
     }
 }

@@ -1,7 +1,6 @@
 package tompkins.trace;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -34,7 +33,6 @@ import tompkins.world.FlashTimes;
 import tompkins.world.FrameRoutes;
 import tompkins.world.InertialFrame;
 import tompkins.world.Lamp;
-import tompkins.world.LitSpan;
 import tompkins.world.ObjectPreparation;
 import tompkins.world.World;
 
@@ -158,6 +156,26 @@ public final class RenderPlan {
     /** The studio. */
     public Studio studio() {
         return studio;
+    }
+
+    /** What is seen, ready to be met by rays. */
+    public World world() {
+        return world;
+    }
+
+    /** What moves with the camera, ready to be met by rays. */
+    public ObjectTree objectsBeforeLens() {
+        return cameraFrame;
+    }
+
+    /** The camera, ready to take the picture. */
+    public CameraRays cameraRays() {
+        return cameraRays;
+    }
+
+    /** What becomes of the light of the scene on its way to the camera; null if it stays as it is. */
+    public LightShift lightShift() {
+        return shift;
     }
 
     /** Pixels in a row. */
@@ -323,7 +341,7 @@ public final class RenderPlan {
     }
 
     /** What the medium around the lens does to the picture. */
-    List<String> mediumSentences() {
+    public List<String> mediumSentences() {
         return sceneMedium == null ? List.of() : sceneMedium.sentences();
     }
 
@@ -340,33 +358,8 @@ public final class RenderPlan {
         return routes.route(frame, 0).transform(event).plus(frames.origin(null));
     }
 
-    /**
-     * The plan in sentences: what this picture needs, what it leaves out, and why; the quality says how its samples are
-     * taken.
-     */
-    public List<String> sentences() {
-        return inSentences().sentences();
-    }
-
-    /** What may be wrong with this picture, in clauses without a full stop; the sentences contain all of them. */
-    public List<String> warnings() {
-        return inSentences().warnings();
-    }
-
     /** Whether the motion shifts so much light out of sight that the middle of the picture stays dark. */
     public boolean isTooFaint() {
         return shift != null && shift.isTooFaint();
-    }
-
-    /**
-     * The opening times from the first at which a flash lights something in the picture to one at which most of it is
-     * dark again, judged by what is seen now; none if nothing is ever lit.
-     */
-    public Optional<LitSpan> litTimes() {
-        return new Flashes(this, world.lights()).litTimes();
-    }
-
-    private PlanSentences inSentences() {
-        return new PlanSentences(this, world, cameraFrame, cameraRays, shift);
     }
 }

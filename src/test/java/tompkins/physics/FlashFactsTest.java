@@ -12,6 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import tompkins.camera.ThinLensCamera;
+import tompkins.explain.Flashes;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
@@ -233,10 +234,10 @@ class FlashFactsTest {
     void litTimesOfThePicture() {
         Studio studio = studio(wall(2), lamp(CENTRE, new Pulse(0, 0.5, 0)))
                 .withCamera(Photograph.pinhole(new Vector3d(0, 0, 1), 90, 100));
-        assertThat(RenderPlan.of(studio).litTimes()).hasValueSatisfying(times -> {
+        assertThat(new Flashes(RenderPlan.of(studio)).litTimes()).hasValueSatisfying(times -> {
             assertThat(times.from()).isCloseTo(4, within(0.05));
             assertThat(times.to()).isBetween(6.0, 0.5 + 4 * Math.sqrt(3));
         });
-        assertThat(RenderPlan.of(Studios.sphere()).litTimes()).isEmpty();
+        assertThat(new Flashes(RenderPlan.of(Studios.sphere())).litTimes()).isEmpty();
     }
 }

@@ -13,6 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.explain.Explanation;
 import tompkins.image.LinearImage;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
@@ -328,7 +329,7 @@ class ReciprocityTest {
                     .withCamera(Photograph.pinhole(place, 1, time));
             Photograph photograph = new Photograph(studio);
 
-            assertThat(photograph.plan().sentences()).isNotEmpty();
+            assertThat(new Explanation(photograph.plan()).sentences()).isNotEmpty();
             assertThat(photograph.trace(80, 60).mainHits().get(0).rest().clockReading())
                     .isCloseTo(offset, within(1e-12));
             assertThat(photograph

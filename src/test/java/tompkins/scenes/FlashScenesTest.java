@@ -11,6 +11,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.explain.Explanation;
+import tompkins.explain.Flashes;
 import tompkins.studio.Studio;
 import tompkins.trace.FlashSight;
 import tompkins.trace.RayLife;
@@ -26,18 +28,19 @@ class FlashScenesTest {
     void isTakenWhileSomethingIsLit(String name) throws IOException {
         Studio studio = SceneFiles.read("flash-" + name);
         RenderPlan plan = RenderPlan.of(studio);
-        LitSpan times = plan.litTimes().orElseThrow();
+        LitSpan times = new Flashes(plan).litTimes().orElseThrow();
 
-        assertThat(plan.warnings()).isEmpty();
+        assertThat(new Explanation(plan).warnings()).isEmpty();
         assertThat(studio.camera().shutter().openingTime()).isBetween(times.from(), times.to());
         if (name.equals("train")) {
             // it was elsewhere then, and its times are judged by where it is now
             return;
         }
-        assertThat(opened(studio, times.from() - 0.001).warnings())
+        assertThat(new Explanation(opened(studio, times.from() - 0.001)).warnings())
                 .singleElement(as(STRING))
                 .startsWith("no flash lights anything");
-        assertThat(opened(studio, times.from() + 0.001).warnings()).isEmpty();
+        assertThat(new Explanation(opened(studio, times.from() + 0.001)).warnings())
+                .isEmpty();
     }
 
     private static RenderPlan opened(Studio studio, double time) {

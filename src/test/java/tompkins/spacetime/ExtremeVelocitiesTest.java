@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.explain.Explanation;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Ray;
 import tompkins.studio.Studio;
@@ -81,8 +82,8 @@ class ExtremeVelocitiesTest {
     @ValueSource(doubles = {1e6, 1.1e6, 1e8})
     void picturesBeyondTheGuaranteedGammaSaySo(double gamma) {
         Velocity velocity = Velocity.of(SpeedScale.GAMMA, gamma, new Vector3d(1, 2, 3));
-        boolean warned = RenderPlan.of(Studio.DEFAULT.withVelocity(velocity)).sentences().stream()
-                .anyMatch(sentence -> sentence.startsWith("Warning"));
+        boolean warned = new Explanation(RenderPlan.of(Studio.DEFAULT.withVelocity(velocity)))
+                .sentences().stream().anyMatch(sentence -> sentence.startsWith("Warning"));
         assertThat(warned).isEqualTo(gamma > 1e6);
     }
 

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.Camera;
 import tompkins.camera.FieldOfView;
+import tompkins.explain.Explanation;
 import tompkins.light.ColourLaw;
 import tompkins.primitive.Bounds;
 import tompkins.sceneobject.Box;
@@ -91,7 +92,8 @@ class RenderPlanTest {
         Studio hidden = MOVING.withColours(ColourLaw.DOPPLER)
                 .withCameraFrame(List.of(new Sphere("cap", new Vector3d(0, 0, 2), 0.5, ColouredSurface.DEFAULT)));
 
-        assertThat(RenderPlan.of(hidden).sentences()).anyMatch(sentence -> sentence.contains("where D is 2:"));
+        assertThat(new Explanation(RenderPlan.of(hidden)).sentences())
+                .anyMatch(sentence -> sentence.contains("where D is 2:"));
         assertThat(RenderPlan.of(hidden).isTooFaint()).isFalse();
         assertThat(RenderPlan.of(hidden.withVelocity(Velocity.of(0, 0, -0.99))).isTooFaint())
                 .isTrue();

@@ -6,6 +6,7 @@ import java.awt.geom.Point2D;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import tompkins.explain.Explanation;
 import tompkins.image.LinearImage;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
@@ -61,7 +62,7 @@ public record Picture(
 
     /** What it models and which samples it gets, in sentences. */
     public List<String> sentences() {
-        List<String> sentences = new ArrayList<>(plan.sentences());
+        List<String> sentences = new ArrayList<>(new Explanation(plan).sentences());
         sentences.add(quality().sentence(plan));
         return sentences;
     }

@@ -9,6 +9,7 @@ import javax.swing.UIManager;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import tompkins.animation.Animation;
+import tompkins.explain.Flashes;
 import tompkins.image.PictureLabel;
 import tompkins.measure.Sighting;
 import tompkins.property.InvalidPropertyException;
@@ -148,7 +149,7 @@ public final class Motion {
         pilot.setRiding(false);
         strip.open(TabStrip.Tab.PLAY);
         Optional<Picture> shown = Optional.ofNullable(canvas.shown().now());
-        playPanel().runLight(shown.flatMap(picture -> picture.plan().litTimes()));
+        playPanel().runLight(shown.flatMap(picture -> new Flashes(picture.plan()).litTimes()));
     }
 
     /** Plays the animation, or pauses it. */

@@ -24,6 +24,7 @@ import tompkins.animation.Animation;
 import tompkins.camera.FocusDistance;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.explain.Flashes;
 import tompkins.light.PointLight;
 import tompkins.light.Pulse;
 import tompkins.property.Descriptions;
@@ -398,7 +399,7 @@ class PlayPanelTest {
         Studio studio = Lighting.of(Studios.sphere().withScene(List.of(wall)), List.of(lamp));
         WindowDriver.onEventThread(() -> {
             model.set(studio);
-            play.runLight(RenderPlan.of(studio).litTimes());
+            play.runLight(new Flashes(RenderPlan.of(studio)).litTimes());
             assertThat(chosen()).isEqualTo(OPENING_TIME);
             assertThat(play.isPlaying()).isTrue();
             Animation animation = play.wanted().orElseThrow();
@@ -410,7 +411,7 @@ class PlayPanelTest {
     @Test
     void withoutAFlashNoLightTravels() {
         WindowDriver.onEventThread(() -> {
-            play.runLight(RenderPlan.of(model.studio()).litTimes());
+            play.runLight(new Flashes(RenderPlan.of(model.studio())).litTimes());
             assertThat(play.isPlaying()).isFalse();
             assertThat(Components.notes(panel)).anyMatch(note -> note.endsWith(Texts.get("play.noFlash")));
         });

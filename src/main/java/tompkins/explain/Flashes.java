@@ -1,4 +1,4 @@
-package tompkins.trace;
+package tompkins.explain;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -10,10 +10,13 @@ import tompkins.light.LightSource;
 import tompkins.light.PointLight;
 import tompkins.light.Pulse;
 import tompkins.property.NumberText;
+import tompkins.trace.FlashSight;
+import tompkins.trace.RayLife;
+import tompkins.trace.RenderPlan;
 import tompkins.world.LitSpan;
 
 /** Says what flash lamps do in a picture, and when something in it is lit. */
-final class Flashes {
+public final class Flashes {
 
     /** Number of rows, and of columns, of the grid of places in the picture that are tried. */
     private static final int TRIED = 16;
@@ -32,10 +35,10 @@ final class Flashes {
     private final RenderPlan plan;
     private final List<LightSource> lamps;
 
-    /** The flashes of a picture whose scene has some lamps. */
-    Flashes(RenderPlan plan, List<LightSource> lamps) {
+    /** The flashes of the picture that is planned. */
+    public Flashes(RenderPlan plan) {
         this.plan = plan;
-        this.lamps = lamps;
+        lamps = plan.world().lights();
     }
 
     /** A sentence or some for each lamp that flashes, or one for all if none could light what is in the middle. */
@@ -74,7 +77,7 @@ final class Flashes {
      * The opening times from the first at which a flash lights something in the picture to one at which most of it is
      * dark again, judged by what is seen now; none if nothing is ever lit.
      */
-    Optional<LitSpan> litTimes() {
+    public Optional<LitSpan> litTimes() {
         List<LitSpan> spans = tried().flatMap(sight -> sight.spans().stream())
                 .filter(span -> Double.isFinite(span.from()) && Double.isFinite(span.to()))
                 .toList();

@@ -1,4 +1,4 @@
-package tompkins.trace;
+package tompkins.explain;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -21,6 +21,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.Mirror;
+import tompkins.trace.RenderPlan;
 
 /** How far things move in the picture while the shutter is open, against the closed form for a wall that is passed. */
 class MotionBlurTest {
@@ -62,7 +63,7 @@ class MotionBlurTest {
         assertThat(corner).isGreaterThanOrEqualTo(middle);
         assertThat(blur.inTheMiddle()).isCloseTo(middle, within(0.01 * middle));
         assertThat(blur.inTheWorstCorner()).isCloseTo(corner, within(0.02 * corner));
-        assertThat(RenderPlan.of(wall(speed, exposure, RollingShutter.DEFAULT)).sentences())
+        assertThat(new Explanation(RenderPlan.of(wall(speed, exposure, RollingShutter.DEFAULT))).sentences())
                 .anyMatch(sentence -> sentence.startsWith("The shutter stays open for "));
     }
 
@@ -151,8 +152,8 @@ class MotionBlurTest {
 
     @Test
     void restHasNothingToSay() {
-        List<String> sentences = RenderPlan.of(wall(0, 1, new RollingShutter(SweepDirection.UP, 2)))
-                .sentences();
+        List<String> sentences =
+                new Explanation(RenderPlan.of(wall(0, 1, new RollingShutter(SweepDirection.UP, 2)))).sentences();
         assertThat(sentences).noneMatch(sentence -> sentence.contains("stays open") || sentence.contains("rolls"));
     }
 }

@@ -1,11 +1,10 @@
-package tompkins.trace;
+package tompkins.explain;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
 import tompkins.camera.Camera;
-import tompkins.camera.CameraRays;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.AmbientLight;
 import tompkins.light.PointLight;
@@ -20,6 +19,7 @@ import tompkins.surface.IdealLens;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.Mirror;
 import tompkins.surface.Surface;
+import tompkins.trace.RenderPlan;
 
 /** Says in sentences which parts of nature a picture leaves out, if that could be seen in it. */
 final class Omissions {
@@ -33,31 +33,21 @@ final class Omissions {
     private final RenderPlan plan;
     private final Studio studio;
     private final Camera camera;
-    private final CameraRays cameraRays;
     private final Set<Surface> inScene;
     private final Set<Surface> beforeLens;
-    private final boolean hasImagePoints;
 
     /**
      * The omissions of a picture.
      *
      * @param inScene the surfaces of the scene
      * @param beforeLens the surfaces that move with the camera
-     * @param hasImagePoints whether the scene holds image points
      */
-    Omissions(
-            RenderPlan plan,
-            CameraRays cameraRays,
-            Set<Surface> inScene,
-            Set<Surface> beforeLens,
-            boolean hasImagePoints) {
+    Omissions(RenderPlan plan, Set<Surface> inScene, Set<Surface> beforeLens) {
         this.plan = plan;
         this.studio = plan.studio();
         this.camera = studio.camera();
-        this.cameraRays = cameraRays;
         this.inScene = inScene;
         this.beforeLens = beforeLens;
-        this.hasImagePoints = hasImagePoints;
     }
 
     /** The sentences; those that do not concern the picture are left out. */
@@ -67,7 +57,7 @@ final class Omissions {
         addLenses(sentences);
         addFocus(sentences);
         addShutter(sentences);
-        if (hasImagePoints && !beforeLens.isEmpty()) {
+        if (plan.world().followsCamera() && !beforeLens.isEmpty()) {
             sentences.add("Image points ignore the objects that move with the camera.");
         }
         addLight(sentences);
@@ -135,7 +125,7 @@ final class Omissions {
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < rows; column++) {
                 counts.samples++;
-                cameraRays.ray((column + 0.5) / rows * width, (row + 0.5) / rows * height, 0, 0, counts);
+                plan.cameraRays().ray((column + 0.5) / rows * width, (row + 0.5) / rows * height, 0, 0, counts);
             }
         }
         return counts;

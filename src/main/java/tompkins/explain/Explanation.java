@@ -1,4 +1,4 @@
-package tompkins.trace;
+package tompkins.explain;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -10,7 +10,6 @@ import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import tompkins.camera.CameraRays;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.ColourLaw;
 import tompkins.light.Metering;
@@ -31,10 +30,12 @@ import tompkins.studio.View;
 import tompkins.surface.Continuation;
 import tompkins.surface.IdealLens;
 import tompkins.surface.Surface;
+import tompkins.trace.LightShift;
+import tompkins.trace.RenderPlan;
 import tompkins.world.World;
 
 /** Says in sentences what a picture models and what it leaves out. */
-final class PlanSentences {
+public final class Explanation {
 
     /** The most frames whose content is listed, so that the sentence stays short. */
     private static final int MOST_TOLD = 8;
@@ -46,23 +47,21 @@ final class PlanSentences {
     private final Studio studio;
     private final World world;
     private final ObjectTree cameraFrame;
-    private final CameraRays cameraRays;
-    private final boolean hasImagePoints;
+
+    /** Null if the light of the scene stays as it is. */
     private final LightShift shift;
 
-    /** The sentences; the shift is null if the light of the scene stays as it is. */
-    PlanSentences(RenderPlan plan, World world, ObjectTree cameraFrame, CameraRays cameraRays, LightShift shift) {
+    /** Of the picture that is planned. */
+    public Explanation(RenderPlan plan) {
         this.plan = plan;
         studio = plan.studio();
-        this.world = world;
-        this.cameraFrame = cameraFrame;
-        this.cameraRays = cameraRays;
-        this.hasImagePoints = world.followsCamera();
-        this.shift = shift;
+        world = plan.world();
+        cameraFrame = plan.objectsBeforeLens();
+        shift = plan.lightShift();
     }
 
-    /** All sentences, the warnings last. */
-    List<String> sentences() {
+    /** What the picture needs, what it leaves out, and why; the warnings last. */
+    public List<String> sentences() {
         List<String> sentences = new ArrayList<>();
         Set<Surface> inScene = IntStream.range(0, world.frameCount())
                 .mapToObj(i -> world.objects(i).surfaces())
@@ -83,13 +82,13 @@ final class PlanSentences {
         }
         rolling().ifPresent(sentences::add);
         exposure().ifPresent(sentences::add);
-        sentences.addAll(new Flashes(plan, world.lights()).sentences());
+        sentences.addAll(new Flashes(plan).sentences());
         sentences.add(colours());
         sentences.add(cameraObjects());
         sentences.add(search());
         rotation().ifPresent(sentences::add);
         sentences.add(recursion(Stream.of(inScene, beforeLens).flatMap(Set::stream)));
-        sentences.addAll(new Omissions(plan, cameraRays, inScene, beforeLens, hasImagePoints).sentences());
+        sentences.addAll(new Omissions(plan, inScene, beforeLens).sentences());
         warnings().forEach(warning -> sentences.add("Warning: " + warning + "."));
         return sentences;
     }
@@ -106,8 +105,8 @@ final class PlanSentences {
                 + " from the lamps, and after mirrors and glass.";
     }
 
-    /** What may be wrong with the picture, in clauses. */
-    List<String> warnings() {
+    /** What may be wrong with the picture, in clauses without a full stop; the sentences contain all of them. */
+    public List<String> warnings() {
         List<String> warnings = new ArrayList<>();
         studio.transformation().warning(studio.velocity()).ifPresent(warnings::add);
         IntStream.range(1, world.frameCount())
@@ -125,9 +124,9 @@ final class PlanSentences {
             warnings.add(
                     "the light of the scene is too faint to be seen in the middle of the picture, which stays dark");
         }
-        warnings.addAll(new Flashes(plan, world.lights()).warnings());
+        warnings.addAll(new Flashes(plan).warnings());
         Stream.concat(IntStream.range(0, world.frameCount()).mapToObj(world::objects), Stream.of(cameraFrame))
-                .filter(objects -> objects.surfaces().stream().anyMatch(PlanSentences::isLens))
+                .filter(objects -> objects.surfaces().stream().anyMatch(Explanation::isLens))
                 .flatMap(objects -> objects.primitives().stream())
                 .filter(primitive -> isRound(primitive) && isLens(primitive.surface()))
                 .findFirst()

@@ -1,4 +1,4 @@
-package tompkins.trace;
+package tompkins.explain;
 
 import static org.assertj.core.api.Assertions.as;
 import static org.assertj.core.api.Assertions.assertThat;
@@ -50,9 +50,10 @@ import tompkins.surface.IdealLens;
 import tompkins.surface.Mirror;
 import tompkins.surface.Surface;
 import tompkins.surface.TwoSided;
+import tompkins.trace.RenderPlan;
 
 /** Each sentence about a picture, for a scene of which it is true, with numbers that were counted by hand. */
-class PlanSentencesTest {
+class ExplanationTest {
 
     private static final SceneObject BALL = Sphere.DEFAULT;
     private static final SceneObject WALL =
@@ -199,14 +200,14 @@ class PlanSentencesTest {
     @ParameterizedTest
     @MethodSource("sentences")
     void sentencesAreTrueOfTheirScene(Studio studio, String sentence) {
-        assertThat(RenderPlan.of(studio).sentences()).contains(sentence);
+        assertThat(new Explanation(RenderPlan.of(studio)).sentences()).contains(sentence);
     }
 
     /** One sentence for each question; the shutter has none in a picture of what is measured. */
     @ParameterizedTest
     @MethodSource("sentences")
     void noQuestionIsAnsweredTwice(Studio studio, String sentence) {
-        List<String> sentences = RenderPlan.of(studio).sentences();
+        List<String> sentences = new Explanation(RenderPlan.of(studio)).sentences();
         assertThat(List.of(
                         "The camera",
                         "A wide|A pinhole",
@@ -226,14 +227,15 @@ class PlanSentencesTest {
         Velocity doubtful = Velocity.of(SpeedScale.GAMMA, 1e7, new Vector3d(0, 0, 1));
 
         assertThat(List.of(REST.withVelocity(right), past(right)))
-                .allSatisfy(
-                        studio -> assertThat(RenderPlan.of(studio).warnings()).isEmpty());
+                .allSatisfy(studio -> assertThat(new Explanation(RenderPlan.of(studio)).warnings())
+                        .isEmpty());
         assertThat(List.of(REST.withVelocity(doubtful), past(doubtful))).allSatisfy(studio -> {
             RenderPlan plan = RenderPlan.of(studio);
-            assertThat(plan.warnings())
+            assertThat(new Explanation(plan).warnings())
                     .singleElement(as(STRING))
                     .endsWith("gamma 10000000 is above 1000000; directions may be wrong by more than 9e-9 radians");
-            assertThat(plan.sentences()).contains("Warning: " + plan.warnings().get(0) + ".");
+            assertThat(new Explanation(plan).sentences())
+                    .contains("Warning: " + new Explanation(plan).warnings().get(0) + ".");
         });
     }
 
@@ -250,7 +252,7 @@ class PlanSentencesTest {
                     -1 | 0.5 | 4 | 1 too early. It would be lit with an opening time from 1 to 1.5 (now 0).
                     """)
     void saysWhenAFlashIsSeen(double start, double duration, double period, String end) {
-        assertThat(RenderPlan.of(flashed(new Pulse(start, duration, period))).sentences())
+        assertThat(new Explanation(RenderPlan.of(flashed(new Pulse(start, duration, period)))).sentences())
                 .contains("Lamp 1 flashes for 0.5 at " + NumberText.of(start) + " of its own time"
                         + (period == 0 ? "" : ", and again every 4")
                         + ". What the middle of the picture shows was reached by light that left it at -14: " + end);
@@ -265,22 +267,25 @@ class PlanSentencesTest {
     void saysThatNoFlashLightsTheSky() {
         String sentence = "Lamps flash, but the middle of the picture shows nothing that they could light.";
         Studio lit = flashed(new Pulse(-14, 0.5, 0));
-        assertThat(RenderPlan.of(lit).sentences()).doesNotContain(sentence);
-        assertThat(RenderPlan.of(lit.withScene(List.of())).sentences()).contains(sentence);
-        assertThat(RenderPlan.of(REST.withScene(List.of())).sentences()).doesNotContain(sentence);
+        assertThat(new Explanation(RenderPlan.of(lit)).sentences()).doesNotContain(sentence);
+        assertThat(new Explanation(RenderPlan.of(lit.withScene(List.of()))).sentences())
+                .contains(sentence);
+        assertThat(new Explanation(RenderPlan.of(REST.withScene(List.of()))).sentences())
+                .doesNotContain(sentence);
     }
 
     @Test
     void warnsOfFlashesThatLightNothing() {
-        assertThat(RenderPlan.of(flashed(new Pulse(1, 0.5, 0))).warnings())
+        assertThat(new Explanation(RenderPlan.of(flashed(new Pulse(1, 0.5, 0)))).warnings())
                 .singleElement(as(STRING))
                 .startsWith("no flash lights anything in the picture at this opening time: something is lit with");
-        assertThat(RenderPlan.of(flashed(new Pulse(-14, 1e-10, 0))).warnings())
+        assertThat(new Explanation(RenderPlan.of(flashed(new Pulse(-14, 1e-10, 0)))).warnings())
                 .anyMatch(warning -> warning.startsWith("the flash of lamp 1 is so short"));
-        assertThat(RenderPlan.of(flashed(new Pulse(-14, 0.5, 0))).warnings()).isEmpty();
+        assertThat(new Explanation(RenderPlan.of(flashed(new Pulse(-14, 0.5, 0)))).warnings())
+                .isEmpty();
         Studio lit = Lighting.of(REST, List.of(PointLight.DEFAULT, (PointLight)
                 flashed(new Pulse(1, 0.5, 0)).lights().get(1)));
-        assertThat(RenderPlan.of(lit).warnings()).isEmpty();
+        assertThat(new Explanation(RenderPlan.of(lit)).warnings()).isEmpty();
     }
 
     static Stream<Arguments> lenses() {
@@ -301,7 +306,7 @@ class PlanSentencesTest {
                 + "\" is round, and what is seen through it means nothing";
         List<SceneObject> objects = List.of(object);
         Stream.of(REST.withScene(objects), REST.withScene(List.of()).withCameraFrame(objects))
-                .map(studio -> RenderPlan.of(studio).warnings())
+                .map(studio -> new Explanation(RenderPlan.of(studio)).warnings())
                 .forEach(warnings -> assertThat(warnings).isEqualTo(isRound ? List.of(warning) : List.of()));
     }
 }

@@ -1,4 +1,4 @@
-package tompkins.trace;
+package tompkins.explain;
 
 import java.util.stream.DoubleStream;
 import org.joml.Vector3d;
@@ -6,6 +6,9 @@ import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.View;
+import tompkins.trace.Frame;
+import tompkins.trace.RayLife;
+import tompkins.trace.RenderPlan;
 
 /**
  * How far what is seen moves across the picture while the shutter is open. A point moves with its object; the place in
