@@ -6,9 +6,9 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import tompkins.light.LightSource;
 import tompkins.light.PointLight;
 import tompkins.light.Pulse;
+import tompkins.light.RestingLight;
 import tompkins.property.NumberText;
 import tompkins.trace.FlashSight;
 import tompkins.trace.RayLife;
@@ -33,7 +33,7 @@ public final class Flashes {
     private static final int DIGITS = 4;
 
     private final RenderPlan plan;
-    private final List<LightSource> lamps;
+    private final List<RestingLight> lamps;
 
     /** The flashes of the picture that is planned. */
     public Flashes(RenderPlan plan) {

@@ -9,7 +9,7 @@ import tompkins.ray.Ray;
 /** Light that comes evenly from everywhere, without shadows. */
 @Meaning("Light that comes evenly from everywhere, without shadows")
 public record AmbientLight(
-        @Meaning("Colour and brightness of the light") Colour colour) implements LightSource {
+        @Meaning("Colour and brightness of the light") Colour colour) implements RestingLight {
 
     /** A dim white. */
     public static final AmbientLight DEFAULT = new AmbientLight(Colour.grey(0.2));
@@ -25,7 +25,7 @@ public record AmbientLight(
     }
 
     @Override
-    public LightSource seenFrom(Vector3dc origin) {
+    public RestingLight seenFrom(Vector3dc origin) {
         return this;
     }
 }

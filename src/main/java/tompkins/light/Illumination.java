@@ -11,7 +11,7 @@ import tompkins.ray.Ray;
  */
 public final class Illumination {
 
-    private final List<LightSource> sources;
+    private final List<RestingLight> sources;
     private final Lighting lighting;
     private final Sightline sight = new Sightline();
     private Ray ray;
@@ -22,7 +22,7 @@ public final class Illumination {
     private double blue;
 
     /** The light of some sources, as far as it reaches the place in question. */
-    public Illumination(List<LightSource> sources, Lighting lighting) {
+    public Illumination(List<RestingLight> sources, Lighting lighting) {
         this.sources = sources;
         this.lighting = lighting;
     }

@@ -1,26 +1,10 @@
 package tompkins.light;
 
-import org.joml.Vector3dc;
-import tompkins.ray.Colour;
-import tompkins.ray.Hit;
-import tompkins.ray.Ray;
+import java.util.stream.Stream;
 
 /** A source of light: one at rest, or several that move. */
-public sealed interface LightSource permits AmbientLight, PointLight, MovingLights {
+public sealed interface LightSource permits RestingLight, MovingLights {
 
-    /** Adds the light of this source that a surface with the given colours sends back along a ray that hit it. */
-    void reflect(Ray ray, Hit hit, Colour diffuse, Colour specular, Illumination sum);
-
-    /** The same source in a coordinate system whose origin lies at {@code origin} of this one. */
-    LightSource seenFrom(Vector3dc origin);
-
-    /** When it shines, by its own time. */
-    default Flash flash() {
-        return AlwaysOn.DEFAULT;
-    }
-
-    /** The place from which the light comes, or null if it has none. */
-    default Vector3dc position() {
-        return null;
-    }
+    /** Its lights, as if they rested where they are at time 0 of the frame around them. */
+    Stream<RestingLight> atRest();
 }

@@ -1,14 +1,13 @@
 package tompkins.light;
 
 import java.util.List;
+import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.property.TypeName;
 import tompkins.ray.Colour;
-import tompkins.ray.Hit;
-import tompkins.ray.Ray;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 
@@ -39,14 +38,8 @@ public record MovingLights(
         objects = Require.list("objects", objects);
     }
 
-    /** Never asked: the sources in it are. */
     @Override
-    public void reflect(Ray ray, Hit hit, Colour diffuse, Colour specular, Illumination sum) {
-        throw new IllegalStateException("the sources in it light a scene");
-    }
-
-    @Override
-    public LightSource seenFrom(Vector3dc origin) {
-        throw new IllegalStateException("the sources in it light a scene");
+    public Stream<RestingLight> atRest() {
+        return objects.stream().flatMap(LightSource::atRest).map(light -> light.seenFrom(place.negate(new Vector3d())));
     }
 }

@@ -29,7 +29,7 @@ public record PointLight(
         double highlightExponent,
 
         @Meaning("When the light shines") Flash flash)
-        implements LightSource {
+        implements RestingLight {
 
     /** A white light behind, above and to the right of the camera. */
     public static final PointLight DEFAULT =
@@ -87,7 +87,7 @@ public record PointLight(
     }
 
     @Override
-    public LightSource seenFrom(Vector3dc origin) {
+    public RestingLight seenFrom(Vector3dc origin) {
         return new PointLight(position.sub(origin, new Vector3d()), colour, highlightColour, highlightExponent, flash);
     }
 }

@@ -5,10 +5,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import tompkins.light.LightSource;
 import tompkins.light.Lighting;
 import tompkins.light.PointLight;
 import tompkins.light.Pulse;
+import tompkins.light.RestingLight;
 import tompkins.light.Sightline;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -18,7 +18,7 @@ import tompkins.world.LitSpan;
 /** Finds what flash lamps do at the hits of rays. */
 final class FlashWatch {
 
-    private final List<LightSource> lamps;
+    private final List<RestingLight> lamps;
     private final Lighting inScene;
     private final Lighting inCamera;
     private final FlashTimes times;
@@ -32,7 +32,7 @@ final class FlashWatch {
      * @param inCamera finds ways to them from hits in the camera frame
      * @param times finds when a hit in the scene is lit
      */
-    FlashWatch(List<LightSource> lamps, Lighting inScene, Lighting inCamera, FlashTimes times) {
+    FlashWatch(List<RestingLight> lamps, Lighting inScene, Lighting inCamera, FlashTimes times) {
         this.lamps = lamps;
         this.inScene = inScene;
         this.inCamera = inCamera;

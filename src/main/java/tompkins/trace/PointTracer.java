@@ -3,8 +3,8 @@ package tompkins.trace;
 import java.util.List;
 import org.joml.Vector3dc;
 import tompkins.light.Illumination;
-import tompkins.light.LightSource;
 import tompkins.light.Lighting;
+import tompkins.light.RestingLight;
 import tompkins.light.Sightline;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
@@ -29,7 +29,7 @@ final class PointTracer implements Tracer, Lighting {
     private final Sightline found = new Sightline();
     private final Ray way = Ray.blank();
 
-    PointTracer(RayTracer outside, Surroundings surroundings, List<LightSource> lights, Hit hit) {
+    PointTracer(RayTracer outside, Surroundings surroundings, List<RestingLight> lights, Hit hit) {
         this.outside = outside;
         this.hit = hit;
         lighting = surroundings;

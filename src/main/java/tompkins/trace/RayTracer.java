@@ -3,7 +3,7 @@ package tompkins.trace;
 import java.util.List;
 import org.joml.Vector3dc;
 import tompkins.light.Illumination;
-import tompkins.light.LightSource;
+import tompkins.light.RestingLight;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
@@ -23,7 +23,7 @@ final class RayTracer implements Tracer {
 
     private final Frame place;
     private final Surroundings surroundings;
-    private final List<LightSource> lights;
+    private final List<RestingLight> lights;
     private final Illumination illumination;
     private final FrameRoutes routes;
     private final EscapedLight escaped;
@@ -43,7 +43,7 @@ final class RayTracer implements Tracer {
     RayTracer(
             Frame place,
             Surroundings surroundings,
-            List<LightSource> lights,
+            List<RestingLight> lights,
             FrameRoutes routes,
             EscapedLight escaped,
             int maximumDepth,

@@ -11,6 +11,7 @@ import tompkins.camera.SamplePositions;
 import tompkins.camera.Sampler;
 import tompkins.light.LightSource;
 import tompkins.light.Pulse;
+import tompkins.light.RestingLight;
 import tompkins.math.Vectors;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Placement;
@@ -61,7 +62,8 @@ public final class RenderPlan {
     /** Whether rays must know in which medium they are. */
     private final boolean keepsMedia;
 
-    private final List<LightSource> cameraLights;
+    /** As if the lamps stood at the coordinates in the camera frame that they have at time 0. */
+    private final List<RestingLight> cameraLights;
 
     private RenderPlan(Studio studio, RenderPlan previous, boolean plain) {
         this.studio = studio;
@@ -84,7 +86,7 @@ public final class RenderPlan {
                 ? new MovingMedium(around, law, routes)
                 : null;
         lensMedium = sceneMedium == null ? around : null;
-        cameraLights = World.atRest(studio.lights());
+        cameraLights = studio.lights().stream().flatMap(LightSource::atRest).toList();
         // last, because it follows a ray by this plan
         shift = studio.shiftsColours() ? metered() : null;
     }

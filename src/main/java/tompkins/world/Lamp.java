@@ -2,7 +2,7 @@ package tompkins.world;
 
 import java.util.List;
 import org.joml.Vector3dc;
-import tompkins.light.LightSource;
+import tompkins.light.RestingLight;
 import tompkins.light.Sightline;
 import tompkins.ray.Hit;
 import tompkins.search.LampShadows;
@@ -18,10 +18,10 @@ import tompkins.search.LampTrack;
  * @param shadows what it sees of what rests with it, or null if that is not prepared
  * @param tracks its way past what rests in each frame, null where that is not prepared; empty if it is nowhere
  */
-public record Lamp(LightSource light, int frame, double zero, LampShadows shadows, List<LampTrack> tracks) {
+public record Lamp(RestingLight light, int frame, double zero, LampShadows shadows, List<LampTrack> tracks) {
 
     /** A lamp for whose shadows nothing is prepared. */
-    public Lamp(LightSource light, int frame, double zero) {
+    public Lamp(RestingLight light, int frame, double zero) {
         this(light, frame, zero, null, List.of());
     }
 

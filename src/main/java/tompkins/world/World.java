@@ -11,6 +11,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
+import tompkins.light.RestingLight;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Placement;
 import tompkins.primitive.Primitive;
@@ -53,7 +54,7 @@ public final class World {
     private final List<InertialFrame> frames;
 
     private final List<Lamp> lamps;
-    private final List<LightSource> lights;
+    private final List<RestingLight> lights;
 
     /**
      * Prepares the scene of a studio.
@@ -99,9 +100,9 @@ public final class World {
                     0,
                     placement,
                     inner -> moving.objects().forEach(light -> add(light, collector, inner, lamps)));
-        } else {
+        } else if (source instanceof RestingLight light) {
             lamps.add(new Lamp(
-                    source.seenFrom(placement.point(new Vector3d()).negate()),
+                    light.seenFrom(placement.point(new Vector3d()).negate()),
                     collector.frames().indexOf(collector.frame()),
                     collector.rest().zero().time()));
         }
@@ -115,18 +116,6 @@ public final class World {
                     frame.motion(), frame.origin(), new ObjectTree(frame.primitives(), smallestTree)));
         }
         return List.copyOf(frames);
-    }
-
-    /**
-     * The lights of the camera's rest frame: lamps as if they stood at the coordinates in it that they have at time 0.
-     */
-    public static List<LightSource> atRest(List<LightSource> lights) {
-        return lights.stream()
-                .flatMap(light -> light instanceof MovingLights moving
-                        ? atRest(moving.objects()).stream()
-                                .map(inner -> inner.seenFrom(moving.place().negate(new Vector3d())))
-                        : Stream.of(light))
-                .toList();
     }
 
     private List<Lamp> prepared(List<Lamp> unprepared, FrameRoutes routes) {
@@ -264,7 +253,7 @@ public final class World {
     }
 
     /** All light sources, each at rest in its frame, in the coordinates in which the tracer works. */
-    public List<LightSource> lights() {
+    public List<RestingLight> lights() {
         return lights;
     }
 

@@ -55,7 +55,7 @@ class LampsTest {
         }
     };
 
-    private Colour reflected(LightSource... sources) {
+    private Colour reflected(RestingLight... sources) {
         Hit hit = Hit.blank();
         hit.x = place.x;
         hit.y = place.y;

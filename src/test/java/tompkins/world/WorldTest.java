@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -15,6 +16,7 @@ import tompkins.light.AmbientLight;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
+import tompkins.light.RestingLight;
 import tompkins.primitive.Bounds;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.ImagePointGrid;
@@ -211,8 +213,8 @@ class WorldTest {
         LightSource inner = new MovingLights(Velocity.of(0, 0, 0.3), new Vector3d(0, 5, 0), List.of(lamp(1)));
         LightSource outer = new MovingLights(Velocity.of(0.6, 0, 0), new Vector3d(2, 0, 0), List.of(inner, lamp(7)));
 
-        assertThat(World.atRest(List.of(lamp(4), outer)))
-                .extracting(LightSource::position)
+        assertThat(Stream.of(lamp(4), outer).flatMap(LightSource::atRest))
+                .extracting(RestingLight::position)
                 .containsExactly(new Vector3d(4, 0, 0), new Vector3d(3, 5, 0), new Vector3d(9, 0, 0));
     }
 }
