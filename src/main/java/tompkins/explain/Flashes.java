@@ -31,6 +31,7 @@ public final class Flashes {
     private static final double SHORTEST = 1e-9;
 
     private static final int DIGITS = 4;
+    private static final int MOST_DIGITS = 16;
 
     private final RenderPlan plan;
     private final List<RestingLight> lamps;
@@ -156,8 +157,16 @@ public final class Flashes {
     }
 
     private static String fromTo(LitSpan times) {
-        return "with an opening time from " + number(times.from())
-                + (Double.isInfinite(times.to()) ? " on" : " to " + number(times.to()));
+        int digits = digits(times);
+        return "with an opening time from " + NumberText.plain(times.from(), digits)
+                + (Double.isInfinite(times.to()) ? " on" : " to " + NumberText.plain(times.to(), digits));
+    }
+
+    /** Digits that tell the ends of a span apart: those of its length, and what stands before them. */
+    private static int digits(LitSpan times) {
+        double largest = Math.max(Math.abs(times.from()), Math.abs(times.to()));
+        double before = Math.log10(largest / (times.to() - times.from()));
+        return Double.isFinite(before) ? Math.min(DIGITS + (int) Math.max(0, before), MOST_DIGITS) : DIGITS;
     }
 
     private static String number(double value) {

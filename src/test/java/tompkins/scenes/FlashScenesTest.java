@@ -84,6 +84,14 @@ class FlashScenesTest {
         assertThat(lit).isGreaterThan(20);
     }
 
+    /** The times are far from zero and close to each other. */
+    @Test
+    void timesOfTheLightEchoAreToldApart() throws IOException {
+        assertThat(new Explanation(opened(SceneFiles.read("flash-echo"), 100)).warnings())
+                .singleElement(as(STRING))
+                .contains("from 2004.0", "to 2010.");
+    }
+
     private static RayLife.Encounter post(RenderPlan plan) {
         for (double x = 0.5; x < plan.width(); x++) {
             RayLife.Encounter seen =
