@@ -1,5 +1,6 @@
 package tompkins.camera;
 
+import java.util.List;
 import org.joml.Vector2dc;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
@@ -48,4 +49,16 @@ public interface CameraRays {
      * @param direction unit vector in the camera frame
      */
     Vector2dc position(Vector3dc direction);
+
+    /**
+     * All points of the picture, as {@link #position}, at which a direction is seen, and those beyond its edges at
+     * which it were seen if the picture went on there: one that holds all directions does.
+     */
+    default List<Vector2dc> positions(Vector3dc direction) {
+        Vector2dc position = position(direction);
+        return position == null ? List.of() : List.of(position);
+    }
+
+    /** The solid angle of a pixel, in steradians. */
+    double solidAngle(int column, int row);
 }

@@ -1,5 +1,7 @@
 package tompkins.camera;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
@@ -143,6 +145,29 @@ public record PanoramicCamera(
             double latitude = Math.atan2(direction.dot(axes.up()), Math.hypot(ahead, right));
             return new Vector2d(
                     middleX + Math.atan2(right, ahead) / longitudePerPixel, middleY - latitude / latitudePerPixel);
+        }
+
+        @Override
+        public List<Vector2dc> positions(Vector3dc direction) {
+            Vector2dc position = position(direction);
+            double around = 2 * Math.PI / longitudePerPixel;
+            double half = Math.PI / latitudePerPixel;
+            List<Vector2dc> positions = new ArrayList<>();
+            for (double turn : new double[] {-around, 0, around}) {
+                positions.add(new Vector2d(position.x() + turn, position.y()));
+            }
+            // beyond a pole the picture goes on at the opposite longitude
+            for (double turn : new double[] {-around / 2, around / 2}) {
+                positions.add(new Vector2d(position.x() + turn, 2 * middleY - half - position.y()));
+                positions.add(new Vector2d(position.x() + turn, 2 * middleY + half - position.y()));
+            }
+            return positions;
+        }
+
+        @Override
+        public double solidAngle(int column, int row) {
+            double latitude = (middleY - row - 0.5) * latitudePerPixel;
+            return 2 * longitudePerPixel * Math.cos(latitude) * Math.sin(latitudePerPixel / 2);
         }
 
         @Override

@@ -89,6 +89,20 @@ final class ThinLensRays implements CameraRays {
     }
 
     @Override
+    public double solidAngle(int column, int row) {
+        double left = (column - middleX) * slopePerColumn;
+        double top = (row - middleY) * slopePerRow;
+        double right = left + slopePerColumn;
+        double bottom = top + slopePerRow;
+        return corner(right, bottom) - corner(left, bottom) - corner(right, top) + corner(left, top);
+    }
+
+    /** The solid angle between the axis and a corner: the rectangle from (0, 0) to (x, y) at distance 1. */
+    private static double corner(double x, double y) {
+        return Math.atan2(x * y, Math.sqrt(1 + x * x + y * y));
+    }
+
+    @Override
     public LensRay chiefRay(Vector3dc direction) {
         return new LensRay(centre, centre, direction, inverseFocusDistance(direction, new RayCounts()), axes.forward());
     }

@@ -68,6 +68,17 @@ final class BlackBodyColours {
     }
 
     /**
+     * The colour in the camera frame of a black body whose luminance is 1 in its rest frame; what a screen cannot show
+     * of it is left out.
+     *
+     * @param temperature in kelvins, in its rest frame
+     */
+    static Colour ofTemperature(double temperature, double dopplerFactor) {
+        double factor = temperature / WHITE_TEMPERATURE;
+        return seen(Colour.WHITE, dopplerFactor * factor).times(1 / brightness(factor));
+    }
+
+    /**
      * The colour in the camera frame of light that a moving lamp has sent to a surface. The surface's bands have their
      * edges in its rest frame, so they are shifted once; the black body is shifted on the whole way.
      *

@@ -16,6 +16,11 @@ public enum ColourLaw {
         }
 
         @Override
+        public Colour ofBlackBody(double temperature, double dopplerFactor) {
+            return BlackBodyColours.ofTemperature(temperature, 1);
+        }
+
+        @Override
         public double brightness(double dopplerFactor) {
             return 1;
         }
@@ -29,6 +34,11 @@ public enum ColourLaw {
         @Override
         public Colour seen(Colour light, double dopplerFactor) {
             return light.times(brightness(dopplerFactor));
+        }
+
+        @Override
+        public Colour ofBlackBody(double temperature, double dopplerFactor) {
+            return BlackBodyColours.ofTemperature(temperature, 1).times(brightness(dopplerFactor));
         }
 
         @Override
@@ -56,6 +66,11 @@ public enum ColourLaw {
         }
 
         @Override
+        public Colour ofBlackBody(double temperature, double dopplerFactor) {
+            return BlackBodyColours.ofTemperature(temperature, dopplerFactor);
+        }
+
+        @Override
         public double brightness(double dopplerFactor) {
             return BlackBodyColours.brightness(dopplerFactor);
         }
@@ -79,6 +94,14 @@ public enum ColourLaw {
     public Colour seen(Colour light, double lampFactor, double dopplerFactor) {
         return seen(light.times(brightness(lampFactor)), dopplerFactor);
     }
+
+    /**
+     * How a black body looks in the camera frame, such as a star: in units in which its luminance is 1 where it rests.
+     *
+     * @param temperature in kelvins, in its rest frame
+     * @param dopplerFactor D, from 0 upwards
+     */
+    public abstract Colour ofBlackBody(double temperature, double dopplerFactor);
 
     /**
      * The luminance in the camera frame of light that is white in the scene, 1 if nothing changes.

@@ -1,13 +1,6 @@
 package tompkins.light;
 
-import java.io.BufferedReader;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.InputStreamReader;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -25,20 +18,12 @@ record ColourMatching(int wavelength, Vector3dc xyz) {
 
     /** The whole table, from short wavelengths to long ones. */
     static List<ColourMatching> table() {
-        try (InputStream file = ColourMatching.class.getResourceAsStream(FILE);
-                BufferedReader reader = new BufferedReader(new InputStreamReader(file, StandardCharsets.UTF_8))) {
-            return reader.lines()
-                    .filter(line -> !line.startsWith("#"))
-                    .map(ColourMatching::of)
-                    .toList();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        return ResourceTable.lines(FILE).stream().map(ColourMatching::of).toList();
     }
 
-    private static ColourMatching of(String line) {
-        String[] cells = line.split(",");
-        double[] values = Stream.of(cells).mapToDouble(Double::parseDouble).toArray();
-        return new ColourMatching(Integer.parseInt(cells[0]), new Vector3d(values[1], values[2], values[3]));
+    private static ColourMatching of(String[] cells) {
+        return new ColourMatching(
+                Integer.parseInt(cells[0]),
+                new Vector3d(Double.parseDouble(cells[1]), Double.parseDouble(cells[2]), Double.parseDouble(cells[3])));
     }
 }

@@ -22,6 +22,7 @@ import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.trace.Frame;
+import tompkins.world.SeenFrame;
 
 /**
  * Works out what is drawn over a picture, by formulas: for the centre of the lens, in the middle of the exposure, with

@@ -14,6 +14,7 @@ import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.RollingShutter;
 import tompkins.spacetime.Event;
 import tompkins.studio.Studio;
+import tompkins.world.SeenFrame;
 
 /**
  * Where a picture shows something: leads from a direction or a point to a position in pixels, for the centre of the

@@ -56,6 +56,9 @@ public final class Ray {
     /** Growth of that diameter per unit length: the opening angle of the bundle; below 0 it runs to a focus. */
     public double spread;
 
+    /** The factor by which windows and lenses have divided small angles between rays; 1 at the camera. */
+    public double angleFactor;
+
     /** The largest share of the sample's light that the ray can still bring, 1 at the camera. */
     public double throughput;
 
@@ -97,6 +100,7 @@ public final class Ray {
         ray.slowness = 1;
         ray.frequency = 1;
         ray.directionLength = 1;
+        ray.angleFactor = 1;
         ray.throughput = 1;
         return ray;
     }
@@ -175,6 +179,7 @@ public final class Ray {
         ray.slowness = newSlowness;
         ray.width += ray.spread * hit.distance;
         ray.spread /= angleFactor;
+        ray.angleFactor *= angleFactor;
         ray.throughput *= share;
         ray.depth++;
         return ray;
@@ -253,6 +258,7 @@ public final class Ray {
         measures = other.measures;
         width = other.width;
         spread = other.spread;
+        angleFactor = other.angleFactor;
         throughput = other.throughput;
         weight = other.weight;
         medium = other.medium;

@@ -48,6 +48,7 @@ public final class RayPacket {
     private final double[][] numbers;
 
     private final double[] width;
+    private final double[] angleFactor;
     private final double[] throughput;
     private final int[] depth;
     private final int[] samples;
@@ -72,13 +73,14 @@ public final class RayPacket {
         frequency = new double[most];
         directionLength = new double[most];
         width = new double[most];
+        angleFactor = new double[most];
         throughput = new double[most];
         depth = new int[most];
         spread = new double[most];
         samples = new int[most];
         setByCamera = new double[][] {x, y, z, dx, dy, dz, time, spread};
         numbers = new double[][] {
-            x, y, z, dx, dy, dz, time, spread, slowness, frequency, directionLength, width, throughput
+            x, y, z, dx, dy, dz, time, spread, slowness, frequency, directionLength, width, angleFactor, throughput
         };
     }
 
@@ -110,6 +112,7 @@ public final class RayPacket {
             frequency[i] = 1;
             directionLength[i] = 1;
             width[i] = 0;
+            angleFactor[i] = 1;
             throughput[i] = 1;
             depth[i] = 0;
             samples[i] = i;
@@ -224,6 +227,7 @@ public final class RayPacket {
         frequency[place] = ray.frequency;
         directionLength[place] = ray.directionLength;
         width[place] = ray.width;
+        angleFactor[place] = ray.angleFactor;
         throughput[place] = ray.throughput;
         depth[place] = ray.depth;
         spread[place] = ray.spread;
@@ -257,6 +261,7 @@ public final class RayPacket {
         memory.measures = measures;
         memory.width = width[place];
         memory.spread = spread[place];
+        memory.angleFactor = angleFactor[place];
         memory.throughput = throughput[place];
         memory.medium = media == null ? null : media[place];
         memory.boundary = null;

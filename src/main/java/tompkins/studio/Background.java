@@ -3,7 +3,7 @@ package tompkins.studio;
 import tompkins.ray.Colour;
 
 /** What a ray sees if it meets nothing in the scene: a colour for each direction. */
-public sealed interface Background permits UniformBackground, SkyBackground, PanoramaBackground {
+public sealed interface Background permits UniformBackground, SkyBackground, PanoramaBackground, StarSky {
 
     /**
      * The light from a direction, a unit vector in the scene frame.

@@ -15,4 +15,9 @@ interface EscapedLight {
     default Colour colour(RayPacket rays, int place) {
         return colour(rays.ray(place));
     }
+
+    /** The light that comes back, as the camera sees it; for surroundings that shift light where it leaves a hit. */
+    default Colour seen(Ray ray, Surroundings surroundings) {
+        return surroundings.seen(colour(ray), ray, 1);
+    }
 }

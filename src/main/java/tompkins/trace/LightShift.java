@@ -57,6 +57,24 @@ public final class LightShift {
             return light;
         }
         Colour seen = lampFactor == 1 ? law.seen(light, dopplerFactor) : law.seen(light, lampFactor, dopplerFactor);
+        return metered(seen, dopplerFactor, directionLength);
+    }
+
+    /**
+     * The colour that a black body of the scene has for the camera, in units in which its luminance is 1 where it
+     * rests.
+     *
+     * @param temperature in kelvins, in the scene frame
+     * @param dopplerFactor frequency in the camera frame divided by that in the scene frame
+     * @param directionLength that of the ray along which it is seen
+     */
+    Colour ofBlackBody(double temperature, double dopplerFactor, double directionLength) {
+        return dopplerFactor > 0
+                ? metered(law.ofBlackBody(temperature, dopplerFactor), dopplerFactor, directionLength)
+                : ColourLaw.UNCHANGED.ofBlackBody(temperature, 1);
+    }
+
+    private Colour metered(Colour seen, double dopplerFactor, double directionLength) {
         double correction = gain * brightness(dopplerFactor, directionLength);
         return new Colour(
                 limited(seen.red() * correction),

@@ -76,7 +76,9 @@ final class RayTracer implements Tracer {
         if (surroundings.nearest(place)) {
             return withEscaped(follow(surroundings.met(), true, hitMemory));
         }
-        return surroundings.shifts() ? fromEscaped(rays.copy(place, startMemory)) : escaped.colour(rays, place);
+        return surroundings.shifts()
+                ? escaped.seen(rays.copy(place, startMemory), surroundings)
+                : escaped.colour(rays, place);
     }
 
     /**
@@ -120,12 +122,8 @@ final class RayTracer implements Tracer {
         return path.light()
                 .plus(
                         surroundings.shifts()
-                                ? fromEscaped(left)
+                                ? escaped.seen(left, surroundings)
                                 : path.throughput().times(escaped.colour(left)));
-    }
-
-    private Colour fromEscaped(Ray left) {
-        return surroundings.seen(escaped.colour(left), left, 1);
     }
 
     /**

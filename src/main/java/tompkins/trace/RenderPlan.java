@@ -27,6 +27,7 @@ import tompkins.spacetime.IdentityTransformation;
 import tompkins.spacetime.LightInMedium;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.spacetime.TransformationLaw;
+import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.surface.Surface;
@@ -49,6 +50,10 @@ public final class RenderPlan {
     private final CameraRays cameraRays;
     private final FrameTree frames;
     private final LightShift shift;
+
+    /** The stars behind the scene; null if there are none. */
+    private final StarField stars;
+
     private final World world;
     private final FrameRoutes routes;
     private final ObjectTree cameraFrame;
@@ -89,6 +94,10 @@ public final class RenderPlan {
         cameraLights = studio.lights().stream().flatMap(LightSource::atRest).toList();
         // last, because it follows a ray by this plan
         shift = studio.shiftsColours() ? metered() : null;
+        boolean isDirect = around == null && !studio.camera().hasWideAperture();
+        stars = studio.background() instanceof StarSky sky
+                ? new StarField(sky, studio, cameraRays, isDirect, shift)
+                : null;
     }
 
     /**
@@ -276,12 +285,13 @@ public final class RenderPlan {
     private SampleTracer tracer(RayCounts counts, Sampler sampler, PathObserver observer) {
         int depth = studio.settings().maximumDepth();
         boolean moving = needsFrames();
+        StarTracer starTracer = stars == null ? null : new StarTracer(studio.background(), stars, shift != null);
         RayTracer sceneTracer = new RayTracer(
                 Frame.SCENE,
                 scene(counts),
                 world.lights(),
                 moving && keepsMedia ? routes : null,
-                new BackgroundTracer(studio.background()),
+                starTracer == null ? new BackgroundTracer(studio.background()) : starTracer,
                 depth,
                 counts,
                 observer);
@@ -306,15 +316,22 @@ public final class RenderPlan {
                 studio.view() == View.MEASURED,
                 cameraTracer,
                 entry,
+                starTracer,
                 counts,
                 observer);
     }
 
-    /** Whether rays must be searched for frame by frame, or light from lamps needs to know of the camera's motion. */
+    /**
+     * Whether rays must be searched for frame by frame, or light needs to know of its motion where it leaves lamps or
+     * stars.
+     */
     private boolean needsFrames() {
         // in a Galilean world the time that light takes from a lamp depends on that motion
         boolean hasCarrier = studio.transformation() == TransformationLaw.GALILEAN && !isAtRest();
-        return world.moves() || keepsMedia && lensMedium != null || hasCarrier && hasFlashes();
+        return world.moves()
+                || keepsMedia && lensMedium != null
+                || hasCarrier && hasFlashes()
+                || stars != null && shift != null;
     }
 
     private Surroundings beforeLens(RayCounts counts) {

@@ -29,8 +29,12 @@ public final class SampleTracer {
     private final boolean measures;
     private final RayTracer cameraTracer;
     private final SceneEntry sceneEntry;
+    private final StarTracer stars;
     private final RayCounts counts;
     private final PathObserver observer;
+
+    /** The opening angles with which the rays of the samples have left the camera. */
+    private final double[] spreads;
 
     private final SamplePositions places = new SamplePositions(RayPacket.MOST);
     private final RayPacket rays = new RayPacket(RayPacket.MOST);
@@ -53,6 +57,7 @@ public final class SampleTracer {
      * @param sceneMedium a medium of the scene through which the lens moves; may be null
      * @param measures whether to measure where things are, instead of following light
      * @param cameraTracer the tracer of the camera frame, or null if no objects move with the camera
+     * @param stars the stars behind the scene, or null if there are none
      * @param observer watches the rays; may be null
      */
     SampleTracer(
@@ -64,6 +69,7 @@ public final class SampleTracer {
             boolean measures,
             RayTracer cameraTracer,
             SceneEntry sceneEntry,
+            StarTracer stars,
             RayCounts counts,
             PathObserver observer) {
         this.sampler = sampler;
@@ -74,6 +80,8 @@ public final class SampleTracer {
         this.measures = measures;
         this.cameraTracer = cameraTracer;
         this.sceneEntry = sceneEntry;
+        this.stars = stars;
+        spreads = new double[stars == null ? 0 : RayPacket.MOST];
         this.counts = counts;
         this.observer = observer;
     }
@@ -131,6 +139,11 @@ public final class SampleTracer {
         if (narrowing != 1) {
             rays.narrow(narrowing);
         }
+        if (stars != null) {
+            for (int i = 0; i < rays.count(); i++) {
+                spreads[rays.sample(i)] = rays.spread[i];
+            }
+        }
     }
 
     private Colour single() {
@@ -140,6 +153,9 @@ public final class SampleTracer {
             return Colour.BLACK;
         }
         Ray ray = rays.ray(0);
+        if (stars != null) {
+            stars.begin(places.column(0), places.row(0), spreads[0]);
+        }
         return finite(cameraTracer == null ? sceneEntry.colour(ray) : cameraTracer.colourOf(ray));
     }
 
@@ -238,8 +254,12 @@ public final class SampleTracer {
     }
 
     private boolean goesTo(int index, SampleSink taker) {
-        column = places.column(rays.sample(index));
-        row = places.row(rays.sample(index));
+        int sample = rays.sample(index);
+        column = places.column(sample);
+        row = places.row(sample);
+        if (stars != null) {
+            stars.begin(column, row, spreads[sample]);
+        }
         return !taker.isStopped();
     }
 

@@ -13,6 +13,7 @@ import tompkins.math.Vectors;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
+import tompkins.world.SeenFrame;
 
 /** Circles of directions as a moving camera sees them, against the reference outlines of spheres and closed forms. */
 class LookConeTest {

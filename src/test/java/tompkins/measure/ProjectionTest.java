@@ -28,6 +28,7 @@ import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.world.SeenFrame;
 
 /** Places by formulas, against traced rays: a point on the ray of a place is projected to that place again. */
 class ProjectionTest {

@@ -21,6 +21,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.surface.LuminousSurface;
 import tompkins.trace.RenderPlan;
+import tompkins.world.SeenFrame;
 
 class SeparationTest {
 

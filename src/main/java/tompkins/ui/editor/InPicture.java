@@ -5,11 +5,11 @@ import org.joml.Vector2dc;
 import org.joml.Vector3dc;
 import tompkins.measure.Projection;
 import tompkins.measure.SceneShapes;
-import tompkins.measure.SeenFrame;
 import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.FrameMotion;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
+import tompkins.world.SeenFrame;
 
 /** Finds out whether an object of the scene lies within the edges of the picture; what hides it does not count. */
 final class InPicture {

@@ -1,4 +1,4 @@
-package tompkins.measure;
+package tompkins.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.golden.GoldenRow;
 import tompkins.golden.GoldenTable;
 import tompkins.math.Vectors;
+import tompkins.measure.Angles;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.TransformationLaw;

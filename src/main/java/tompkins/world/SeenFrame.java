@@ -1,4 +1,4 @@
-package tompkins.measure;
+package tompkins.world;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -54,7 +54,7 @@ public final class SeenFrame {
      * The frame of a motion, or the scene frame if that is null, as a camera sees it that rests in the scene, at the
      * same event and with the same axes.
      */
-    static SeenFrame atRest(Studio studio, FrameMotion motion) {
+    public static SeenFrame atRest(Studio studio, FrameMotion motion) {
         return new SeenFrame(studio, motion, studio.view(), Velocity.REST);
     }
 
@@ -84,12 +84,24 @@ public final class SeenFrame {
     }
 
     /** The Doppler factor of what rests in this frame, seen along a unit direction of the camera frame. */
-    double dopplerFactor(Vector3dc look) {
+    public double dopplerFactor(Vector3dc look) {
         return 1 / inwards.transform(Ray.from(0, 0, 0, look.x(), look.y(), look.z(), 0), Ray.blank()).frequency;
     }
 
+    /**
+     * The Doppler factor of what rests in this frame, seen along a unit direction of this frame, under the Lorentz
+     * transformation. This keeps the digits that would be lost on the way by the direction in which the camera looks.
+     */
+    public double dopplerFactorAlong(Vector3dc direction) {
+        return inCamera(direction).frequency;
+    }
+
+    private Ray inCamera(Vector3dc unit) {
+        return outwards.transform(Ray.from(0, 0, 0, unit.x(), unit.y(), unit.z(), 0), Ray.blank());
+    }
+
     private Vector3d relativistic(Vector3dc unit) {
-        Ray seen = outwards.transform(Ray.from(0, 0, 0, unit.x(), unit.y(), unit.z(), 0), Ray.blank());
+        Ray seen = inCamera(unit);
         return new Vector3d(seen.dx, seen.dy, seen.dz);
     }
 

@@ -1,0 +1,128 @@
+package tompkins.trace;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.joml.Vector3d;
+import tompkins.camera.CameraRays;
+import tompkins.light.ColourLaw;
+import tompkins.light.Star;
+import tompkins.light.StarCatalogue;
+import tompkins.ray.Colour;
+import tompkins.ray.Ray;
+import tompkins.studio.StarSky;
+import tompkins.studio.Studio;
+import tompkins.world.SeenFrame;
+
+/**
+ * The stars of a sky, ready for one picture. Immutable, shared by all threads.
+ *
+ * <p>A star has no size that can be seen, so its light is a flux, not a radiance. Spectral radiance divided by the cube
+ * of the frequency is the same in all frames, and the solid angle of a narrow bundle grows by D^-2 from the scene to
+ * the camera, where D is the Doppler factor. So the flux over all wavelengths grows by D^2 (docs/physics.md).
+ */
+final class StarField {
+
+    /** Of a caustic, where a bundle has no width, a spot is so narrow, in radians, and no narrower. */
+    private static final double NARROWEST = 1e-6;
+
+    private final CameraRays camera;
+    private final LightShift shift;
+    private final double[] solidAngles;
+    private final double[] temperatures;
+    private final Colour[] atRest;
+    private final StarMap map;
+    private final StarPoints points;
+
+    /**
+     * The stars of a picture.
+     *
+     * @param isDirect whether rays that meet nothing come straight from the sky: through a pinhole, and in vacuum
+     * @param shift what becomes of the light, or null if it stays as it is
+     */
+    StarField(StarSky sky, Studio studio, CameraRays camera, boolean isDirect, LightShift shift) {
+        this.camera = camera;
+        this.shift = shift;
+        List<Star> stars = StarCatalogue.upTo(sky.limit());
+        solidAngles = stars.stream().mapToDouble(sky::solidAngle).toArray();
+        temperatures = stars.stream().mapToDouble(Star::temperature).toArray();
+        atRest = stars.stream()
+                .map(star -> ColourLaw.UNCHANGED.ofBlackBody(star.temperature(), 1))
+                .toArray(Colour[]::new);
+        List<Vector3d> directions = stars.stream().map(sky::direction).toList();
+        map = new StarMap(directions);
+        points = isDirect ? points(studio, directions) : null;
+    }
+
+    private StarPoints points(Studio studio, List<Vector3d> directions) {
+        SeenFrame scene = new SeenFrame(studio, null);
+        List<Vector3d> looks = new ArrayList<>();
+        List<Colour> lights = new ArrayList<>();
+        for (int star = 0; star < directions.size(); star++) {
+            Vector3d look = scene.look(directions.get(star));
+            double dopplerFactor = shift == null ? 1 : scene.dopplerFactorAlong(directions.get(star));
+            looks.add(look);
+            lights.add(light(star, dopplerFactor, 1 / dopplerFactor)
+                    .times(solidAngles[star] / (dopplerFactor * dopplerFactor)));
+        }
+        return new StarPoints(
+                camera, studio.settings().width(), studio.settings().height(), looks, lights);
+    }
+
+    /** The radiance of a star, as the camera sees it, in units of that of white in its rest frame. */
+    private Colour light(int star, double dopplerFactor, double directionLength) {
+        return shift == null ? atRest[star] : shift.ofBlackBody(temperatures[star], dopplerFactor, directionLength);
+    }
+
+    /** Whether a ray that leaves the scene comes straight from the sky, so that its pixel is all that matters. */
+    boolean isDirect(Ray ray) {
+        return points != null && ray.depth == 0;
+    }
+
+    /** The light of stars that gets straight into a pixel. */
+    Colour direct(int column, int row) {
+        return points.light(column, row);
+    }
+
+    /**
+     * The light of stars in the direction of a ray that leaves the scene.
+     *
+     * @param pixelAngle the angle of a pixel, in the camera frame
+     * @param growth opening angle of the ray divided by that with which it left the camera
+     */
+    Colour along(Ray ray, double pixelAngle, double growth) {
+        double deviation = Math.max(NARROWEST, StarPoints.DEVIATION * pixelAngle * Math.abs(growth));
+        // windows leave the light of a star as it is, and so does motion unless the light is shifted
+        double turned = ray.angleFactor * (shift == null ? ray.directionLength : 1);
+        double scale = 1 / (turned * turned * deviation * deviation);
+        Sum sum = new Sum(1 / (deviation * deviation), scale, 1 / ray.frequency, ray.directionLength);
+        map.visit(ray.dx, ray.dy, ray.dz, StarPoints.EDGE * deviation, sum);
+        return sum.light;
+    }
+
+    /** The solid angle of a pixel, in steradians. */
+    double solidAngle(int column, int row) {
+        return camera.solidAngle(column, row);
+    }
+
+    private final class Sum implements StarMap.Visitor {
+
+        private final double inverseVariance;
+        private final double scale;
+        private final double dopplerFactor;
+        private final double directionLength;
+        private Colour light = Colour.BLACK;
+
+        Sum(double inverseVariance, double scale, double dopplerFactor, double directionLength) {
+            this.inverseVariance = inverseVariance;
+            this.scale = scale;
+            this.dopplerFactor = dopplerFactor;
+            this.directionLength = directionLength;
+        }
+
+        @Override
+        public void take(int star, double square) {
+            double share = scale * StarPoints.bell(square * inverseVariance);
+            light = light.plus(light(star, dopplerFactor, directionLength).times(share * solidAngles[star]));
+        }
+    }
+}

@@ -1,0 +1,128 @@
+package tompkins.trace;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.joml.Vector2dc;
+import org.joml.Vector3dc;
+import tompkins.camera.CameraRays;
+import tompkins.ray.Colour;
+
+/**
+ * Where stars are seen in a picture if nothing is in the way, sorted into cells, and the light of each. Immutable,
+ * shared by all threads.
+ *
+ * <p>A star is a spot of fixed width in pixels: a bell curve of the distance between star and centre of a pixel, whose
+ * sum over all pixels is 1. So its light does not depend on the samples, nor on where in a pixel it stands.
+ */
+final class StarPoints {
+
+    /** Standard deviation of a spot, in pixels. With less the sum over pixels would depend on the place of the star. */
+    static final double DEVIATION = 0.7;
+
+    /** So many standard deviations from its middle a spot ends, with 0.03 % of its light beyond. */
+    static final double EDGE = 4;
+
+    /** Width and height of a cell, in pixels. */
+    private static final int CELL = 8;
+
+    private static final double RADIUS = EDGE * DEVIATION;
+
+    private final CameraRays camera;
+    private final int cellsAcross;
+    private final int cellsDown;
+
+    // the places of all stars, and their colours
+    private final double[] x;
+    private final double[] y;
+    private final Colour[] light;
+
+    /** The stars near each cell, one cell after the other. */
+    private final int[] near;
+
+    /** Where those of each cell begin. */
+    private final int[] begins;
+
+    /**
+     * The stars of one picture.
+     *
+     * @param directions unit vectors in the camera frame; null for a star that is not seen
+     * @param lights for each star, its light: radiance of white times solid angle
+     */
+    StarPoints(CameraRays camera, int width, int height, List<? extends Vector3dc> directions, List<Colour> lights) {
+        this.camera = camera;
+        cellsAcross = (width + CELL - 1) / CELL;
+        cellsDown = (height + CELL - 1) / CELL;
+        List<Vector2dc> places = new ArrayList<>();
+        List<Colour> colours = new ArrayList<>();
+        for (int star = 0; star < directions.size(); star++) {
+            if (directions.get(star) == null) {
+                continue;
+            }
+            for (Vector2dc place : camera.positions(directions.get(star))) {
+                if (Math.abs(place.x() - width / 2.0) < width / 2.0 + RADIUS
+                        && Math.abs(place.y() - height / 2.0) < height / 2.0 + RADIUS) {
+                    places.add(place);
+                    colours.add(lights.get(star));
+                }
+            }
+        }
+        x = places.stream().mapToDouble(Vector2dc::x).toArray();
+        y = places.stream().mapToDouble(Vector2dc::y).toArray();
+        light = colours.toArray(Colour[]::new);
+        begins = new int[cellsAcross * cellsDown + 1];
+        for (int star = 0; star < x.length; star++) {
+            forEachCell(star, (cell, each) -> begins[cell + 1]++);
+        }
+        for (int cell = 0; cell + 1 < begins.length; cell++) {
+            begins[cell + 1] += begins[cell];
+        }
+        near = new int[begins[begins.length - 1]];
+        int[] next = begins.clone();
+        for (int star = 0; star < x.length; star++) {
+            forEachCell(star, (cell, each) -> near[next[cell]++] = each);
+        }
+    }
+
+    private interface CellUser {
+        void take(int cell, int star);
+    }
+
+    private void forEachCell(int star, CellUser user) {
+        int right = cell(x[star] + RADIUS, cellsAcross);
+        int bottom = cell(y[star] + RADIUS, cellsDown);
+        for (int row = cell(y[star] - RADIUS, cellsDown); row <= bottom; row++) {
+            for (int column = cell(x[star] - RADIUS, cellsAcross); column <= right; column++) {
+                user.take(row * cellsAcross + column, star);
+            }
+        }
+    }
+
+    private static int cell(double place, int cells) {
+        return Math.max(0, Math.min(cells - 1, (int) (place / CELL)));
+    }
+
+    /** The light that a pixel gets from stars, as radiance. */
+    Colour light(int column, int row) {
+        int cell = cell(row, cellsDown) * cellsAcross + cell(column, cellsAcross);
+        Colour sum = null;
+        for (int i = begins[cell]; i < begins[cell + 1]; i++) {
+            int star = near[i];
+            double share = share(column + 0.5 - x[star], row + 0.5 - y[star]);
+            if (share > 0) {
+                Colour more = light[star].times(share);
+                sum = sum == null ? more : sum.plus(more);
+            }
+        }
+        return sum == null ? Colour.BLACK : sum.times(1 / camera.solidAngle(column, row));
+    }
+
+    private static double share(double dx, double dy) {
+        double square = (dx * dx + dy * dy) / (DEVIATION * DEVIATION);
+        return square < EDGE * EDGE ? bell(square) / (DEVIATION * DEVIATION) : 0;
+    }
+
+    /** The bell curve of two dimensions, of the square of the distance from its middle in standard deviations. */
+    static double bell(double square) {
+        return Math.exp(-square / 2) / (2 * Math.PI);
+    }
+}
