@@ -32,9 +32,9 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        23_820),
+                        24_830),
                 arguments("file, image", 4_450),
-                arguments("explain, lesson, measure, animation", 5_310),
+                arguments("explain, lesson, measure, animation", 5_370),
                 arguments("io, app", 7_400),
                 arguments("study", 4_900),
                 arguments("ui", 20_100));

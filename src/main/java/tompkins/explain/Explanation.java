@@ -84,6 +84,7 @@ public final class Explanation {
         exposure().ifPresent(sentences::add);
         sentences.addAll(new Flashes(plan).sentences());
         sentences.add(colours());
+        sentences.addAll(Stars.sentences(studio));
         sentences.add(cameraObjects());
         sentences.add(search());
         rotation().ifPresent(sentences::add);

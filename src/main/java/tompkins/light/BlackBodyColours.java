@@ -123,6 +123,12 @@ final class BlackBodyColours {
         }
     }
 
+    /** The luminance in the camera frame of a black body, divided by that in its rest frame. */
+    static double brightness(double temperature, double dopplerFactor) {
+        double factor = temperature / WHITE_TEMPERATURE;
+        return brightness(dopplerFactor * factor) / brightness(factor);
+    }
+
     /** The luminance in the camera frame of what is white in the scene. */
     static double brightness(double dopplerFactor) {
         double place = place(dopplerFactor);

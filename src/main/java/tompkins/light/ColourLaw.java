@@ -21,6 +21,11 @@ public enum ColourLaw {
         }
 
         @Override
+        public double starFactor(double temperature, double dopplerFactor) {
+            return 1;
+        }
+
+        @Override
         public double brightness(double dopplerFactor) {
             return 1;
         }
@@ -71,6 +76,11 @@ public enum ColourLaw {
         }
 
         @Override
+        public double starFactor(double temperature, double dopplerFactor) {
+            return BlackBodyColours.brightness(temperature, dopplerFactor) / (dopplerFactor * dopplerFactor);
+        }
+
+        @Override
         public double brightness(double dopplerFactor) {
             return BlackBodyColours.brightness(dopplerFactor);
         }
@@ -102,6 +112,17 @@ public enum ColourLaw {
      * @param dopplerFactor D, from 0 upwards
      */
     public abstract Colour ofBlackBody(double temperature, double dopplerFactor);
+
+    /**
+     * By what factor a star gets brighter: its luminance summed over all directions, which are fewer by D^-2. A star
+     * has no size that could be seen, so that it stays as it is where nothing changes.
+     *
+     * @param temperature in kelvins, in its rest frame
+     * @param dopplerFactor D, above 0
+     */
+    public double starFactor(double temperature, double dopplerFactor) {
+        return brightness(dopplerFactor) / (dopplerFactor * dopplerFactor);
+    }
 
     /**
      * The luminance in the camera frame of light that is white in the scene, 1 if nothing changes.

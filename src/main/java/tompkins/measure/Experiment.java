@@ -18,10 +18,12 @@ import tompkins.lesson.PicturePoint;
 import tompkins.lesson.RatioOf;
 import tompkins.lesson.RayReading;
 import tompkins.lesson.RayValue;
+import tompkins.lesson.StarCount;
 import tompkins.lesson.WithNumber;
 import tompkins.lesson.WithShutter;
 import tompkins.property.InvalidPropertyException;
 import tompkins.spacetime.Event;
+import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
 import tompkins.studio.StudioPath;
@@ -120,6 +122,11 @@ public final class Experiment {
             lines.add(outline);
             lines.add(List.of(outline.get(outline.size() - 1), outline.get(0)));
             return Math.toDegrees(Outline.angularRadius(plan, outline));
+        }
+        if (measurement instanceof StarCount count) {
+            return studio().background() instanceof StarSky sky
+                    ? StarSighting.count(sky, studio(), Math.toRadians(count.withinDegrees()))
+                    : Double.NaN;
         }
         LensSpread spread = (LensSpread) measurement;
         return LensWays.spread(plan, marked(new PicturePoint(spread.across(), spread.down())));

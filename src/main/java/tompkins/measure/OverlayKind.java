@@ -21,5 +21,7 @@ public enum OverlayKind {
     /** Doppler factors: circles for what is at rest in the scene, numbers for what moves. */
     DOPPLER,
     /** The names of objects. */
-    LABELS
+    LABELS,
+    /** The names of the brightest stars. */
+    STARS
 }

@@ -13,12 +13,14 @@ import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.light.StarCatalogue;
 import tompkins.property.NumberText;
 import tompkins.ray.Ray;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.IdentityTransformation;
 import tompkins.spacetime.TransformationLaw;
+import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.trace.Frame;
@@ -77,6 +79,7 @@ public final class Overlays {
             case HORIZON -> addHorizon(drawing);
             case DOPPLER -> addDopplerFactors(drawing);
             case LABELS -> shapes.objects().forEach(thing -> addName(drawing, thing));
+            case STARS -> addStarNames(drawing);
         }
         return drawing;
     }
@@ -163,6 +166,18 @@ public final class Overlays {
         if (position != null) {
             drawing.labels().add(new OverlayDrawing.Label(thing.name(), null, position));
         }
+    }
+
+    private void addStarNames(OverlayDrawing drawing) {
+        if (!(studio.background() instanceof StarSky sky)) {
+            return;
+        }
+        StarCatalogue.names().forEach((star, name) -> {
+            Vector2dc position = sky.shows(star) ? inPicture(position(Frame.SCENE, sky.direction(star))) : null;
+            if (position != null) {
+                drawing.labels().add(new OverlayDrawing.Label(name, null, position));
+            }
+        });
     }
 
     private Vector3dc ahead() {

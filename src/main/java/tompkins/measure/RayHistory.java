@@ -15,6 +15,7 @@ import tompkins.spacetime.Event;
 import tompkins.spacetime.IdentityTransformation;
 import tompkins.spacetime.LightInMedium;
 import tompkins.spacetime.SpeedScale;
+import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.trace.FlashSight;
@@ -58,6 +59,10 @@ public final class RayHistory {
                             ? "Meets nothing else: the background"
                             : "No light comes from there: the camera is as fast as light in what is around it, or"
                                     + " faster"));
+        }
+        if (life.reachesBackground() && studio.background() instanceof StarSky sky) {
+            StarSighting.nearest(sky, life.lastDirection())
+                    .ifPresent(star -> facts.add(star.fact(studio, life.lastDopplerFactor())));
         }
         facts.add(new Vector("colour", "Colour (linear)", vector(life.colour())));
         return facts;

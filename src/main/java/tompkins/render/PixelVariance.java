@@ -42,10 +42,11 @@ final class PixelVariance {
 
     /**
      * Whether one sample in each pixel says nothing about their errors: it shows no blur of a wide aperture or a long
-     * exposure, and has second differences only where three pixels lie in a line.
+     * exposure, its second differences are those of stars, which are no errors, and it has them only where three pixels
+     * lie in a line.
      */
     static boolean needsSeveralSamples(RenderPlan plan) {
-        return plan.blurs() || Math.max(plan.width(), plan.height()) < 3;
+        return plan.blurs() || plan.hasStars() || Math.max(plan.width(), plan.height()) < 3;
     }
 
     /**

@@ -284,12 +284,12 @@ public final class RenderJob {
     }
 
     /**
-     * An unfinished picture is not judged, and neither is one without shifted colours: its brightness is what the scene
-     * says, and black may be intended.
+     * An unfinished picture is not judged, and neither is one without shifted colours, whose brightness is what the
+     * scene says, or one of stars, where black is meant.
      */
     private Clipping clipping() {
         Studio studio = plan.studio();
-        return !complete || studio.colours() == ColourLaw.UNCHANGED
+        return !complete || studio.colours() == ColourLaw.UNCHANGED || plan.hasStars()
                 ? Clipping.NONE
                 : Clipping.of(film.image(), studio.settings().toneCurve());
     }

@@ -53,18 +53,24 @@ public final class Renderer implements AutoCloseable {
         return start(plan, quality, false, Tile.of(plan.width(), plan.height()), listener);
     }
 
-    /** Starts a picture for the window: the first sample of each pixel is taken coarse to fine. Returns at once. */
+    /**
+     * Starts a picture for the window: the first sample of each pixel is taken coarse to fine, unless there are stars,
+     * which coarse pictures blow up or lose. Returns at once.
+     */
     public RenderJob startCoarse(RenderPlan plan, Quality quality, RenderListener listener) {
-        return start(plan, quality, true, Tile.of(plan.width(), plan.height()), listener);
+        return start(plan, quality, !plan.hasStars(), Tile.of(plan.width(), plan.height()), listener);
     }
 
     /**
      * Starts a picture that is seen for a moment: the first samples of a part of the pixels, and what lies between
-     * them. It ends as soon as most of it is right, or after about so many seconds. Returns at once.
+     * them. It ends as soon as most of it is right, or after about so many seconds. A picture with stars gets one
+     * sample of each pixel, or the stars would twinkle from one picture to the next. Returns at once.
      */
     public RenderJob startGlimpse(RenderPlan plan, double seconds, RenderListener listener) {
         int pixels = plan.width() * plan.height();
-        Schedule schedule = new EdgeSchedule((first, taken) -> glimpseBudget.most(first, taken, seconds, pixels));
+        Schedule schedule = plan.hasStars()
+                ? new FixedSchedule(Pass.of(1, 1, false))
+                : new EdgeSchedule((first, taken) -> glimpseBudget.most(first, taken, seconds, pixels));
         return start(plan, schedule, false, Tile.of(plan.width(), plan.height()), listener);
     }
 

@@ -1,8 +1,11 @@
 package tompkins.trace;
 
+import org.joml.Vector3dc;
 import tompkins.light.ColourLaw;
 import tompkins.light.Metering;
 import tompkins.ray.Colour;
+import tompkins.ray.Ray;
+import tompkins.studio.Studio;
 
 /**
  * What becomes of the light of the scene on its way into the camera frame. If it is metered, white light keeps its
@@ -37,6 +40,22 @@ public final class LightShift {
         this.middle = middle;
         double white = law.brightness(Math.max(0, middle)) * brightness(middle, directionLength);
         gain = metering == Metering.NONE ? 1 : Math.min(MOST_GAIN, 1 / white);
+    }
+
+    /** The shift for the picture of a plan, metered in its middle, behind what moves with the camera. */
+    static LightShift metered(RenderPlan plan) {
+        Studio studio = plan.studio();
+        double x = plan.width() / 2.0;
+        double y = plan.height() / 2.0;
+        RayLife middle = RayLife.of(plan, x, y, 0, 0);
+        if (middle != null && middle.sceneStart() != null) {
+            return new LightShift(
+                    studio.colours(), studio.metering(), middle.sceneDopplerFactor(), middle.sceneDirectionLength());
+        }
+        // no light of the scene comes from there: as if nothing stood before the lens
+        Vector3dc direction = plan.chiefDirection(x, y);
+        Ray ray = studio.sceneFromCamera().transform(Ray.from(0, 0, 0, direction.x(), direction.y(), direction.z(), 0));
+        return new LightShift(studio.colours(), studio.metering(), 1 / ray.frequency, ray.directionLength);
     }
 
     /**

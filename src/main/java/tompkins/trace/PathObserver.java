@@ -8,16 +8,16 @@ import tompkins.ray.Ray;
 interface PathObserver {
 
     /** What follows, until {@link #returns()}, is the life of a weaker branch of a ray that was split. */
-    void branches();
+    default void branches() {}
 
     /** The life of that branch is over: the branch that it came from goes on. */
-    void returns();
+    default void returns() {}
 
     /** A ray starts in the camera frame. */
     void starts(Ray ray);
 
     /** The ray crosses into the scene frame, where it starts as the given ray. */
-    void crosses(Ray ray);
+    default void crosses(Ray ray) {}
 
     /**
      * The ray, or one that came from it, hits something.
@@ -25,7 +25,7 @@ interface PathObserver {
      * @param frame whether this is in the camera frame, or in the scene
      * @param primitive what was hit
      */
-    void hits(Frame frame, Ray ray, Hit hit, Primitive primitive);
+    default void hits(Frame frame, Ray ray, Hit hit, Primitive primitive) {}
 
     /** The ray, or one that came from it, goes on and meets nothing else in a frame. */
     void leaves(Frame frame, Ray ray);

@@ -93,7 +93,7 @@ public final class RenderPlan {
         lensMedium = sceneMedium == null ? around : null;
         cameraLights = studio.lights().stream().flatMap(LightSource::atRest).toList();
         // last, because it follows a ray by this plan
-        shift = studio.shiftsColours() ? metered() : null;
+        shift = studio.shiftsColours() ? LightShift.metered(this) : null;
         boolean isDirect = around == null && !studio.camera().hasWideAperture();
         stars = studio.background() instanceof StarSky sky
                 ? new StarField(sky, studio, cameraRays, isDirect, shift)
@@ -125,19 +125,6 @@ public final class RenderPlan {
      */
     public static RenderPlan of(Studio studio, RenderPlan previous) {
         return new RenderPlan(studio, previous, false);
-    }
-
-    /** The shift of light, metered in the middle of the picture, behind what moves with the camera. */
-    private LightShift metered() {
-        RayLife middle = RayLife.of(this, width() / 2.0, height() / 2.0, 0, 0);
-        if (middle != null && middle.sceneStart() != null) {
-            return new LightShift(
-                    studio.colours(), studio.metering(), middle.sceneDopplerFactor(), middle.sceneDirectionLength());
-        }
-        // no light of the scene comes from there: as if nothing stood before the lens
-        Vector3dc direction = chiefDirection(width() / 2.0, height() / 2.0);
-        Ray ray = sceneFromCamera.transform(Ray.from(0, 0, 0, direction.x(), direction.y(), direction.z(), 0));
-        return new LightShift(studio.colours(), studio.metering(), 1 / ray.frequency, ray.directionLength);
     }
 
     /** The event at which light for the middle of the picture crosses the centre of the lens; time 0 if none does. */
@@ -219,6 +206,11 @@ public final class RenderPlan {
         return world.lights().stream().anyMatch(light -> light.flash() instanceof Pulse);
     }
 
+    /** Whether there are stars behind the scene, each in a few pixels. */
+    public boolean hasStars() {
+        return stars != null;
+    }
+
     /** Whether nothing changes with time: everything rests in one frame, with neither clocks nor flashes. */
     public boolean isStill() {
         return isAtRest()
@@ -283,9 +275,18 @@ public final class RenderPlan {
     }
 
     private SampleTracer tracer(RayCounts counts, Sampler sampler, PathObserver observer) {
+        return tracer(
+                counts,
+                sampler,
+                observer,
+                stars == null
+                        ? null
+                        : new StarTracer(stars, watcher -> tracer(new RayCounts(), sampler(), watcher, null)));
+    }
+
+    private SampleTracer tracer(RayCounts counts, Sampler sampler, PathObserver observer, StarTracer starTracer) {
         int depth = studio.settings().maximumDepth();
         boolean moving = needsFrames();
-        StarTracer starTracer = stars == null ? null : new StarTracer(studio.background(), stars, shift != null);
         RayTracer sceneTracer = new RayTracer(
                 Frame.SCENE,
                 scene(counts),

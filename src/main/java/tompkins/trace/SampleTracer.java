@@ -154,7 +154,7 @@ public final class SampleTracer {
         }
         Ray ray = rays.ray(0);
         if (stars != null) {
-            stars.begin(places.column(0), places.row(0), spreads[0]);
+            stars.begin(places, 0, spreads[0]);
         }
         return finite(cameraTracer == null ? sceneEntry.colour(ray) : cameraTracer.colourOf(ray));
     }
@@ -258,7 +258,7 @@ public final class SampleTracer {
         column = places.column(sample);
         row = places.row(sample);
         if (stars != null) {
-            stars.begin(column, row, spreads[sample]);
+            stars.begin(places, sample, spreads[sample]);
         }
         return !taker.isStopped();
     }

@@ -25,6 +25,7 @@ final class StarField {
     /** Of a caustic, where a bundle has no width, a spot is so narrow, in radians, and no narrower. */
     private static final double NARROWEST = 1e-6;
 
+    private final StarSky sky;
     private final CameraRays camera;
     private final LightShift shift;
     private final double[] solidAngles;
@@ -40,6 +41,7 @@ final class StarField {
      * @param shift what becomes of the light, or null if it stays as it is
      */
     StarField(StarSky sky, Studio studio, CameraRays camera, boolean isDirect, LightShift shift) {
+        this.sky = sky;
         this.camera = camera;
         this.shift = shift;
         List<Star> stars = StarCatalogue.upTo(sky.limit());
@@ -71,6 +73,16 @@ final class StarField {
     /** The radiance of a star, as the camera sees it, in units of that of white in its rest frame. */
     private Colour light(int star, double dopplerFactor, double directionLength) {
         return shift == null ? atRest[star] : shift.ofBlackBody(temperatures[star], dopplerFactor, directionLength);
+    }
+
+    /** The light between the stars. */
+    Colour evenLight() {
+        return sky.colour();
+    }
+
+    /** Whether the motion changes the light of stars; they are given as the camera sees them then. */
+    boolean areShifted() {
+        return shift != null;
     }
 
     /** Whether a ray that leaves the scene comes straight from the sky, so that its pixel is all that matters. */

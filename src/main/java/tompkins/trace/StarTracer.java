@@ -1,45 +1,43 @@
 package tompkins.trace;
 
+import java.util.function.Function;
+import tompkins.camera.SamplePositions;
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
-import tompkins.studio.Background;
 
 /** The light of rays that leave all objects of a scene under a sky of stars. One for each thread. */
 final class StarTracer implements EscapedLight {
 
-    private final Background sky;
     private final StarField stars;
-
-    /** Whether surroundings shift light where it leaves a hit; otherwise it stays as it is. */
-    private final boolean shifts;
-
+    private final CentreRays centre;
     private final Ray memory = Ray.blank();
     private int column;
     private int row;
     private double spread;
 
-    StarTracer(Background sky, StarField stars, boolean shifts) {
-        this.sky = sky;
+    /** The light of stars; the function makes a tracer of the same picture, without them, that an observer watches. */
+    StarTracer(StarField stars, Function<PathObserver, SampleTracer> tracerFor) {
         this.stars = stars;
-        this.shifts = shifts;
+        centre = new CentreRays(tracerFor);
     }
 
     /**
-     * Begins with a sample of a pixel.
+     * Begins with a sample.
      *
      * @param newSpread the opening angle with which its ray has left the camera
      */
-    void begin(int pixelColumn, int pixelRow, double newSpread) {
-        column = pixelColumn;
-        row = pixelRow;
+    void begin(SamplePositions places, int sample, double newSpread) {
+        column = places.column(sample);
+        row = places.row(sample);
         spread = newSpread;
+        centre.begin(places, sample);
     }
 
     @Override
     public Colour colour(Ray ray) {
-        Colour even = even(ray);
-        return shifts ? even : even.plus(stars(ray));
+        Colour even = stars.evenLight();
+        return stars.areShifted() ? even : even.plus(stars(ray));
     }
 
     @Override
@@ -49,16 +47,17 @@ final class StarTracer implements EscapedLight {
 
     @Override
     public Colour seen(Ray ray, Surroundings surroundings) {
-        return surroundings.seen(even(ray), ray, 1).plus(stars(ray).times(ray.weight));
-    }
-
-    private Colour even(Ray ray) {
-        return sky.colour(ray.dx, ray.dy, ray.dz, Math.abs(ray.spread));
+        return surroundings.seen(stars.evenLight(), ray, 1).plus(stars(ray).times(ray.weight));
     }
 
     private Colour stars(Ray ray) {
-        return stars.isDirect(ray)
-                ? stars.direct(column, row)
-                : stars.along(ray, Math.sqrt(stars.solidAngle(column, row)), ray.spread / spread);
+        if (stars.isDirect(ray)) {
+            return stars.direct(column, row);
+        }
+        Ray central = centre.insteadOf(ray);
+        double pixelAngle = Math.sqrt(stars.solidAngle(column, row));
+        return central == null
+                ? stars.along(ray, pixelAngle, ray.spread / spread)
+                : stars.along(central, pixelAngle, central.spread / centre.spread());
     }
 }

@@ -19,6 +19,7 @@ import tompkins.camera.Camera;
 import tompkins.camera.CameraMotion;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.AmbientLight;
+import tompkins.light.ColourLaw;
 import tompkins.light.PointLight;
 import tompkins.light.Pulse;
 import tompkins.property.Descriptions;
@@ -43,6 +44,7 @@ import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Lighting;
+import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.surface.Clock;
 import tompkins.surface.ColouredSurface;
@@ -308,5 +310,17 @@ class ExplanationTest {
         Stream.of(REST.withScene(objects), REST.withScene(List.of()).withCameraFrame(objects))
                 .map(studio -> new Explanation(RenderPlan.of(studio)).warnings())
                 .forEach(warnings -> assertThat(warnings).isEqualTo(isRound ? List.of(warning) : List.of()));
+    }
+
+    @Test
+    void starsAreCounted() {
+        Studio stars = Descriptions.with(MOVING, "background", StarSky.DEFAULT);
+        assertThat(new Explanation(RenderPlan.of(stars)).sentences())
+                .anyMatch(sentence -> sentence.startsWith("The sky holds 5044 stars, to magnitude 6 at rest")
+                        && sentence.endsWith("Motion moves them and leaves them as bright as they are."));
+        assertThat(new Explanation(RenderPlan.of(stars.withColours(ColourLaw.SEARCHLIGHT))).sentences())
+                .anyMatch(sentence -> sentence.endsWith("brighter with the square of the Doppler factor D."))
+                .anyMatch(sentence -> sentence.startsWith("Stars that are fainter at rest are left out"));
+        assertThat(new Explanation(RenderPlan.of(MOVING)).sentences()).noneMatch(sentence -> sentence.contains("star"));
     }
 }

@@ -20,6 +20,7 @@ import tompkins.lesson.Prediction;
 import tompkins.lesson.RatioOf;
 import tompkins.lesson.RayReading;
 import tompkins.lesson.RayValue;
+import tompkins.lesson.StarCount;
 import tompkins.lesson.WithNumber;
 import tompkins.lesson.WithShutter;
 import tompkins.shutter.AperturePlaneShutter;
@@ -68,6 +69,7 @@ final class RandomLesson {
             case "AngleBetween" -> new AngleBetween(point(), point());
             case "CircleRadius" -> new CircleRadius(random.nextDouble(), random.nextDouble());
             case "LensSpread" -> new LensSpread(random.nextDouble(), random.nextDouble());
+            case "StarCount" -> new StarCount(180 * random.nextDouble());
             case "DifferenceOf" -> new DifferenceOf(measurement(depth - 1), measurement(depth - 1));
             case "RatioOf" -> new RatioOf(measurement(depth - 1), measurement(depth - 1));
             case "WithNumber" -> new WithNumber("velocity.beta", random.nextDouble(), measurement(depth - 1));

@@ -65,6 +65,7 @@ import tompkins.studio.RenderSettings;
 import tompkins.studio.Ride;
 import tompkins.studio.RideLeg;
 import tompkins.studio.SkyBackground;
+import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.studio.UniformBackground;
 import tompkins.studio.View;
@@ -344,9 +345,16 @@ public final class RandomStudio {
     }
 
     private Background background() {
-        return switch (random.nextInt(3)) {
+        return switch (random.nextInt(4)) {
             case 0 -> new UniformBackground(colour());
             case 1 -> new SkyBackground(colour(), colour(), colour());
+            case 2 ->
+                new StarSky(
+                        pick(-2.0, 1.5, 6.5),
+                        pick(0.01, 0.2, 100.0),
+                        new Vector3d(0, number(), 1),
+                        new Vector3d(1, 0, 0),
+                        colour());
             default -> new PanoramaBackground(picture(), random.nextBoolean());
         };
     }

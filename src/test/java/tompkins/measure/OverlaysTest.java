@@ -20,7 +20,10 @@ import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.camera.Camera;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.image.LinearImage;
 import tompkins.property.Descriptions;
+import tompkins.ray.Colour;
+import tompkins.render.Renderer;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.Moving;
@@ -32,6 +35,7 @@ import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.surface.LuminousSurface;
@@ -427,5 +431,40 @@ class OverlaysTest {
         }
         // a camera at rest has no horizon of aberration
         assertThat(draw(studio, OverlayKind.HORIZON).lines()).isEmpty();
+    }
+
+    /** The middle of the light around the place of each name, in pixels; a view of 50 degrees may hold none. */
+    @ParameterizedTest
+    @MethodSource("cameras")
+    void namesStandBesideTheirStars(Velocity velocity, Camera camera) throws InterruptedException {
+        StarSky sky = Descriptions.with(Descriptions.with(StarSky.DEFAULT, "limit", 1.7), "colour", Colour.BLACK);
+        Studio studio = Descriptions.with(studio(velocity, camera), "background", sky);
+        LinearImage image;
+        try (Renderer renderer = new Renderer(2)) {
+            image = renderer.render(RenderPlan.of(studio)).image();
+        }
+        List<OverlayDrawing.Label> names = draw(studio, OverlayKind.STARS).labels();
+
+        assertThat(names).hasSizeGreaterThan(camera instanceof PanoramicCamera ? 27 : -1);
+        for (OverlayDrawing.Label name : names) {
+            Vector2dc place = name.position();
+            if (names.stream()
+                            .anyMatch(other -> other != name && other.position().distance(place) < 8)
+                    || Math.abs(place.x() - image.width() / 2.0) > image.width() / 2.0 - 4
+                    || Math.abs(place.y() - image.height() / 2.0) > image.height() / 2.0 - 4) {
+                continue;
+            }
+            double sum = 0;
+            Vector2d middle = new Vector2d();
+            for (int row = (int) place.y() - 3; row <= place.y() + 3; row++) {
+                for (int column = (int) place.x() - 3; column <= place.x() + 3; column++) {
+                    double light = image.value(column, row, 1);
+                    sum += light;
+                    middle.add((column + 0.5) * light, (row + 0.5) * light);
+                }
+            }
+            assertThat(middle.div(sum).distance(place)).as(name.text()).isLessThan(0.1);
+        }
+        assertThat(draw(studio(velocity, camera), OverlayKind.STARS).labels()).isEmpty();
     }
 }

@@ -1,6 +1,7 @@
 package tompkins.measure;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.util.List;
 import java.util.stream.Stream;
@@ -9,8 +10,11 @@ import org.junit.jupiter.api.Test;
 import tompkins.camera.Camera;
 import tompkins.io.FactText;
 import tompkins.light.AmbientLight;
+import tompkins.light.ColourLaw;
 import tompkins.light.PointLight;
 import tompkins.light.Pulse;
+import tompkins.light.StarCatalogue;
+import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Moving;
@@ -18,6 +22,7 @@ import tompkins.sceneobject.Plane;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Lighting;
+import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.studio.View;
@@ -173,5 +178,31 @@ class RayHistoryTest {
         assertThat(fact(history, "Hits far", "distance (scene)")).isEqualTo("10");
         assertThat(fact(history, "Hits far", "throughput")).isEqualTo("0.25");
         assertThat(fact(history, "Hits near", "throughput")).isNull();
+    }
+
+    /** Ahead at 0.8 c a star is 5 log10 3 magnitudes brighter, and three times as hot. */
+    @Test
+    void theNearestStarIsTold() {
+        StarSky sky = StarSky.DEFAULT;
+        Vector3d sirius = sky.direction(StarCatalogue.upTo(-1).get(0));
+        Studio studio = Descriptions.with(Studio.DEFAULT, "background", sky)
+                .withCamera(Descriptions.with(Studio.DEFAULT.camera(), "viewDirection", sirius));
+        List<FactText.Line> atRest = history(studio, 320, 240);
+        assertThat(fact(atRest, "Nearest star", "name")).isEqualTo("Sirius");
+        assertThat(starNumber(atRest, "magnitude V at rest")).isEqualTo(-1.44);
+        assertThat(starNumber(atRest, "right ascension")).isCloseTo(101.2872, withinPercentage(0.1));
+        assertThat(starNumber(atRest, "colour temperature at rest")).isCloseTo(10002.2, withinPercentage(0.1));
+        assertThat(fact(atRest, "Nearest star", "magnitude as seen")).isNull();
+
+        Velocity velocity = Velocity.of(sirius.mul(0.8, new Vector3d()));
+        Studio moving = studio.withVelocity(velocity);
+        assertThat(starNumber(history(moving.withColours(ColourLaw.SEARCHLIGHT), 320, 240), "magnitude as seen"))
+                .isCloseTo(-1.44 - 5 * Math.log10(3), withinPercentage(0.1));
+        assertThat(starNumber(history(moving.withColours(ColourLaw.DOPPLER), 320, 240), "colour temperature as seen"))
+                .isCloseTo(30006.6, withinPercentage(0.1));
+    }
+
+    private static double starNumber(List<FactText.Line> history, String name) {
+        return Double.parseDouble(fact(history, "Nearest star", name).split("[ \u00b0]")[0]);
     }
 }

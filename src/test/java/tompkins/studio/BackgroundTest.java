@@ -1,6 +1,7 @@
 package tompkins.studio;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
@@ -8,6 +9,8 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.light.Star;
+import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Colour;
 import tompkins.ray.PixelPicture;
 
@@ -77,5 +80,30 @@ class BackgroundTest {
         assertThat(sky.colour(1, 0, 0, 0)).isEqualTo(new Colour(1, 0.5, 0));
         assertThat(sky.colour(0, 0.25, -Math.sqrt(1 - 0.0625), 0)).isEqualTo(new Colour(0.75, 0.375, 0.25));
         assertThat(sky.colour(0, -1e-9, 1, 0)).isEqualTo(new Colour(0.1, 0.2, 0.3));
+    }
+
+    /** Right ascension 6 h is to the left of 0 h, and 18 h to the right; the pole is up. */
+    @Test
+    void eastOfAStarSkyIsToTheLeft() {
+        assertThat(StarSky.DEFAULT.direction(new Star(0, 0, 1, 0)).distance(0, 0, 1))
+                .isLessThan(1e-15);
+        assertThat(StarSky.DEFAULT.direction(new Star(90, 0, 1, 0)).distance(-1, 0, 0))
+                .isLessThan(1e-15);
+        assertThat(StarSky.DEFAULT.direction(new Star(270, 0, 1, 0)).distance(1, 0, 0))
+                .isLessThan(1e-15);
+        assertThat(StarSky.DEFAULT.direction(new Star(123, 90, 1, 0)).distance(0, 1, 0))
+                .isLessThan(1e-15);
+    }
+
+    @Test
+    void aStarSkyNeedsTwoDirections() {
+        Vector3d north = new Vector3d(1, 2, 3);
+        assertThatThrownBy(() -> new StarSky(6, 0.2, north, new Vector3d(-2, -4, -6), Colour.BLACK))
+                .isInstanceOf(InvalidPropertyException.class)
+                .hasMessage("zeroHour must be not parallel to north [1, 2, 3], was [-2, -4, -6]");
+        assertThatThrownBy(() -> new StarSky(6.6, 0.2, north, new Vector3d(0, 0, 1), Colour.BLACK))
+                .hasMessageContaining("limit must be");
+        assertThatThrownBy(() -> new StarSky(6, 0, north, new Vector3d(0, 0, 1), Colour.BLACK))
+                .hasMessageContaining("zeroMagnitudeSquareDegrees must be");
     }
 }

@@ -17,6 +17,7 @@ import tompkins.light.ColourLaw;
 import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
+import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
 import tompkins.ray.PixelPicture;
@@ -50,6 +51,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Lighting;
 import tompkins.studio.PaperStudios;
 import tompkins.studio.SkyBackground;
+import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.surface.Blinking;
@@ -216,6 +218,10 @@ public final class VariedStudios {
                 Named.of("Galilean world", studio.withTransformation(TransformationLaw.GALILEAN)),
                 Named.of("searchlight effect", studio.withColours(ColourLaw.SEARCHLIGHT)),
                 Named.of("shifted colours", studio.withColours(ColourLaw.DOPPLER)),
+                Named.of("stars", Descriptions.with(studio, "background", StarSky.DEFAULT)),
+                Named.of(
+                        "stars in shifted colours",
+                        Descriptions.with(studio.withColours(ColourLaw.DOPPLER), "background", StarSky.DEFAULT)),
                 Named.of("far from the origin", late.withScene(List.of(nearTheCamera))),
                 Named.of("big lattice", moving(List.of(bigLattice()))));
     }

@@ -72,9 +72,15 @@ class GoldenStarsTest {
         FLUX_OF_SEARCHLIGHT {
             @Override
             double excess(GoldenRow row, Seen seen) {
-                double square = seen.dopplerFactor() * seen.dopplerFactor();
-                double flux = seen.star().light() * ColourLaw.SEARCHLIGHT.brightness(seen.dopplerFactor()) / square;
+                double flux = seen.star().light() * seen.factor(ColourLaw.SEARCHLIGHT);
                 return Worst.share(row.relativeDifference(flux, "flux_searchlight"), relative(row));
+            }
+        },
+        FACTOR_OF_DOPPLER {
+            @Override
+            double excess(GoldenRow row, Seen seen) {
+                double error = row.relativeDifference(seen.factor(ColourLaw.DOPPLER), "factor_doppler");
+                return Worst.share(error, row.number("temperature_seen") > 1500 ? 1e-4 : 1e-3);
             }
         },
         TEMPERATURE {
@@ -130,6 +136,10 @@ class GoldenStarsTest {
     /** A star of a row, as the program sees it. */
     record Seen(Star star, Vector3d scene, Vector3d look, double dopplerFactor) {
 
+        double factor(ColourLaw law) {
+            return law.starFactor(star.temperature(), dopplerFactor);
+        }
+
         static Seen of(GoldenRow row) {
             Star star = new Star(row.number("ra"), row.number("dec"), row.number("v"), row.number("bv"));
             SeenFrame frame = new SeenFrame(Studio.DEFAULT.withVelocity(Velocity.of(row.vector("beta_"))), null);
@@ -180,8 +190,7 @@ class GoldenStarsTest {
                 Vector3d direction = StarSky.DEFAULT.direction(star);
                 Vector3d look = frame.look(direction);
                 double dopplerFactor = frame.dopplerFactorAlong(direction);
-                double flux = star.light() * law.brightness(dopplerFactor);
-                double seen = law == ColourLaw.UNCHANGED ? flux : flux / (dopplerFactor * dopplerFactor);
+                double seen = star.light() * law.starFactor(star.temperature(), dopplerFactor);
                 if (-2.5 * Math.log10(seen) <= row.number("limit") + 1e-9) {
                     all++;
                     ahead += look.dot(motion) > 0 ? 1 : 0;

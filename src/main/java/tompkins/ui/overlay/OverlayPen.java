@@ -31,22 +31,24 @@ final class OverlayPen {
     /** Places at which a name is tried. */
     private static final int MOST_TRIED = 1000;
 
-    private static final Map<OverlayKind, Color> COLOURS = Map.of(
-            OverlayKind.OUTLINES, new Color(255, 215, 90),
-            OverlayKind.LINES, new Color(130, 230, 150),
-            OverlayKind.AT_REST, new Color(255, 255, 255),
-            OverlayKind.MEASURED, new Color(255, 150, 150),
-            OverlayKind.DOPPLER, new Color(120, 255, 190),
-            OverlayKind.PLACES, new Color(255, 160, 120),
-            OverlayKind.SCENE_GRID, new Color(150, 205, 255),
-            OverlayKind.CAMERA_GRID, new Color(225, 225, 225),
-            OverlayKind.HORIZON, new Color(255, 140, 230),
-            OverlayKind.LABELS, Color.WHITE);
+    private static final Map<OverlayKind, Color> COLOURS = Map.ofEntries(
+            Map.entry(OverlayKind.OUTLINES, new Color(255, 215, 90)),
+            Map.entry(OverlayKind.LINES, new Color(130, 230, 150)),
+            Map.entry(OverlayKind.AT_REST, new Color(255, 255, 255)),
+            Map.entry(OverlayKind.MEASURED, new Color(255, 150, 150)),
+            Map.entry(OverlayKind.DOPPLER, new Color(120, 255, 190)),
+            Map.entry(OverlayKind.PLACES, new Color(255, 160, 120)),
+            Map.entry(OverlayKind.SCENE_GRID, new Color(150, 205, 255)),
+            Map.entry(OverlayKind.CAMERA_GRID, new Color(225, 225, 225)),
+            Map.entry(OverlayKind.HORIZON, new Color(255, 140, 230)),
+            Map.entry(OverlayKind.LABELS, Color.WHITE),
+            Map.entry(OverlayKind.STARS, new Color(170, 190, 255)));
 
     private static final Set<OverlayKind> GHOSTS = Set.of(OverlayKind.AT_REST, OverlayKind.MEASURED);
 
     private static final List<OverlayKind> WRITTEN_FIRST = List.of(
             OverlayKind.LABELS,
+            OverlayKind.STARS,
             OverlayKind.DOPPLER,
             OverlayKind.HORIZON,
             OverlayKind.CAMERA_GRID,

@@ -11,6 +11,7 @@ import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 import tompkins.measure.Sighting;
 import tompkins.studio.PanoramaBackground;
+import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.trace.RayLife;
 import tompkins.ui.picture.Picture;
@@ -226,7 +227,8 @@ public final class StatusBar extends Part {
     private static boolean isEmpty(Studio studio) {
         return studio.scene().isEmpty()
                 && studio.cameraFrame().isEmpty()
-                && !(studio.background() instanceof PanoramaBackground);
+                && !(studio.background() instanceof PanoramaBackground)
+                && !(studio.background() instanceof StarSky);
     }
 
     /** Says whether the next click picks a point, until it does. */

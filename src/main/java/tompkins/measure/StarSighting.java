@@ -1,0 +1,74 @@
+package tompkins.measure;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.joml.Vector3dc;
+import tompkins.light.ColourLaw;
+import tompkins.light.Star;
+import tompkins.light.StarCatalogue;
+import tompkins.measure.Fact.Group;
+import tompkins.measure.Fact.Word;
+import tompkins.property.NumberText;
+import tompkins.studio.StarSky;
+import tompkins.studio.Studio;
+import tompkins.world.SeenFrame;
+
+/**
+ * The star of a sky that is nearest to a direction of the scene.
+ *
+ * @param star the star
+ * @param angle from the direction to the star, in radians
+ */
+record StarSighting(Star star, double angle) {
+
+    private static final String DEGREES = "degrees";
+    private static final String KELVINS = "K";
+
+    private static final Map<Star, String> NAMES = StarCatalogue.names();
+
+    /** The nearest star that a sky shows; none if it shows no star. */
+    static Optional<StarSighting> nearest(StarSky sky, Vector3dc direction) {
+        return StarCatalogue.upTo(sky.limit()).stream()
+                .map(star -> new StarSighting(star, Angles.between(direction, sky.direction(star))))
+                .min(Comparator.comparingDouble(StarSighting::angle));
+    }
+
+    /** How many stars of a sky the camera sees within an angle, in radians, of the direction in which it moves. */
+    static long count(StarSky sky, Studio studio, double angle) {
+        SeenFrame scene = new SeenFrame(studio, null);
+        Vector3dc ahead = studio.velocity().direction();
+        return StarCatalogue.upTo(sky.limit()).stream()
+                .filter(star -> Angles.between(scene.look(sky.direction(star)), ahead) <= angle)
+                .count();
+    }
+
+    /** What there is to tell, seen with a Doppler factor. */
+    Fact fact(Studio studio, double dopplerFactor) {
+        List<Fact> facts = new ArrayList<>();
+        String name = NAMES.getOrDefault(star, "");
+        facts.add(new Word("name", name.isEmpty() ? "" : "name", name));
+        facts.add(number("separationDegrees", "angle to it (scene)", DEGREES, Math.toDegrees(angle)));
+        facts.add(number("rightAscensionDegrees", "right ascension", DEGREES, star.rightAscensionDegrees()));
+        facts.add(number("declinationDegrees", "declination", DEGREES, star.declinationDegrees()));
+        facts.add(number("magnitude", "magnitude V at rest", "", star.magnitude()));
+        facts.add(number("temperature", "colour temperature at rest", KELVINS, star.temperature()));
+        if (studio.shiftsColours()) {
+            double factor = studio.colours().starFactor(star.temperature(), dopplerFactor);
+            facts.add(number("magnitudeSeen", "magnitude as seen", "", star.magnitude() - 2.5 * Math.log10(factor)));
+            boolean isShifted = studio.colours() == ColourLaw.DOPPLER;
+            facts.add(number(
+                    "temperatureSeen",
+                    isShifted ? "colour temperature as seen" : "",
+                    KELVINS,
+                    dopplerFactor * star.temperature()));
+        }
+        return new Group("nearestStar", "Nearest star in that direction", facts);
+    }
+
+    private static Quantity number(String key, String name, String unit, double value) {
+        return Quantity.exact(key, name, unit, NumberText.rounded(value, 6));
+    }
+}
