@@ -28,7 +28,7 @@ public final class BundledScenes {
      * The topics that come first because they show what the program is for; the others follow in alphabetical order.
      */
     private static final List<String> FIRST_TOPICS =
-            List.of("Rides", "Courtial et al. 2016", "Relativity", "Motion", "Light in flight");
+            List.of("Rides", "Courtial et al. 2016", "Relativity", "Motion", "Light in flight", "Stars");
 
     private BundledScenes() {}
 

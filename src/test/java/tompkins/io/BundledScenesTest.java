@@ -66,6 +66,7 @@ class BundledScenesTest {
                         "Relativity",
                         "Motion",
                         "Light in flight",
+                        "Stars",
                         "Lessons",
                         "Objects",
                         "Shutters",
@@ -77,6 +78,10 @@ class BundledScenesTest {
                     .isTrue();
         }
         assertThat(scenes.stream().map(Studio::title))
-                .startsWith("A town square at 0.8 c", "A ride: between columns", "Fig. 1(a): camera at rest");
+                .startsWith(
+                        "A town square at 0.8 c",
+                        "A ride: between columns",
+                        "To Alpha Centauri with 1 g",
+                        "Fig. 1(a): camera at rest");
     }
 }
