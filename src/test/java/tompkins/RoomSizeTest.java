@@ -36,7 +36,7 @@ class RoomSizeTest {
                 arguments("file, image", 4_450),
                 arguments("explain, lesson, measure, animation", 5_370),
                 arguments("io, app", 7_400),
-                arguments("study", 4_900),
+                arguments("study", 4_800),
                 arguments("ui", 20_100));
     }
 

@@ -7,56 +7,35 @@ import tompkins.studio.Studio;
 
 /**
  * Whether samples are better shared evenly or put where they are needed, and whether the error is what was promised.
+ *
+ * @param compared pinhole photographs on which methods are compared
+ * @param promised photographs on which the promised error is compared with the true one
+ * @param sparse photographs with sparse light, of which the same is asked
+ * @param width width of the compared photographs in pixels; the promised ones have a third of it
+ * @param referenceSamples samples per pixel of the references of the compared photographs; those of the promised ones
+ *     begin with a quarter and have as many as it takes
  */
-final class AntialiasingStudy implements Study {
+record AntialiasingStudy(
+        Map<String, Studio> compared,
+        Map<String, Studio> promised,
+        Map<String, Studio> sparse,
+        long seed,
+        int width,
+        int referenceSamples)
+        implements Study {
 
-    private static final int PROMISED_PART = 3;
-
-    private final long seed;
-    private final int width;
-    private final int referenceSamples;
-    private final Map<String, Studio> compared;
-    private final Map<String, Studio> promised;
-    private final Map<String, Studio> sparse;
-    private final PromisedErrors promises;
-
-    /**
-     * The study.
-     *
-     * @param compared pinhole photographs on which methods are compared
-     * @param promised photographs on which the promised error is compared with the true one
-     * @param sparse photographs with sparse light, of which the same is asked
-     * @param width width of the compared photographs in pixels; the promised ones have a third of it
-     * @param referenceSamples samples per pixel of the references of the compared photographs; those of the promised
-     *     ones begin with a quarter and have as many as it takes
-     */
-    AntialiasingStudy(
-            Map<String, Studio> compared,
-            Map<String, Studio> promised,
-            Map<String, Studio> sparse,
-            long seed,
-            int width,
-            int referenceSamples) {
-        this.compared = compared;
-        this.promised = promised;
-        this.sparse = sparse;
-        this.seed = seed;
-        this.width = width;
-        this.referenceSamples = referenceSamples;
-        promises = new PromisedErrors(promised, sparse, seed, width / PROMISED_PART, referenceSamples / 4);
+    private PromisedErrors promises() {
+        return new PromisedErrors(promised, sparse, seed, promisedWidth(), referenceSamples / 4);
     }
 
-    @Override
-    public String question() {
-        return "Edges inside pixels need several samples, flat pixels one. Is it better to give all pixels the same number,"
-                + " or to put samples where the picture is still wrong? And is the picture as good as `render --error`"
-                + " promises, on every scene?";
+    private int promisedWidth() {
+        return width / 3;
     }
 
     @Override
     public String settings() {
         return "seeds " + seed + " to " + (seed + PictureStudy.SEEDS - 1) + ", width " + width + " and "
-                + width / PROMISED_PART
+                + promisedWidth()
                 + ", references " + referenceSamples + " samples or as many as it takes, scenes "
                 + StudySetup.settings(compared) + ", " + StudySetup.settings(promised) + " and " + sparse.keySet();
     }
@@ -66,7 +45,7 @@ final class AntialiasingStudy implements Study {
         List<Trial> trials = new ArrayList<>();
         compared.forEach((name, studio) ->
                 trials.addAll(new PictureStudy(name, studio, seed, width, referenceSamples, () -> false).trials(true)));
-        trials.addAll(promises.trials());
+        trials.addAll(promises().trials());
         return trials;
     }
 
@@ -81,34 +60,26 @@ final class AntialiasingStudy implements Study {
                         true)
                 .withOwn(PictureStudy.ADAPTIVE)));
         if (!promised.isEmpty()) {
-            charts.add(promises.chart());
+            charts.add(PromisedErrors.chart());
         }
         return charts;
     }
 
     @Override
     public String answer(List<Measurement> all) {
-        StringBuilder text =
-                new StringBuilder("A scene that says nothing else gets one sample in the centre of each pixel,"
-                        + " which is the cheapest picture there is.");
+        StringBuilder text = new StringBuilder(StudyText.of("antialiasing.centre"));
         for (String name : compared.keySet()) {
             for (Measurement centre : Measurement.of(name, PictureStudy.CENTRE, all)) {
-                text.append(Finding.text(
-                        " On %s its error is %.0f %% of that of a sample anywhere in the pixel.",
-                        name, 100 * centre.medianError() / anywhere(name, all)));
+                double ratio = centre.medianError() / anywhere(name, all);
+                text.append(StudyText.of("antialiasing.centreOf", name, 100 * ratio));
             }
         }
-        text.append(
-                " Whoever wants a better one says how good it has to be: `--error` puts samples where the picture is still wrong.");
+        text.append(StudyText.of("antialiasing.adaptive"));
         for (String name : compared.keySet()) {
-            text.append(Finding.text(
-                    " On %s it needs %.0f %% of the rays that the same number everywhere needs for the same error.",
-                    name, 100 / saving(name, all)));
+            text.append(StudyText.of("antialiasing.adaptiveOf", name, 100 / saving(name, all)));
         }
         if (!promised.isEmpty()) {
-            text.append(Finding.text(
-                    " What `--error` promises is kept, to within a quarter, by %.0f %% of the photographs of all scenes.",
-                    Math.floor(100 * PromisedErrors.share(all))));
+            text.append(StudyText.of("antialiasing.promise", Math.floor(100 * PromisedErrors.share(all))));
         }
         return text.toString();
     }

@@ -25,14 +25,6 @@ final class ApertureStudy extends SamplingStudy {
     }
 
     @Override
-    public String question() {
-        return "A wide aperture sees each pixel through many points. How should they be chosen? Each method works out how"
-                + " much of the lens sees a bright half-plane, disc or chequerboard, where the answer is known exactly,"
-                + " and the light of pixels of photographs with a wide aperture. \"Random\" is the method of Dr TIM, the ray tracer of"
-                + " the University of Glasgow with which the photographs of the paper were taken (Courtial et al. 2016).";
-    }
-
-    @Override
     public List<Trial> trials() {
         List<Trial> all = new ArrayList<>(super.trials());
         comparison()
@@ -70,15 +62,8 @@ final class ApertureStudy extends SamplingStudy {
     public String answer(List<Measurement> all) {
         PowerLaw random = law(LensProblems.EDGE, RANDOM, all);
         PowerLaw own = law(LensProblems.EDGE, comparison().program(), all);
-        return Finding.text(
-                        "Random places need four times as many samples for half the error. Places that keep their distance do better:"
-                                + " at an edge the error of the program's points falls as the number of samples to the power %.2f, and"
-                                + " an error of 0.002, half a step of an 8-bit picture, takes them %s samples where random places take"
-                                + " %s. On the lens alone the Vogel spiral needs %s. But the spiral fills the lens evenly, and not"
-                                + " pixel and lens together, as every photograph with a wide aperture needs it: where the edge also sweeps over"
-                                + " the pixel, its error falls with the number of samples to the power %.2f, that of the program's points to the"
-                                + " power %.2f.\n\nIn a photograph the time counts. All methods choose the places of a block of pixels together,"
-                                + " and the renderer follows their rays.",
+        return StudyText.of(
+                        "aperture.answer",
                         own.slope(),
                         samplesFor(0.002, own),
                         samplesFor(0.002, random),

@@ -57,16 +57,6 @@ final class DepthStudy implements Study {
             new Problem("glass", "Through a sheet of glass of index 3", 1, DepthStudy::glass, DepthStudy::glass));
 
     @Override
-    public String question() {
-        return "Between mirrors a ray could go on for ever. Is it better to stop it after a number of surfaces, or when it can"
-                + " bring too little light? A camera looks down a corridor of two mirrors with reflectance R to a bright"
-                + " wall; light that is reflected k times must arrive as R^k, and k follows from the angle. In the second"
-                + " chart one corridor lies above another: R = 0.99 over R = 0.5. In the third, the camera looks through a"
-                + " sheet of dense glass, in which light runs to and fro, against a dark room: what comes through is a geometric sum,"
-                + " (1 - R)/(1 + R) with Fresnel's R of each angle.";
-    }
-
-    @Override
     public String settings() {
         return Finding.text(
                 "corridors [R=0.90, two-corridors] 2 wide and %.0f long, %.0f degrees, a sheet of glass of index %.0f, %.0f degrees, %d x %d pixels",
@@ -217,13 +207,7 @@ final class DepthStudy implements Study {
     @Override
     public String answer(List<Measurement> all) {
         double own = own(TWO_CORRIDORS, all).rays();
-        return Finding.text(
-                "In one corridor both ways cost the same, if one only knew the right depth beforehand. Where a picture holds dim"
-                        + " and bright mirrors, no depth is right for both: the limit that is as exact follows %.1f times as"
-                        + " many rays as the program, which ends each ray when it can bring less than 1/%.0f of the light. That"
-                        + " is less than a step of an 8-bit picture. (Limits that leave nothing out are exact; an error of 0 has"
-                        + " no place on a logarithmic axis.)",
-                cheapestLimit(TWO_CORRIDORS, all) / own, 1 / Ray.FAINTEST);
+        return StudyText.of("depth.answer", cheapestLimit(TWO_CORRIDORS, all) / own, 1 / Ray.FAINTEST);
     }
 
     @Override

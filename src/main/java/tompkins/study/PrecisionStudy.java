@@ -44,13 +44,6 @@ final class PrecisionStudy implements Study {
     }
 
     @Override
-    public String question() {
-        return "Near the speed of light, the transformation of a direction loses digits. Which form keeps them, and is single"
-                + " precision enough? Each form turns directions at all angles from the motion; the exact answer is worked"
-                + " out with 50 digits.";
-    }
-
-    @Override
     public String settings() {
         return "seed " + seed + ", " + DIRECTIONS + " directions, pixels of a picture 20 degrees and 640 pixels wide";
     }
@@ -183,12 +176,8 @@ final class PrecisionStudy implements Study {
         Measurement own = Measurement.of(PIXELS, DirectionForm.HALF_ANGLE.title(), TIMED_AT, all);
         double singleNanoseconds = 1e9 * single.medianSeconds() / TIMED;
         double ownNanoseconds = 1e9 * own.medianSeconds() / TIMED;
-        return Finding.text(
-                "In double precision, every form but the textbook's is good enough for the picture at any speed that can be"
-                        + " asked for: a pixel is never missed by a hundredth of its width. Half angles alone also keep the"
-                        + " direction in the scene, on which frequency and brightness depend, so the program uses them. Single"
-                        + " precision is wrong by %.2g pixels at gamma 10^4 and saves %s: it takes %.1f ns for a direction,"
-                        + " the program %.1f ns.",
+        return StudyText.of(
+                "precision.answer",
                 single.medianError(),
                 singleNanoseconds < ownNanoseconds
                         ? Finding.text("%.1f ns", ownNanoseconds - singleNanoseconds)

@@ -12,8 +12,12 @@ import tompkins.render.Renderer;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
-/** How soon the window shows how much, and whether pixels that are still missing should be interpolated. */
-final class PreviewStudy implements Study {
+/**
+ * How soon the window shows how much, and whether pixels that are still missing should be interpolated.
+ *
+ * @param studios photographs; they are taken with one sample per pixel, whatever they say
+ */
+record PreviewStudy(Map<String, Studio> studios) implements Study {
 
     private static final String BLOCKS = "coarse to fine, in blocks";
     private static final String PROGRAM = "coarse to fine, interpolated (the program)";
@@ -22,18 +26,12 @@ final class PreviewStudy implements Study {
     private static final int LAST = STRIDES[STRIDES.length - 1];
     private static final int REPEATS = 5;
 
-    private final Map<String, Studio> studios = new LinkedHashMap<>();
-
-    /** The study of some photographs, taken with one sample per pixel. */
-    PreviewStudy(Map<String, Studio> studios) {
+    /** One sample per pixel says how good a preview is. */
+    PreviewStudy {
+        Map<String, Studio> single = new LinkedHashMap<>();
         studios.forEach((name, studio) ->
-                this.studios.put(name, studio.withSettings(studio.settings().withSamples(1))));
-    }
-
-    @Override
-    public String question() {
-        return "While a picture is on its way, the window shows it coarse to fine. How soon is it how good, compared with the"
-                + " picture of one sample per pixel, and is it worth the time to interpolate what is missing?";
+                single.put(name, studio.withSettings(studio.settings().withSamples(1))));
+        studios = single;
     }
 
     @Override
@@ -130,16 +128,14 @@ final class PreviewStudy implements Study {
             Measurement last = Measurement.of(name, PROGRAM, LAST, all);
             slowest = Math.max(slowest, first.medianSeconds());
             left = Math.max(left, first.medianError() / blocks.medianError());
-            each.append(Finding.text(
-                    " The first preview of %s comes after %.0f ms (in blocks %.0f ms), that of every second pixel after %.0f ms.",
-                    name, 1e3 * first.medianSeconds(), 1e3 * blocks.medianSeconds(), 1e3 * last.medianSeconds()));
+            each.append(StudyText.of(
+                    "preview.first",
+                    name,
+                    1e3 * first.medianSeconds(),
+                    1e3 * blocks.medianSeconds(),
+                    1e3 * last.medianSeconds()));
         }
-        return Finding.text(
-                        "A first picture is there after %.0f ms at most (the eye notices a delay from about 100 ms on), and each finer"
-                                + " one is better. The window interpolates between its pixels, which leaves at most %.0f %% of the error"
-                                + " of blocks.",
-                        1e3 * slowest, 100 * left)
-                + each;
+        return StudyText.of("preview.answer", 1e3 * slowest, 100 * left) + each;
     }
 
     @Override

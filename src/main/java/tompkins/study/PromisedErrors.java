@@ -14,8 +14,15 @@ import tompkins.trace.RenderPlan;
 /**
  * Whether the error of photographs is what {@link Quality.TargetError} promises: all scenes, several promises and
  * seeds.
+ *
+ * @param studios photographs
+ * @param sparse photographs whose light comes from few places, which are taken larger
+ * @param seed of the first of several runs
+ * @param width of the other photographs in pixels
+ * @param referenceSamples least number of samples per pixel of the references
  */
-final class PromisedErrors {
+record PromisedErrors(
+        Map<String, Studio> studios, Map<String, Studio> sparse, long seed, int width, int referenceSamples) {
 
     private static final String PROBLEM = "promise";
     private static final double[] PROMISES = {0.01, 0.003, 0.001};
@@ -35,28 +42,6 @@ final class PromisedErrors {
     private static final int SPARSE_WIDTH = 128;
     private static final double SPARSE_TOLERANCE = 2;
     private static final double LIGHT_TOLERANCE = 0.02;
-
-    private final Map<String, Studio> studios;
-    private final Map<String, Studio> sparse;
-    private final long seed;
-    private final int width;
-    private final int referenceSamples;
-
-    /**
-     * The question for some photographs.
-     *
-     * @param sparse photographs whose light comes from few places, which are taken larger
-     * @param width of the other photographs in pixels
-     * @param referenceSamples least number of samples per pixel of the references
-     */
-    PromisedErrors(
-            Map<String, Studio> studios, Map<String, Studio> sparse, long seed, int width, int referenceSamples) {
-        this.studios = studios;
-        this.sparse = sparse;
-        this.seed = seed;
-        this.width = width;
-        this.referenceSamples = referenceSamples;
-    }
 
     List<Trial> trials() {
         List<Trial> trials = new ArrayList<>();
@@ -114,7 +99,7 @@ final class PromisedErrors {
         return studio.camera().hasWideAperture() ? "wide apertures" : "pinholes";
     }
 
-    Chart chart() {
+    static Chart chart() {
         return new Chart(
                         PROBLEM,
                         Finding.text(

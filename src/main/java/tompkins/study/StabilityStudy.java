@@ -24,8 +24,12 @@ import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.surface.ColouredSurface;
 
-/** What happens close to the places where formulas lose their digits. */
-final class StabilityStudy implements Study {
+/**
+ * What happens close to the places where formulas lose their digits.
+ *
+ * @param seed of the cases
+ */
+record StabilityStudy(long seed) implements Study {
 
     private static final String STABLE = "the program";
     private static final String NAIVE = "textbook formula";
@@ -35,12 +39,6 @@ final class StabilityStudy implements Study {
     private static final double MUCH = 1000;
     private static final double NOTHING_LEFT = 1;
     private static final double SMALLEST = 0x1p-53;
-
-    private final long seed;
-
-    StabilityStudy(long seed) {
-        this.seed = seed;
-    }
 
     /**
      * A place where formulas fail.
@@ -74,13 +72,6 @@ final class StabilityStudy implements Study {
                     "1 / gamma",
                     -6,
                     StabilityStudy::fastInGlass));
-
-    @Override
-    public String question() {
-        return "Close to the speed of light, also in glass, close to rest, and far from small objects, formulas subtract nearly equal"
-                + " numbers. How much is left of their digits? Textbook and program work on the same random cases; the exact"
-                + " answers are worked out with 60 digits.";
-    }
 
     @Override
     public String settings() {
@@ -246,10 +237,7 @@ final class StabilityStudy implements Study {
 
     @Override
     public String answer(List<Measurement> all) {
-        return "The closer to these places, the fewer digits the textbook's formulas leave: at the left end of each chart an"
-                + " error of 1 means that nothing is right any more. The program's formulas say the same in other words, without"
-                + " the difference of nearly equal numbers, and keep nearly all digits everywhere, so the program uses no"
-                + " others.";
+        return StudyText.of("stability.answer");
     }
 
     @Override

@@ -2,11 +2,8 @@ package tompkins.study;
 
 import java.util.List;
 
-/** One question about speed and accuracy, and how it is answered. */
+/** How one question about speed and accuracy is answered. */
 public interface Study {
-
-    /** What is asked, in a sentence or two. */
-    String question();
 
     /** Everything that changes the figures; figures measured with other settings do not count. */
     String settings();

@@ -29,7 +29,7 @@ public enum StudyKind {
     PRECISION(setup -> new PrecisionStudy(setup.seed())),
 
     /** See {@link TreeStudy}. */
-    TREE(setup -> new TreeStudy(setup.seed(), 1_000_000)),
+    TREE(setup -> new TreeStudy(setup.seed(), 1_000_000, 25)),
 
     /** See {@link DepthStudy}. */
     DEPTH(setup -> new DepthStudy()),

@@ -99,8 +99,8 @@ public final class StudyPage {
 
     /** Adds a study: writes its charts, and puts them and its findings on the page. */
     public void add(StudyKind kind, Study study, List<Measurement> all) throws IOException {
-        text.append(
-                "\n## " + heading(kind.toString()) + "\n\n" + study.question() + "\n\n" + study.answer(all) + "\n\n");
+        text.append("\n## " + heading(kind.toString()) + "\n\n" + StudyText.of(kind + ".question") + "\n\n"
+                + study.answer(all) + "\n\n");
         for (Chart chart : study.charts()) {
             Path file = put(fileOf(kind, chart), ChartDrawing.png(chart, all));
             String link = name + "/" + file.getFileName();

@@ -18,8 +18,14 @@ import tompkins.search.NearestHit;
 import tompkins.search.ObjectTree;
 import tompkins.surface.ColouredSurface;
 
-/** From how many objects on a tree is faster. */
-final class TreeStudy implements Study {
+/**
+ * From how many objects on a tree is faster.
+ *
+ * @param seed of the objects and the rays
+ * @param mostObjects the largest number of objects
+ * @param manyRepeats the number of runs for few objects: times need many runs, the hits need one
+ */
+record TreeStudy(long seed, int mostObjects, int manyRepeats) implements Study {
 
     private static final String SPHERES = "spheres";
     private static final String LIST = "list";
@@ -28,34 +34,10 @@ final class TreeStudy implements Study {
     private static final int RAYS = 20_000;
     private static final int LONGEST_LIST = 10_000;
     private static final int REPEATS = 3;
-    private static final int MANY_REPEATS = 25;
     private static final double TOLERANCE = 1.1;
     private static final int MANY = 1000;
     private static final int[] STEPS = {10, 20, 30, 40, 60, 80};
     private static final int[] STEPS_OF_MANY = {10, 20, 50};
-
-    private final long seed;
-    private final int mostObjects;
-    private final int manyRepeats;
-
-    /** The study, up to a number of objects. */
-    TreeStudy(long seed, int mostObjects) {
-        this(seed, mostObjects, MANY_REPEATS);
-    }
-
-    /** The same, with a number of runs for few objects: times need many runs, the hits need one. */
-    TreeStudy(long seed, int mostObjects, int manyRepeats) {
-        this.seed = seed;
-        this.mostObjects = mostObjects;
-        this.manyRepeats = manyRepeats;
-    }
-
-    @Override
-    public String question() {
-        return "A bounding-volume tree finds the nearest object without looking at all of them, but has to be built and"
-                + " walked through. From how many objects on does it pay? Random rays meet spheres; the time holds building"
-                + " and " + RAYS + " rays. List, tree and the program's own choice take turns.";
-    }
 
     @Override
     public String settings() {
@@ -161,10 +143,8 @@ final class TreeStudy implements Study {
         List<Measurement> lists = Measurement.of(SPHERES, LIST, all);
         Measurement longest = lists.get(lists.size() - 1);
         double crossing = crossing(all);
-        return Finding.text(
-                "The time of a list grows with the number of objects, that of a tree far more slowly. The median of the tree is below that"
-                        + " of the list from %s objects on; with %.0f objects the list takes %.1f times as long. The program builds"
-                        + " a tree from %d objects on.",
+        return StudyText.of(
+                "tree.answer",
                 crossing < Double.POSITIVE_INFINITY ? Finding.text("%.0f", crossing) : "no number of",
                 longest.setting(),
                 longest.medianSeconds() / seconds(TREE, longest.setting(), all),

@@ -254,11 +254,6 @@ class StudiesTest {
     private record Sample(Study whole) implements Study {
 
         @Override
-        public String question() {
-            return whole.question();
-        }
-
-        @Override
         public String settings() {
             return whole.settings();
         }
