@@ -34,9 +34,9 @@ class RoomSizeTest {
                                 + " studio, world, trace, render",
                         24_830),
                 arguments("file, image", 4_450),
-                arguments("explain, lesson, measure, animation", 5_370),
-                arguments("io, app", 7_400),
-                arguments("study", 4_800),
+                arguments("explain, lesson, measure, animation", 5_420),
+                arguments("io, app", 7_620),
+                arguments("study", 4_830),
                 arguments("ui", 20_100));
     }
 

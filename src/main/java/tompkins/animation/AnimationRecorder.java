@@ -54,9 +54,10 @@ public record AnimationRecorder(
      * @throws CancellationException if it is cancelled
      * @throws FileException if the file cannot be written
      */
-    public FrameWarnings record(AnimationWriter writer, Progress progress) throws FileException, InterruptedException {
+    public FrameWarnings record(AnimationWriter writer, Progress progress, FrameListener listener)
+            throws FileException, InterruptedException {
         Store file = (frame, picture, info) -> writer.add(picture, info);
-        return record(FrameSelection.all(film.frames()), frame -> false, file, progress);
+        return record(FrameSelection.all(film.frames()), frame -> false, file, progress, listener);
     }
 
     /**
@@ -67,9 +68,10 @@ public record AnimationRecorder(
      * @throws CancellationException if it is cancelled
      * @throws FileException if a file cannot be written; the frames before stay
      */
-    public FrameWarnings record(FrameSelection frames, FrameFolder folder, boolean skips, Progress progress)
+    public FrameWarnings record(
+            FrameSelection frames, FrameFolder folder, boolean skips, Progress progress, FrameListener listener)
             throws FileException, InterruptedException {
-        return record(frames, frame -> skips && found(folder, frame) == Found.SAME, folder::write, progress);
+        return record(frames, frame -> skips && found(folder, frame) == Found.SAME, folder::write, progress, listener);
     }
 
     /** What is in a folder under the name of a frame. */
@@ -88,19 +90,24 @@ public record AnimationRecorder(
         }
     }
 
-    private FrameWarnings record(FrameSelection frames, IntPredicate isThere, Store store, Progress progress)
+    private FrameWarnings record(
+            FrameSelection frames, IntPredicate isThere, Store store, Progress progress, FrameListener listener)
             throws FileException, InterruptedException {
         FrameWarnings warnings = new FrameWarnings(film.frames());
         int count = frames.frames().size();
         try (PhotographTaker taker = new PhotographTaker(threads)) {
             for (int i = 0; i < count; i++) {
                 int frame = frames.frames().get(i);
-                if (!isThere.test(frame)) {
-                    Studio moment = film.studio(frame);
-                    RenderJob photograph = taker.take(moment, progress, (double) i / count, 1.0 / count);
-                    store.add(frame, painted(photograph, moment, frame), info(frame, moment));
-                    warnings.add(frame, photograph.report().warnings());
+                if (isThere.test(frame)) {
+                    listener.reached(frame, PictureState.SKIPPED, null);
+                    continue;
                 }
+                listener.reached(frame, PictureState.BEGUN, null);
+                Studio moment = film.studio(frame);
+                RenderJob photograph = taker.take(moment, progress, (double) i / count, 1.0 / count);
+                store.add(frame, painted(photograph, moment, frame), info(frame, moment));
+                warnings.add(frame, photograph.report().warnings());
+                listener.reached(frame, PictureState.DONE, photograph.report());
             }
         }
         return warnings;

@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine.ArgGroup;
@@ -20,6 +21,7 @@ import picocli.CommandLine.ParseResult;
 import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
 import tompkins.animation.FilmAssembly;
+import tompkins.animation.FrameListener;
 import tompkins.animation.FrameSelection;
 import tompkins.animation.FrameSequence;
 import tompkins.animation.RideFilm;
@@ -122,6 +124,9 @@ final class AnimateCommand extends ProgramCommand {
     @Mixin
     private ThreadsOption threads;
 
+    @Mixin
+    private ProgressOption progressOption;
+
     @ArgGroup
     private QualityOptions.Wish quality = new QualityOptions.Wish();
 
@@ -189,8 +194,9 @@ final class AnimateCommand extends ProgramCommand {
         requireFree();
         FrameSequence film = recorder.film();
         report(film.frames() + " pictures", warnings, progress -> {
+            FrameListener frames = listener(film, frame -> null);
             try (AnimationWriter writer = open(film.frameRate())) {
-                warnings.addAll(recorder.record(writer, progress).sentences());
+                warnings.addAll(recorder.record(writer, progress, frames).sentences());
                 return writer.finish();
             }
         });
@@ -200,16 +206,23 @@ final class AnimateCommand extends ProgramCommand {
     private int takeFrames(AnimationRecorder recorder, Set<String> warnings) throws Exception {
         FrameFolder folder = new FrameFolder(output);
         FrameSelection chosen = frames.choose(recorder.film().frames());
-        FrameSelection left = frames.left(chosen, recorder, folder);
+        FrameListener listener = listener(recorder.film(), folder::file);
+        FrameSelection left = frames.left(chosen, recorder, folder, listener);
         if (!left.frames().isEmpty()) {
             Photographer.requireWritable(folder.file(left.frames().get(0)));
         }
         report(left.frames().size() + " of " + recorder.film().frames() + " pictures", warnings, progress -> {
-            warnings.addAll(
-                    recorder.record(left, folder, frames.skips(), progress).sentences());
+            warnings.addAll(recorder.record(left, folder, frames.skips(), progress, listener)
+                    .sentences());
             return output;
         });
         return 0;
+    }
+
+    private FrameListener listener(FrameSequence film, IntFunction<Path> file) {
+        ProgressReport progress = ProgressReport.on(err());
+        return (frame, state, report) ->
+                progress.picture("frame", frame, film.frames(), state, file.apply(frame), report);
     }
 
     private int assemble() throws Exception {
@@ -249,13 +262,13 @@ final class AnimateCommand extends ProgramCommand {
     /** Work that takes a while, and makes a file or a folder. */
     private interface Work {
 
-        Path make(ProgressLine progress) throws Exception;
+        Path make(ProgressReport progress) throws Exception;
     }
 
     /** Works, and says where the result lies. */
     private void report(String made, Set<String> warnings, Work work) throws Exception {
         long start = System.nanoTime();
-        ProgressLine progress = new ProgressLine(err());
+        ProgressReport progress = ProgressReport.on(err());
         Path place;
         try {
             place = work.make(progress);

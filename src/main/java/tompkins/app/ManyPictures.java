@@ -6,10 +6,7 @@ import picocli.CommandLine.Option;
 /** Options of commands that take many pictures, so that several processes can share the work. */
 class ManyPictures {
 
-    @Option(
-            names = "--part",
-            paramLabel = "I/N",
-            description = "take each N-th picture, beginning with I, which is below N and counts from 0")
+    @Option(names = "--part", paramLabel = "I/N", description = "take each N-th picture from I on, counted from 0")
     private Part part;
 
     @Option(

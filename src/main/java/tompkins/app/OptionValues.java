@@ -22,7 +22,8 @@ final class OptionValues {
         commandLine.registerConverter(Long.class, OptionValues::wholeNumber);
         commandLine.registerConverter(long.class, OptionValues::wholeNumber);
         commandLine.registerConverter(Part.class, Part::parse);
-        commandLine.registerConverter(PictureFormat.class, OptionValues::format);
+        commandLine.registerConverter(PictureFormat.class, text -> constant(PictureFormat.class, text));
+        commandLine.registerConverter(ProgressOption.Form.class, text -> constant(ProgressOption.Form.class, text));
     }
 
     private static double number(String text) {
@@ -46,13 +47,14 @@ final class OptionValues {
         }
     }
 
-    private static PictureFormat format(String text) {
-        return Stream.of(PictureFormat.values())
-                .filter(format -> format.name().equalsIgnoreCase(text))
+    private static <E extends Enum<E>> E constant(Class<E> type, String text) {
+        E[] constants = type.getEnumConstants();
+        return Stream.of(constants)
+                .filter(constant -> constant.name().equalsIgnoreCase(text))
                 .findFirst()
-                .orElseThrow(() -> new TypeConversionException("one of "
-                        + Stream.of(PictureFormat.values())
-                                .map(format -> format.name().toLowerCase(Locale.ROOT))
+                .orElseThrow(() -> new TypeConversionException((constants.length == 1 ? "" : "one of ")
+                        + Stream.of(constants)
+                                .map(constant -> constant.name().toLowerCase(Locale.ROOT))
                                 .collect(Collectors.joining(", "))));
     }
 }

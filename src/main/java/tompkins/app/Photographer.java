@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import picocli.CommandLine;
+import tompkins.animation.PictureState;
 import tompkins.explain.Explanation;
 import tompkins.file.FileException;
 import tompkins.image.PhotographFile;
@@ -61,7 +62,9 @@ final class Photographer implements AutoCloseable {
 
     private final PrintWriter out;
     private final PrintWriter err;
-    private final ProgressLine progress;
+    private final ProgressReport progress;
+    private int number;
+    private int count = 1;
     private final int threads;
 
     /**
@@ -72,7 +75,7 @@ final class Photographer implements AutoCloseable {
     Photographer(CommandLine commandLine, int threads) {
         out = commandLine.getOut();
         err = commandLine.getErr();
-        progress = new ProgressLine(err);
+        progress = ProgressReport.on(err);
         this.threads = threads;
     }
 
@@ -132,6 +135,7 @@ final class Photographer implements AutoCloseable {
         PhotographInfo info = info(studio, order.scene);
         progress.begin("preparing the objects of the scene");
         RenderPlan plan = ScenePlan.of(studio, order.scene);
+        tell(PictureState.BEGUN, target, null);
         RenderJob job = traced(plan, order.quality);
         progress.clear();
         ToneCurve curve = studio.settings().toneCurve();
@@ -143,7 +147,20 @@ final class Photographer implements AutoCloseable {
                 : PhotographFile.write(target, job.image(), format, curve, info, mayReplace.getAsBoolean());
         new Explanation(plan).warnings().forEach(warning -> err.println("warning: " + warning));
         report(place, job.report(), studio.view());
+        tell(PictureState.DONE, place, job.report());
         tellFilesToKeep(studio, err);
+    }
+
+    private void tell(PictureState state, Path file, RenderReport report) {
+        progress.picture("picture", number, count, state, file, report);
+    }
+
+    /** Goes to one of several pictures, counted from 0. */
+    void next(int next, int ofAll) {
+        number = next;
+        count = ofAll;
+        progress.piece(number, count);
+        reads();
     }
 
     /** Says on a terminal that a scene is being read. */
@@ -155,6 +172,7 @@ final class Photographer implements AutoCloseable {
     void leave(Path picture) throws IOException {
         progress.clear();
         out.println(picture.toRealPath(LinkOption.NOFOLLOW_LINKS) + "  (left as it is)");
+        tell(PictureState.SKIPPED, picture, null);
     }
 
     /** Removes what the terminal shows of a picture that is not complete. */

@@ -3,12 +3,12 @@ package tompkins.app;
 import java.io.PrintWriter;
 import java.util.Locale;
 import java.util.function.Supplier;
-import tompkins.render.Progress;
 import tompkins.render.RenderJob;
-import tompkins.render.RenderListener;
+import tompkins.study.Measurement;
+import tompkins.study.StudyKind;
 
 /** One line on a terminal that says what is being done, how far a picture or an animation is, and how long it takes. */
-final class ProgressLine implements RenderListener, Progress {
+final class ProgressLine extends ProgressReport {
 
     private static final long INTERVAL_NANOS = 200_000_000;
 
@@ -20,12 +20,12 @@ final class ProgressLine implements RenderListener, Progress {
         line = new ConsoleLine(out);
     }
 
-    /** Whether somebody sees the line. */
+    @Override
     boolean watched() {
         return line.watched();
     }
 
-    /** Says at once what is being done; the time that is left counts from here. */
+    @Override
     synchronized void begin(String doing) {
         start = System.nanoTime();
         last = start;
@@ -44,11 +44,6 @@ final class ProgressLine implements RenderListener, Progress {
         show(share, () -> "");
     }
 
-    @Override
-    public boolean isCancelled() {
-        return false;
-    }
-
     private void show(double progress, Supplier<String> speed) {
         long now = System.nanoTime();
         if (line.watched() && now - last >= INTERVAL_NANOS) {
@@ -62,7 +57,20 @@ final class ProgressLine implements RenderListener, Progress {
         return (System.nanoTime() - start) / 1e9;
     }
 
-    /** Removes the line. */
+    @Override
+    synchronized void measured(StudyKind kind, Measurement point, int done, int count) {
+        line.show(String.format(
+                Locale.ROOT,
+                "%s %d/%d: %s, %s, %.6g",
+                kind,
+                done,
+                count,
+                point.problem(),
+                point.method(),
+                point.setting()));
+    }
+
+    @Override
     synchronized void clear() {
         line.clear();
     }

@@ -56,6 +56,9 @@ final class RenderCommand extends ProgramCommand {
     private ManyPictures pictures;
 
     @Mixin
+    private ProgressOption progress;
+
+    @Mixin
     private SampledOptions options;
 
     private Path current;
@@ -97,9 +100,9 @@ final class RenderCommand extends ProgramCommand {
             if (own.size() > 1) {
                 requireAllPossible(own);
             }
-            for (Path scene : own) {
-                photographer.reads();
-                Photographer.Order order = order(scene);
+            for (int i = 0; i < own.size(); i++) {
+                photographer.next(i, own.size());
+                Photographer.Order order = order(own.get(i));
                 if (isDone(order)) {
                     photographer.leave(order.target());
                 } else {

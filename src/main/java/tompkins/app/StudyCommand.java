@@ -7,8 +7,9 @@ import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.Iterator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
@@ -27,6 +28,7 @@ import tompkins.study.StudyData;
 import tompkins.study.StudyKind;
 import tompkins.study.StudyPage;
 import tompkins.study.StudySetup;
+import tompkins.study.Trial;
 
 /** Charts speed against accuracy. */
 @Command(
@@ -69,10 +71,23 @@ final class StudyCommand extends ProgramCommand {
             description = "replace figures of other settings or of another machine, and a page that is there")
     private boolean force;
 
+    @Option(
+            names = "--part",
+            paramLabel = "I/N",
+            description =
+                    "measure each N-th point of the charts from I on, counted from 0; without it, the page is made of all parts")
+    private Part part;
+
+    @Mixin
+    private ThreadsOption threads;
+
+    @Mixin
+    private ProgressOption progress;
+
     @Mixin
     private SetOption option;
 
-    private ConsoleLine line;
+    private ProgressReport report;
 
     @Override
     Path scene() {
@@ -93,7 +108,8 @@ final class StudyCommand extends ProgramCommand {
         StudySetup setup = new StudySetup(seed, own, StudyCommand::bundled, bundledNames());
         List<StudyKind> fitting = kinds;
         output = output == null ? NamedFile.currentFolder() : output;
-        return OutputOption.inFolder(output, () -> study(fitting, setup));
+        report = ProgressReport.on(err());
+        return OutputOption.inFolder(output, () -> threads.during(() -> study(fitting, setup)));
     }
 
     private int study(List<StudyKind> kinds, StudySetup setup) throws IOException {
@@ -106,9 +122,12 @@ final class StudyCommand extends ProgramCommand {
         }
         boolean holds = true;
         for (StudyKind kind : studies.keySet()) {
+            report.piece(kinds.indexOf(kind), kinds.size());
             holds &= make(kind, studies.get(kind), page);
         }
-        out().println(page.write().toAbsolutePath());
+        if (part == null) {
+            out().println(page.write().toAbsolutePath());
+        }
         return holds ? 0 : Failures.FAILURE;
     }
 
@@ -151,33 +170,43 @@ final class StudyCommand extends ProgramCommand {
     }
 
     /** Refuses to replace anything except what the same studies have made here before. */
-    private static void refuseToReplace(Map<StudyKind, Study> studies, StudyPage page) throws IOException {
+    private void refuseToReplace(Map<StudyKind, Study> studies, StudyPage page) throws IOException {
         boolean madeBefore = false;
         for (StudyKind kind : studies.keySet()) {
-            Path file = page.dataOf(kind);
-            madeBefore |= Files.exists(file);
-            if (!Files.exists(file)) {
+            boolean hasFigures = Files.exists(page.dataOf(kind));
+            madeBefore |= hasFigures;
+            if (!hasFigures && part == null) {
                 page.chartsOf(kind, studies.get(kind)).forEach(Photographer::requireFree);
             }
-            if (data(kind, studies.get(kind), page).holdsOther()) {
+            Optional<Path> other = data(kind, studies.get(kind), page).holdingOther();
+            if (other.isPresent()) {
                 throw new MistakeException(
-                        file
+                        other.get()
                                 + ": holds figures of other settings, another machine or another version; --force replaces them");
             }
         }
-        if (!madeBefore) {
+        if (!madeBefore && part == null) {
             Photographer.requireFree(page.file());
         }
     }
 
-    private static StudyData data(StudyKind kind, Study study, StudyPage page) {
-        return new StudyData(kind, study, page.dataOf(kind), SelfDescription.program());
+    private StudyData data(StudyKind kind, Study study, StudyPage page) {
+        return new StudyData(kind, study, file(kind, page), SelfDescription.program());
     }
 
+    private Path file(StudyKind kind, StudyPage page) {
+        return part == null ? page.dataOf(kind) : page.dataOf(kind, part.index(), part.count());
+    }
+
+    /** Measures a study and puts it on the page; a part of it is measured alone. Says whether all is as it must be. */
     private boolean make(StudyKind kind, Study study, StudyPage page) throws IOException {
-        List<Measurement> all =
-                data(kind, study, page).complete((point, done, count) -> progress(kind, point, done, count));
-        progressEnds();
+        List<Measurement> all = data(kind, study, page)
+                .complete(own(study.trials()), (point, done, count) -> report.measured(kind, point, done, count));
+        report.clear();
+        if (part != null) {
+            out().println(file(kind, page).toAbsolutePath());
+            return true;
+        }
         page.add(kind, study, all);
         out().println(study.answer(all));
         boolean holds = true;
@@ -188,27 +217,14 @@ final class StudyCommand extends ProgramCommand {
         return holds;
     }
 
-    private void progress(StudyKind kind, Measurement point, int done, int count) {
-        line().show(String.format(
-                Locale.ROOT,
-                "%s %d/%d: %s, %s, %.6g",
-                kind,
-                done,
-                count,
-                point.problem(),
-                point.method(),
-                point.setting()));
-    }
-
-    private void progressEnds() {
-        line().clear();
-    }
-
-    private ConsoleLine line() {
-        if (line == null) {
-            line = new ConsoleLine(err());
+    /** The trials of the part; those that share some work stay together. */
+    private List<Trial> own(List<Trial> trials) {
+        if (part == null) {
+            return trials;
         }
-        return line;
+        Set<Object> works =
+                Set.copyOf(part.of(trials.stream().map(Trial::work).distinct().toList()));
+        return trials.stream().filter(trial -> works.contains(trial.work())).toList();
     }
 
     private static List<String> bundledNames() throws IOException {

@@ -1,5 +1,9 @@
 package tompkins.app;
 
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.FutureTask;
 import picocli.CommandLine.Option;
 import tompkins.property.MistakeException;
 import tompkins.property.Require;
@@ -12,6 +16,23 @@ final class ThreadsOption {
 
     @Option(names = "--threads", paramLabel = "N", description = "number of threads; default: one per core")
     private Long threads;
+
+    /** Does work whose parallel streams use so many threads. */
+    <T> T during(Callable<T> work) throws Exception {
+        ForkJoinPool pool = new ForkJoinPool(number());
+        FutureTask<T> task = new FutureTask<>(work);
+        pool.execute(task);
+        try {
+            return task.get();
+        } catch (ExecutionException failed) {
+            if (failed.getCause() instanceof Error error) {
+                throw error;
+            }
+            throw (Exception) failed.getCause();
+        } finally {
+            pool.shutdown();
+        }
+    }
 
     /** The number that was given, or that of the cores. */
     int number() {

@@ -8,7 +8,7 @@ import java.util.regex.Pattern;
  * JSON in formats that hold ASCII only: other letters become the escapes that JSON has for them, so that the text stays
  * JSON with the same meaning.
  */
-final class AsciiText {
+public final class AsciiText {
 
     /** An escape of JSON; an escaped backslash is matched first, so that what follows it is not taken for an escape. */
     private static final Pattern ESCAPE = Pattern.compile("\\\\(\\\\|u[0-9a-fA-F]{4})");
@@ -16,7 +16,7 @@ final class AsciiText {
     private AsciiText() {}
 
     /** Each character beyond ASCII as the escape of JSON: a backslash, the letter u and four hexadecimal digits. */
-    static String escape(String text) {
+    public static String escape(String text) {
         StringBuilder ascii = new StringBuilder(text.length() + 16);
         for (int i = 0; i < text.length(); i++) {
             char letter = text.charAt(i);

@@ -10,7 +10,7 @@ import tools.jackson.core.io.JsonStringEncoder;
  * Lays out JSON for people: what fits on one line is on one line, the rest has a line for each key. The same values
  * give the same text on every system.
  */
-final class JsonLayout {
+public final class JsonLayout {
 
     private static final int WIDTH = 100;
     private static final int INDENT = 2;
@@ -26,8 +26,8 @@ final class JsonLayout {
         return text(value, 0);
     }
 
-    /** The text of such a value in one line. */
-    static String line(Object value) {
+    /** The text of a value, as {@link #text(Object)}, in one line. */
+    public static String line(Object value) {
         // inside texts, ends of lines are escaped
         return text(value).replaceAll("(?<=[\\[{])\n *|\n *(?=[\\]}])", "").replaceAll("\n *", " ");
     }

@@ -88,11 +88,11 @@ public final class PictureStudy {
     }
 
     private Trial photographed(String method, double setting, Quality quality) {
-        return new Trial(name, method, setting, () -> pixels.photographed(seeded, quality));
+        return new Trial(name, method, setting, () -> pixels.photographed(seeded, quality), pixels);
     }
 
     private Trial sampled(String method, Sampler sampler, int samples) {
-        return new Trial(name, method, samples, () -> pixels.sampled(sampler, samples));
+        return new Trial(name, method, samples, () -> pixels.sampled(sampler, samples), pixels);
     }
 
     /** Number of points of the chart. */

@@ -87,7 +87,8 @@ record PromisedErrors(
                             problem + ":" + name + ":seed " + run,
                             kind,
                             promise,
-                            () -> measure.apply(seeded, new Quality.TargetError(promise)));
+                            () -> measure.apply(seeded, new Quality.TargetError(promise)),
+                            name);
                 })
                 .toList();
     }

@@ -10,6 +10,8 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import tompkins.file.FileException;
 import tompkins.file.OutputFolder;
@@ -20,6 +22,11 @@ import tompkins.file.PendingFile;
  * one line for each measurement, written as soon as it is made. A study that was stopped goes on from there.
  */
 public final class StudyData {
+
+    /** What the name of a file has before its ending if it holds a part of the figures. */
+    private static final String PART = "-part-[0-9]+-of-[0-9]+";
+
+    private static final String ENDING = ".csv";
 
     private static final String COLUMNS = "problem,method,setting,rays,seconds_low,seconds_median,seconds_high,"
             + "error_low,error_median,error_high,maximum,reference_error";
@@ -38,7 +45,6 @@ public final class StudyData {
         void measured(Measurement measurement, int done, int all);
     }
 
-    private final Study study;
     private final Path file;
     private final List<String> head;
 
@@ -50,7 +56,6 @@ public final class StudyData {
      * @param program name and version of the program
      */
     public StudyData(StudyKind kind, Study study, Path file, String program) {
-        this.study = study;
         this.file = file;
         head = List.of(
                 "# study: " + kind,
@@ -61,12 +66,17 @@ public final class StudyData {
     }
 
     /**
-     * Makes the measurements that the file does not hold yet, and returns all of them in the order of the trials.
-     * Everything else in the file is replaced.
+     * Makes the measurements of some trials of the study that the file does not hold yet, and returns all of them in
+     * the order of the trials. Everything else in the file is replaced. What other processes have measured into the
+     * files of {@link #PART} beside it is taken over, and these files are removed.
      */
-    public List<Measurement> complete(Listener listener) throws IOException {
-        List<Trial> trials = study.trials();
-        List<Measurement> known = read();
+    public List<Measurement> complete(List<Trial> trials, Listener listener) throws IOException {
+        List<Path> parts = parts();
+        List<Measurement> known = new ArrayList<>(read(file));
+        for (Path part : parts) {
+            known.addAll(read(part));
+        }
+        rewrite(known);
         List<Measurement> all = new ArrayList<>();
         for (Trial trial : trials) {
             Measurement measurement =
@@ -79,19 +89,44 @@ public final class StudyData {
             listener.measured(measurement, all.size(), trials.size());
         }
         rewrite(all);
+        for (Path part : parts) {
+            Files.deleteIfExists(part);
+        }
         return all;
     }
 
+    /** The files of parts of the study beside the file, which hold what other processes have measured. */
+    private List<Path> parts() throws IOException {
+        Path folder = file.toAbsolutePath().getParent();
+        if (!Files.isDirectory(folder)) {
+            return List.of();
+        }
+        String name = file.getFileName().toString();
+        String pattern = Pattern.quote(name.substring(0, name.length() - ENDING.length())) + PART + "\\" + ENDING;
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.filter(each -> each.getFileName().toString().matches(pattern))
+                    .sorted()
+                    .toList();
+        }
+    }
+
     /**
-     * Whether the file is there and holds something else: figures of another machine, program or setting, or no
-     * figures.
+     * A file that is there, this one or that of a part, and holds something else: figures of another machine, program
+     * or setting, or no figures; empty if there is none.
      */
-    public boolean holdsOther() throws IOException {
-        return Files.exists(file) && !isOwn(lines());
+    public Optional<Path> holdingOther() throws IOException {
+        List<Path> files = new ArrayList<>(parts());
+        files.add(0, file);
+        for (Path each : files) {
+            if (Files.exists(each) && !isOwn(lines(each))) {
+                return Optional.of(each);
+            }
+        }
+        return Optional.empty();
     }
 
     /** The complete lines; a measurement whose line was cut off when the program was stopped is made again. */
-    private List<String> lines() throws IOException {
+    private static List<String> lines(Path file) throws IOException {
         try {
             String text = Files.readString(file);
             return text.substring(0, text.lastIndexOf('\n') + 1).lines().toList();
@@ -104,13 +139,14 @@ public final class StudyData {
         return lines.size() >= head.size() && lines.subList(0, head.size()).equals(head);
     }
 
-    private List<Measurement> read() throws IOException {
-        List<String> lines = Files.exists(file) ? lines() : List.of();
-        List<Measurement> known = isOwn(lines)
-                ? lines.stream().skip(head.size()).map(this::measurement).toList()
+    private List<Measurement> read(Path each) throws IOException {
+        List<String> lines = Files.exists(each) ? lines(each) : List.of();
+        return isOwn(lines)
+                ? lines.stream()
+                        .skip(head.size())
+                        .map(line -> measurement(line, each))
+                        .toList()
                 : List.of();
-        rewrite(known);
-        return known;
     }
 
     private void rewrite(List<Measurement> measurements) throws IOException {
@@ -168,7 +204,7 @@ public final class StudyData {
         return cell.replace(';', ',');
     }
 
-    private Measurement measurement(String line) {
+    private static Measurement measurement(String line, Path file) {
         String[] cells = line.split(",", -1);
         double[] numbers = new double[COLUMNS.split(",").length];
         try {

@@ -74,6 +74,11 @@ public final class StudyPage {
         return folder.resolve(name).resolve(kind + ".csv");
     }
 
+    /** The file with the figures of one of several parts of a study, until {@link StudyData} takes them over. */
+    public Path dataOf(StudyKind kind, int part, int parts) {
+        return folder.resolve(name).resolve(kind + "-part-" + part + "-of-" + parts + ".csv");
+    }
+
     /** The files with the charts of a study. */
     public List<Path> chartsOf(StudyKind kind, Study study) {
         return study.charts().stream().map(chart -> fileOf(kind, chart)).toList();

@@ -9,8 +9,14 @@ import java.util.function.Supplier;
  * @param method see {@link Measurement#method()}
  * @param setting see {@link Measurement#setting()}
  * @param measurer finds the figures
+ * @param work what it shares with other trials, such as a reference; all of them are best measured by one process
  */
-public record Trial(String problem, String method, double setting, Supplier<Figures> measurer) {
+public record Trial(String problem, String method, double setting, Supplier<Figures> measurer, Object work) {
+
+    /** A trial that shares nothing. */
+    Trial(String problem, String method, double setting, Supplier<Figures> measurer) {
+        this(problem, method, setting, measurer, measurer);
+    }
 
     /** Makes the measurement. */
     Measurement measure() {

@@ -147,7 +147,8 @@ class StudiesTest {
         Study study = new StabilityStudy(3);
         int all = study.trials().size();
         StudyData data = new StudyData(StudyKind.STABILITY, study, file, "test");
-        assertThatThrownBy(() -> data.complete(StudiesTest::stopAfterFive)).isInstanceOf(CancellationException.class);
+        assertThatThrownBy(() -> data.complete(study.trials(), StudiesTest::stopAfterFive))
+                .isInstanceOf(CancellationException.class);
         // another time than the one measured, which would not be there if it were measured again
         List<String> kept = Files.readAllLines(file).stream()
                 .map(line -> line.replace(",0.00000,0.00000,0.00000,", ",1.00000,2.00000,3.00000,"))
@@ -155,16 +156,16 @@ class StudiesTest {
         assertThat(kept).hasSize(5 + 5).last().asString().contains("2.00000");
         Files.writeString(file, String.join("\n", kept) + "\nlight,the prog");
 
-        List<Measurement> measured = data.complete((point, done, count) -> {});
+        List<Measurement> measured = data.complete(study.trials(), (point, done, count) -> {});
 
         List<String> complete = Files.readAllLines(file);
         assertThat(complete).hasSize(5 + all).startsWith(kept.toArray(String[]::new));
         assertThat(study.findings(measured)).allMatch(Finding::holds);
-        assertThat(data.complete((point, done, count) -> {})).hasSize(all);
+        assertThat(data.complete(study.trials(), (point, done, count) -> {})).hasSize(all);
         assertThat(Files.readAllLines(file)).isEqualTo(complete);
 
         StudyData other = new StudyData(StudyKind.STABILITY, new StabilityStudy(4), file, "test");
-        assertThat(other.complete((point, done, count) -> {}))
+        assertThat(other.complete(new StabilityStudy(4).trials(), (point, done, count) -> {}))
                 .allSatisfy(point -> assertThat(point.seconds().middle()).isZero());
     }
 
@@ -177,11 +178,12 @@ class StudiesTest {
     @Test
     void methodsWithACommaAreKnownAgain() throws IOException {
         Path file = folder.resolve("precision.csv");
-        StudyData data = new StudyData(StudyKind.PRECISION, new Sample(PRECISION), file, "test");
-        data.complete((point, done, count) -> {});
+        Study study = new Sample(PRECISION);
+        StudyData data = new StudyData(StudyKind.PRECISION, study, file, "test");
+        data.complete(study.trials(), (point, done, count) -> {});
         String times = Files.readString(file);
 
-        List<Measurement> read = data.complete((point, done, count) -> {});
+        List<Measurement> read = data.complete(study.trials(), (point, done, count) -> {});
 
         assertThat(read).extracting(Measurement::method).contains("half angles, double");
         assertThat(file).hasContent(times);
@@ -205,7 +207,7 @@ class StudiesTest {
         Study study = new StabilityStudy(3);
         StudyPage page = new StudyPage(folder, "page", "# Title");
         List<Measurement> all = new StudyData(StudyKind.STABILITY, study, page.dataOf(StudyKind.STABILITY), "test")
-                .complete((point, done, count) -> {});
+                .complete(study.trials(), (point, done, count) -> {});
         page.add(StudyKind.STABILITY, study, all);
         String text = Files.readString(page.write());
         assertThat(text)

@@ -12,6 +12,7 @@ import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
+import tompkins.animation.FrameListener;
 import tompkins.animation.FrameSequence;
 import tompkins.animation.FrameWarnings;
 import tompkins.animation.RideFilm;
@@ -111,8 +112,8 @@ public final class AnimationExport {
             throws Exception {
         int threads = Runtime.getRuntime().availableProcessors();
         try (AnimationWriter writer = file.call()) {
-            FrameWarnings warnings =
-                    new AnimationRecorder(film, caption, decorations, threads).record(writer, progress);
+            FrameWarnings warnings = new AnimationRecorder(film, caption, decorations, threads)
+                    .record(writer, progress, FrameListener.NONE);
             return new Exported(writer.finish(), warnings);
         }
     }
