@@ -2,25 +2,31 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Set;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
  * Lets a packaged program start faster: makes the classes that it loads ready for its own Java machine. In two steps, each
  * with the folder of the Java machine and that of the jar:
  *
- * <p>{@code java ClassData.java list RUNTIME APP SCENE} writes {@code classes.lst}, the classes that a picture takes that
- * is rendered and, if there is a display, the window. {@code java ClassData.java archive RUNTIME APP} lets Java's
+ * <p>{@code java ClassData.java list RUNTIME APP SCENE} writes {@code classes.lst}, the classes that the window takes up
+ * to its first picture or, without a display, a picture that is rendered. {@code java ClassData.java archive RUNTIME APP} lets Java's
  * class-data sharing make {@code tompkins.jsa} from the list. An archive holds for one jar at one place: an installer has
  * to repeat the second step ({@code src/package/linux/postinst}).
  */
 public final class ClassData {
 
-    private static final int WINDOW_SECONDS = 4;
+    /** The window loads it when it shows the first picture. All later classes would make the archive a quarter larger. */
+    private static final String OF_FIRST_PICTURE = "tompkins/image/PictureLabel";
+
+    /**
+     * A library in a format so old that JDK 17 archives none of its classes, and crashes at the lambdas that make them.
+     */
+    private static final String NOT_ARCHIVED = "picocli/";
+
+    private static final int MOST_SECONDS = 120;
+    private static final int INTERVAL_MILLISECONDS = 50;
 
     private final String java;
     private final Path classes;
@@ -47,27 +53,36 @@ public final class ClassData {
     }
 
     private void list(String scene) throws IOException, InterruptedException {
-        Path rendered = work.resolve("render.lst");
-        run(listing(rendered, "render", scene, "--size", "64x48", "-o", work + "/picture.png"));
-        Set<String> names = named(rendered);
-        if (System.getenv("DISPLAY") != null || !System.getProperty("os.name").startsWith("Linux")) {
-            Path shown = work.resolve("window.lst");
-            Process window = start(listing(shown));
-            if (window.waitFor(WINDOW_SECONDS, TimeUnit.SECONDS)) {
-                throw new IOException("the window ended with exit code " + window.exitValue());
-            }
-            window.destroy();
-            window.waitFor();
-            names.addAll(named(shown));
+        Path loaded = work.resolve("loaded.lst");
+        boolean hasDisplay =
+                System.getenv("DISPLAY") != null || !System.getProperty("os.name").startsWith("Linux");
+        if (hasDisplay) {
+            openWindow(loaded);
+        } else {
+            run(listing(loaded, "render", scene, "--size", "64x48", "-o", work + "/picture.png"));
         }
-        Files.write(classes, names);
+        try (Stream<String> lines = Files.lines(loaded)) {
+            Files.write(
+                    classes,
+                    lines.takeWhile(line -> !hasDisplay || !line.startsWith(OF_FIRST_PICTURE))
+                            .filter(line -> !line.contains(NOT_ARCHIVED))
+                            .distinct()
+                            .toList());
+        }
     }
 
-    /** The classes of a list. With those of lambdas, JDK 17 fails to write an archive. */
-    private static Set<String> named(Path list) throws IOException {
-        try (Stream<String> lines = Files.lines(list)) {
-            return lines.filter(line -> !line.startsWith("@lambda")).collect(Collectors.toCollection(LinkedHashSet::new));
+    /** Opens the window until its first picture is there. */
+    private void openWindow(Path loaded) throws IOException, InterruptedException {
+        Process window = start(listing(loaded));
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(MOST_SECONDS);
+        while (!Files.exists(loaded) || !Files.readString(loaded).contains(OF_FIRST_PICTURE)) {
+            if (window.waitFor(INTERVAL_MILLISECONDS, TimeUnit.MILLISECONDS) || System.nanoTime() > end) {
+                window.destroy();
+                throw new IOException("the window shows no picture: " + Files.readString(work.resolve("output.txt")));
+            }
         }
+        window.destroy();
+        window.waitFor();
     }
 
     private void makeArchive() throws IOException, InterruptedException {
