@@ -3,6 +3,7 @@ package tompkins.physics;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -101,6 +102,7 @@ class EnergyTest {
         }
     }
 
+    /** What asks neither for coordinates nor for the time, and yet for the point, must look at the side. */
     @ParameterizedTest
     @MethodSource("surfaces")
     void shadowsAgreeWithTheirKind(Class<?> type) {
@@ -114,6 +116,25 @@ class EnergyTest {
                         .isNotEqualTo(throwsShadowAlongNormal(surface, -1));
             }
         }
+    }
+
+    @ParameterizedTest
+    @MethodSource("surfaces")
+    void shadowsOfTwoSidesAgreeWithTheirKind(Class<?> type) {
+        Stream<Surface> opaque = IntStream.range(0, 30)
+                .mapToObj(seed -> RandomStudio.surface(seed, type))
+                .filter(surface -> surface.shadow() == Shadow.ALWAYS && !surface.usesCoordinates())
+                .filter(surface -> surface.parts().noneMatch(Refractive.class::isInstance));
+
+        assertThat(opaque).allSatisfy(surface -> {
+            Surface outside = new TwoSided(surface, Clear.DEFAULT);
+            Surface inside = new TwoSided(Clear.DEFAULT, surface);
+            assertThat(List.of(outside.shadow(), inside.shadow())).containsOnly(Shadow.BY_POINT);
+            assertThat(throwsShadowAlongNormal(outside, -1)).isTrue();
+            assertThat(throwsShadowAlongNormal(outside, 1)).isFalse();
+            assertThat(throwsShadowAlongNormal(inside, -1)).isFalse();
+            assertThat(throwsShadowAlongNormal(inside, 1)).isTrue();
+        });
     }
 
     private static boolean throwsShadowAlongNormal(Surface surface, double side) {
