@@ -32,7 +32,7 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        24_830),
+                        24_820),
                 arguments("file, image", 4_450),
                 arguments("explain, lesson, measure, animation", 5_420),
                 arguments("io, app", 7_620),

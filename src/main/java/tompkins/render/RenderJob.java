@@ -273,7 +273,7 @@ public final class RenderJob {
         synchronized (counts) {
             return RenderReport.of(
                     counts,
-                    complete && counts.sceneHits == 0 && plan.hasObjectsInScene(),
+                    complete && counts.sceneHits == 0 && plan.world().hasObjects(),
                     plan.studio().settings().pixels(),
                     sampledPixels,
                     clipping,

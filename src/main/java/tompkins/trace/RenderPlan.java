@@ -33,7 +33,6 @@ import tompkins.studio.View;
 import tompkins.surface.Surface;
 import tompkins.world.FlashTimes;
 import tompkins.world.FrameRoutes;
-import tompkins.world.InertialFrame;
 import tompkins.world.Lamp;
 import tompkins.world.ObjectPreparation;
 import tompkins.world.World;
@@ -189,16 +188,6 @@ public final class RenderPlan {
     /** The factor by which the light is multiplied at the end: exposure compensation. */
     public double exposure() {
         return Math.pow(2, studio.camera().exposureStops());
-    }
-
-    /** Whether anything stands in the scene that a ray can meet. */
-    public boolean hasObjectsInScene() {
-        return world.hasObjects();
-    }
-
-    /** What rests in each frame of the scene; the same list for all plans that share a scene. */
-    public List<InertialFrame> sceneFrames() {
-        return world.frames();
     }
 
     /** Whether a lamp flashes. */

@@ -182,7 +182,7 @@ public final class World {
         return frames.size() > 1 || objects(0).rotates();
     }
 
-    /** What rests in each frame, the scene frame first. */
+    /** What rests in each frame, the scene frame first; the same list for all plans that share a scene. */
     public List<InertialFrame> frames() {
         return frames;
     }

@@ -40,10 +40,13 @@ class RenderPlanTest {
         RenderPlan before = RenderPlan.of(MOVING);
 
         assertThat(RenderPlan.of(MOVING.withVelocity(Velocity.of(0.1, 0, 0)), before)
-                        .sceneFrames())
-                .isSameAs(before.sceneFrames());
-        assertThat(RenderPlan.of(MOVING.withScene(List.of(Box.DEFAULT)), before).sceneFrames())
-                .isNotSameAs(before.sceneFrames());
+                        .world()
+                        .frames())
+                .isSameAs(before.world().frames());
+        assertThat(RenderPlan.of(MOVING.withScene(List.of(Box.DEFAULT)), before)
+                        .world()
+                        .frames())
+                .isNotSameAs(before.world().frames());
     }
 
     /**

@@ -173,8 +173,8 @@ class WindowPicturesTest {
         WindowDriver.onEventThread(() -> kinds.setSelectedItem(MeasureKind.CIRCLE));
         driver.completePicture();
         Projection projection = Projection.of(driver.studioOnScreen());
-        Overlays overlays =
-                new Overlays(projection, SceneShapes.of(driver.picture().plan().sceneFrames()));
+        Overlays overlays = new Overlays(
+                projection, SceneShapes.of(driver.picture().plan().world().frames()));
         List<Vector2dc> outline = overlays.draw(OverlayKind.OUTLINES).lines().get(0);
         Rectangle bounds =
                 WindowDriver.onEventThread(() -> driver.window().view().canvas().pictureBounds());

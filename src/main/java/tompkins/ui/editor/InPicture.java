@@ -19,7 +19,7 @@ final class InPicture {
     /** Whether the middle of one part of an object lies in the picture, or of a part that has no middle. */
     static boolean shows(Studio studio, SceneObject object) {
         RenderPlan alone = RenderPlan.of(studio.withScene(List.of(object)));
-        SceneShapes shapes = SceneShapes.of(alone.sceneFrames());
+        SceneShapes shapes = SceneShapes.of(alone.world().frames());
         Projection projection = Projection.of(studio);
         return shapes.objects().isEmpty()
                 || shapes.objects().stream().anyMatch(part -> shows(projection, part.motion(), part.middle()));

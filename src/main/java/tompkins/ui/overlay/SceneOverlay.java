@@ -103,7 +103,7 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
         Rectangle whole = new Rectangle(image.getWidth(), image.getHeight());
         float size = (float) Math.max(SMALLEST_TYPE, HEIGHT_SHARE * whole.height);
         Graphics2D g = image.createGraphics();
-        Drawn made = draw(plan, kinds, SceneShapes.of(plan.sceneFrames()));
+        Drawn made = draw(plan, kinds, SceneShapes.of(plan.world().frames()));
         new OverlayPen(g, whole, plan, new Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont(size))
                 .paint(made.drawings, made.note, whole);
         g.dispose();
@@ -147,8 +147,8 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
     }
 
     private synchronized SceneShapes shapes(RenderPlan plan) {
-        if (known.shapes == null || known.frames != plan.sceneFrames()) {
-            known = new Known(plan.sceneFrames(), SceneShapes.of(plan.sceneFrames()));
+        if (known.shapes == null || known.frames != plan.world().frames()) {
+            known = new Known(plan.world().frames(), SceneShapes.of(plan.world().frames()));
         }
         return known.shapes;
     }
