@@ -1,5 +1,6 @@
 package tompkins.camera;
 
+import java.util.List;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -114,15 +115,19 @@ public record Aim(double right, double up) {
         /** The middle of the picture of a camera. */
         public static final PicturePosition MIDDLE = new PicturePosition(0.5, 0.5, 1, 1);
 
-        /** The unit direction that a camera sees there. */
+        /** The unit direction that a camera sees there; one with two eyes, at the distance of zero parallax. */
         public Vector3d direction(Camera camera) {
-            return new Vector3d(
-                    camera.rays(width, height, new IdentityTransformation()).chiefDirection(x, y));
+            PictureRays rays = new PictureRays(camera, width, height, new IdentityTransformation());
+            EyeView view = rays.view(x, y);
+            return new Vector3d(rays.between().chiefDirection(x - view.column(), y - view.row()));
         }
 
-        /** The position at which a camera sees a unit direction; null if it lies behind its lens. */
-        public static Vector2dc of(Camera camera, Vector3dc direction, int width, int height) {
-            return camera.rays(width, height, new IdentityTransformation()).position(direction);
+        /**
+         * The position at which a camera sees a unit direction, in each of its pictures; without those that lie behind
+         * its lens.
+         */
+        public static List<Vector2dc> of(Camera camera, Vector3dc direction, int width, int height) {
+            return new PictureRays(camera, width, height, new IdentityTransformation()).positions(direction);
         }
     }
 }

@@ -39,7 +39,20 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
         return Descriptions.with(this, "rollingShutter", rolling);
     }
 
-    /** Centre of the lens. */
+    /** The pictures of two eyes, or one picture. */
+    Stereo stereo();
+
+    /** The same camera with other eyes. */
+    default Camera withStereo(Stereo stereo) {
+        return Descriptions.with(this, "stereo", stereo);
+    }
+
+    /** The camera that takes one picture from between the eyes. */
+    default Camera betweenEyes() {
+        return stereo().layout() == StereoLayout.NONE ? this : withStereo(Stereo.DEFAULT);
+    }
+
+    /** Centre of the lens; with two eyes the middle between their lenses. */
     Vector3dc position();
 
     /** Direction of the middle of the picture, of any length. */
@@ -68,7 +81,8 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
     boolean hasWideAperture();
 
     /**
-     * The camera, ready to take a picture.
+     * The camera, ready to take the picture of one eye; of a camera with both eyes the one from between them. All
+     * pictures of a camera are in {@link PictureRays}.
      *
      * @param width pixels in a row
      * @param height number of rows

@@ -39,6 +39,9 @@ public interface CameraRays {
      */
     LensRay chiefRay(Vector3dc direction);
 
+    /** The centre of the lens for what is seen in a unit direction; the eyes of a panorama turn with it. */
+    Vector3dc lens(Vector3dc direction);
+
     /** The unit direction of the ray through the centre of the lens for a point of the picture in pixels. */
     Vector3dc chiefDirection(double x, double y);
 

@@ -6,6 +6,7 @@ import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.RayCounts;
@@ -50,7 +51,10 @@ public record PanoramicCamera(
                 unit = "time")
         double exposureTime,
 
-        @Meaning("How the shutter runs across the picture") RollingShutter rollingShutter)
+        @Meaning("How the shutter runs across the picture") RollingShutter rollingShutter,
+
+        @Meaning("The pictures of two eyes, for a view in depth")
+        Stereo stereo)
         implements Camera {
 
     /** The whole sky. */
@@ -84,7 +88,8 @@ public record PanoramicCamera(
                 exposureStops,
                 shutter,
                 0,
-                RollingShutter.DEFAULT);
+                RollingShutter.DEFAULT,
+                Stereo.DEFAULT);
     }
 
     /** Checks all values. */
@@ -99,6 +104,14 @@ public record PanoramicCamera(
         Require.present("shutter", shutter);
         Require.duration("exposureTime", exposureTime);
         Require.present("rollingShutter", rollingShutter);
+        Require.present("stereo", stereo);
+        if (stereo.layout() != StereoLayout.NONE && !(shutter instanceof AperturePlaneShutter)) {
+            throw new InvalidPropertyException(
+                    "shutter",
+                    "AperturePlaneShutter, because the eyes of a panorama turn with its columns: only in the aperture is"
+                            + " a shutter of both in all columns",
+                    shutter.getClass().getSimpleName());
+        }
     }
 
     @Override
@@ -119,7 +132,15 @@ public record PanoramicCamera(
         private final SpaceTimeTransformation sceneFromCamera;
         private final double longitudePerPixel;
         private final double latitudePerPixel;
+
+        /** The longitude that the eye shows in the middle of its picture. */
+        private final double turn;
+
+        private final double pictureMiddle;
+
+        /** The column of longitude 0. */
         private final double middleX;
+
         private final double middleY;
 
         Rays(PanoramicCamera camera, int width, int height, SpaceTimeTransformation sceneFromCamera) {
@@ -129,13 +150,28 @@ public record PanoramicCamera(
             axes = CameraAxes.of(camera.viewDirection, camera.topDirection);
             longitudePerPixel = Math.toRadians(camera.horizontalAngleDegrees) / width;
             latitudePerPixel = Math.toRadians(camera.verticalAngleDegrees) / height;
-            middleX = width / 2.0;
+            turn = Math.asin(camera.stereo().middleSlope());
+            pictureMiddle = width / 2.0;
+            middleX = pictureMiddle - turn / longitudePerPixel;
             middleY = height / 2.0;
         }
 
         @Override
         public LensRay chiefRay(Vector3dc direction) {
-            return new LensRay(camera.position, camera.position, direction, 1 / camera.focusDistance, direction);
+            Vector3dc lens = lens(direction);
+            return new LensRay(lens, lens, direction, 1 / camera.focusDistance, direction);
+        }
+
+        @Override
+        public Vector3dc lens(Vector3dc direction) {
+            if (camera.stereo.layout().side() == 0) {
+                return camera.position;
+            }
+            double longitude = Math.atan2(direction.dot(axes.right()), direction.dot(axes.forward()));
+            Vector3d right = new Vector3d(axes.right())
+                    .mul(Math.cos(longitude))
+                    .add(new Vector3d(axes.forward()).mul(-Math.sin(longitude)));
+            return camera.stereo.lens(camera.position, right);
         }
 
         @Override
@@ -143,8 +179,8 @@ public record PanoramicCamera(
             double ahead = direction.dot(axes.forward());
             double right = direction.dot(axes.right());
             double latitude = Math.atan2(direction.dot(axes.up()), Math.hypot(ahead, right));
-            return new Vector2d(
-                    middleX + Math.atan2(right, ahead) / longitudePerPixel, middleY - latitude / latitudePerPixel);
+            double fromMiddle = Math.IEEEremainder(Math.atan2(right, ahead) - turn, 2 * Math.PI);
+            return new Vector2d(pictureMiddle + fromMiddle / longitudePerPixel, middleY - latitude / latitudePerPixel);
         }
 
         @Override
@@ -187,14 +223,15 @@ public record PanoramicCamera(
             int made = 0;
             for (int i = 0; i < positions.count(); i++) {
                 Vector3d chief = chiefDirection(positions.x[i], positions.y[i]);
-                double time = camera.shutter.transmissionTime(chiefRay(chief), sceneFromCamera);
+                LensRay ray = chiefRay(chief);
+                double time = camera.shutter.transmissionTime(ray, sceneFromCamera);
                 if (!Double.isFinite(time)) {
                     counts.withoutShutter++;
                     continue;
                 }
-                rays.x[i] = camera.position.x();
-                rays.y[i] = camera.position.y();
-                rays.z[i] = camera.position.z();
+                rays.x[i] = ray.centre().x();
+                rays.y[i] = ray.centre().y();
+                rays.z[i] = ray.centre().z();
                 rays.dx[i] = chief.x;
                 rays.dy[i] = chief.y;
                 rays.dz[i] = chief.z;

@@ -50,7 +50,10 @@ public record ThinLensCamera(
                 unit = "time")
         double exposureTime,
 
-        @Meaning("How the shutter runs across the picture") RollingShutter rollingShutter)
+        @Meaning("How the shutter runs across the picture") RollingShutter rollingShutter,
+
+        @Meaning("The pictures of two eyes, for a view in depth")
+        Stereo stereo)
         implements Camera {
 
     /** The pinhole camera of the paper: 20 degrees wide, focused on the plane z = 10. */
@@ -87,7 +90,8 @@ public record ThinLensCamera(
                 exposureStops,
                 shutter,
                 0,
-                RollingShutter.DEFAULT);
+                RollingShutter.DEFAULT,
+                Stereo.DEFAULT);
     }
 
     /**
@@ -103,12 +107,16 @@ public record ThinLensCamera(
         Require.notNegative("apertureRadius", apertureRadius);
         Require.present("focus", focus);
         SceneObject.requireAtRest("focus", focus);
-        if (focus instanceof Plane plane
-                && plane.point().sub(position, new Vector3d()).dot(plane.normal()) == 0) {
-            throw new InvalidPropertyException(
-                    "focus",
-                    "a surface that does not pass through the lens centre " + Require.text(position),
-                    plane.description());
+        Require.present("stereo", stereo);
+        for (Vector3dc lens : stereo.lenses(
+                position, CameraAxes.of(viewDirection, topDirection).right())) {
+            if (focus instanceof Plane plane
+                    && plane.point().sub(lens, new Vector3d()).dot(plane.normal()) == 0) {
+                throw new InvalidPropertyException(
+                        "focus",
+                        "a surface that does not pass through the lens centre " + Require.text(lens),
+                        plane.description());
+            }
         }
         if (focus.primitiveCount() > SceneObject.MOST_PRIMITIVES) {
             throw new InvalidPropertyException(

@@ -42,7 +42,7 @@ final class ThinLensRays implements CameraRays {
 
     ThinLensRays(ThinLensCamera camera, int width, int height, SpaceTimeTransformation sceneFromCamera) {
         axes = CameraAxes.of(camera.viewDirection(), camera.topDirection());
-        centre = camera.position();
+        centre = camera.stereo().lens(camera.position(), axes.right());
         apertureRadius = camera.apertureRadius();
         shutter = camera.shutter();
         constantTime = shutter instanceof AperturePlaneShutter;
@@ -55,9 +55,9 @@ final class ThinLensRays implements CameraRays {
         double halfHeight = camera.verticalAngleDegrees() == 0
                 ? halfWidth * height / width
                 : Math.tan(Math.toRadians(camera.verticalAngleDegrees()) / 2);
-        middleX = width / 2.0;
-        middleY = height / 2.0;
         slopePerColumn = 2 * halfWidth / width;
+        middleX = width / 2.0 - camera.stereo().middleSlope() / slopePerColumn;
+        middleY = height / 2.0;
         slopePerRow = 2 * halfHeight / height;
         pixelAngle = Math.sqrt(slopePerColumn * slopePerRow);
         rightX = axes.right().x();
@@ -100,6 +100,11 @@ final class ThinLensRays implements CameraRays {
     /** The solid angle between the axis and a corner: the rectangle from (0, 0) to (x, y) at distance 1. */
     private static double corner(double x, double y) {
         return Math.atan2(x * y, Math.sqrt(1 + x * x + y * y));
+    }
+
+    @Override
+    public Vector3dc lens(Vector3dc direction) {
+        return centre;
     }
 
     @Override

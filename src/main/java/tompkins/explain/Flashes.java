@@ -106,7 +106,7 @@ public final class Flashes {
     }
 
     private List<FlashSight> middle() {
-        RayLife life = hasFlashes() ? RayLife.of(plan, plan.width() / 2.0, plan.height() / 2.0, 0, 0) : null;
+        RayLife life = hasFlashes() ? plan.middleLife() : null;
         return life == null || life.end() == null ? List.of() : life.end().flashes();
     }
 

@@ -28,7 +28,7 @@ final class MotionBlur {
 
     /** The length of the blur in the middle of the picture, in pixels; NaN if it is not known. */
     double inTheMiddle() {
-        return length(plan.width() / 2, plan.height() / 2);
+        return length((int) plan.middle().x(), (int) plan.middle().y());
     }
 
     /** The largest length of the blur in the corners of the picture, in pixels; NaN if none is known. */

@@ -125,7 +125,7 @@ final class Omissions {
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < rows; column++) {
                 counts.samples++;
-                plan.cameraRays().ray((column + 0.5) / rows * width, (row + 0.5) / rows * height, 0, 0, counts);
+                plan.pictureRays().ray((column + 0.5) / rows * width, (row + 0.5) / rows * height, counts);
             }
         }
         return counts;

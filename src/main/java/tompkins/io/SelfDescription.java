@@ -37,6 +37,7 @@ public final class SelfDescription {
 
     private static Optional<Panorama> panorama(Studio studio) {
         return studio.camera() instanceof PanoramicCamera camera
+                        && !camera.stereo().layout().hasHalves()
                 ? Optional.of(new Panorama(camera.horizontalAngleDegrees(), camera.verticalAngleDegrees()))
                 : Optional.empty();
     }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.DoubleFunction;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
+import tompkins.camera.EyeView;
 
 /**
  * Draws a curve of points as lines from point to point, which stay within a fifth of a pixel of the curve in the
@@ -81,12 +82,13 @@ final class CurveTracer {
         if (first == null || between == null || last == null) {
             return false;
         }
-        double width = projection.width();
-        double height = projection.height();
-        double left = Math.min(first.x(), Math.min(between.x(), last.x()));
-        double right = Math.max(first.x(), Math.max(between.x(), last.x()));
-        double top = Math.min(first.y(), Math.min(between.y(), last.y()));
-        double bottom = Math.max(first.y(), Math.max(between.y(), last.y()));
+        EyeView view = projection.view();
+        double width = view.width();
+        double height = view.height();
+        double left = Math.min(first.x(), Math.min(between.x(), last.x())) - view.column();
+        double right = Math.max(first.x(), Math.max(between.x(), last.x())) - view.column();
+        double top = Math.min(first.y(), Math.min(between.y(), last.y())) - view.row();
+        double bottom = Math.max(first.y(), Math.max(between.y(), last.y())) - view.row();
         return right < -width || bottom < -height || left > 2 * width || top > 2 * height;
     }
 

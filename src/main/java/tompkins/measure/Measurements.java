@@ -27,9 +27,9 @@ public final class Measurements {
     private final Projection projection;
     private final List<Fact> facts = new ArrayList<>();
 
-    private Measurements(RenderPlan plan) {
+    private Measurements(RenderPlan plan, Vector2dc first) {
         this.plan = plan;
-        projection = Projection.of(plan.studio());
+        projection = Projection.at(plan.studio(), first);
     }
 
     /**
@@ -43,7 +43,7 @@ public final class Measurements {
      */
     public static Measured measure(
             RenderPlan plan, MeasureKind kind, List<Vector2dc> points, int count, BooleanSupplier goesOn) {
-        Measurements all = new Measurements(plan);
+        Measurements all = new Measurements(plan, points.get(0));
         return switch (kind) {
             case BETWEEN -> all.between(points);
             case PROFILE -> all.profile(Profile.between(plan, points.get(0), points.get(1), count, goesOn), points);
@@ -198,12 +198,12 @@ public final class Measurements {
 
     private List<Vector3dc> directions(List<Vector2dc> points) {
         return points.stream()
-                .map(point -> projection.direction(point.x(), point.y()))
+                .map(point -> plan.chiefDirection(point.x(), point.y()))
                 .toList();
     }
 
     private double pixelAngle(Vector2dc point) {
-        return projection.pixelAngle(point.x(), point.y());
+        return Projection.at(plan.studio(), point).pixelAngle(point.x(), point.y());
     }
 
     private double pixelAngle(List<Vector2dc> points) {

@@ -9,10 +9,10 @@ import java.util.function.DoubleFunction;
 import java.util.function.Function;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.camera.EyeView;
 import tompkins.light.StarCatalogue;
 import tompkins.property.NumberText;
 import tompkins.ray.Ray;
@@ -135,13 +135,7 @@ public final class Overlays {
     }
 
     private Vector2dc inPicture(Vector2dc position) {
-        return position != null
-                        && position.x() >= 0
-                        && position.y() >= 0
-                        && position.x() <= projection.width()
-                        && position.y() <= projection.height()
-                ? position
-                : null;
+        return projection.shows(position) ? position : null;
     }
 
     private void addPositions(OverlayDrawing drawing, SceneShapes.Thing thing) {
@@ -208,7 +202,7 @@ public final class Overlays {
     }
 
     private Vector2dc nearestToMiddle(List<List<Vector2dc>> lines) {
-        Vector2d middle = new Vector2d(projection.width() / 2.0, projection.height() / 2.0);
+        Vector2dc middle = projection.middle();
         return lines.stream()
                 .flatMap(List::stream)
                 .filter(position -> inPicture(position) != null)
@@ -242,12 +236,13 @@ public final class Overlays {
 
     /** The angles to the motion at a few positions of the picture, in degrees. */
     private DoubleSummaryStatistics angles(Frame frame) {
+        EyeView view = projection.view();
         return IntStream.range(0, PLACES * PLACES)
                 .mapToDouble(i -> angle(
                         frame,
                         projection.direction(
-                                (double) projection.width() * (i % PLACES) / (PLACES - 1),
-                                (double) projection.height() * (i / PLACES) / (PLACES - 1))))
+                                view.column() + (double) view.width() * (i % PLACES) / (PLACES - 1),
+                                view.row() + (double) view.height() * (i / PLACES) / (PLACES - 1))))
                 .filter(Double::isFinite)
                 .summaryStatistics();
     }

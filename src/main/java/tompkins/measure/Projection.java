@@ -1,11 +1,14 @@
 package tompkins.measure;
 
+import java.util.List;
 import java.util.function.Function;
+import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.Camera;
 import tompkins.camera.CameraRays;
+import tompkins.camera.EyeView;
 import tompkins.camera.PanoramicCamera;
 import tompkins.math.Vectors;
 import tompkins.ray.Ray;
@@ -28,35 +31,54 @@ public final class Projection {
 
     private static final int MOST_STEPS = 60;
 
+    /** The lens of an eye that turns counts as found if it moves by less than this part of the eye distance. */
+    private static final double LENS_SETTLED = 1e-9;
+
     /** How often the time is corrected to that of the line on which the position lies. */
     private static final int LINE_STEPS = 4;
 
     private final Studio studio;
-    private final int width;
-    private final int height;
+    private final EyeView view;
     private final CameraRays rays;
     private final Vector3dc lens;
     private final RollingShutter rolling;
     private final boolean oneTime;
     private final double middleTime;
 
-    /** The projection of a studio's picture in the size of its settings. */
-    public static Projection of(Studio studio) {
-        return new Projection(
-                studio, studio.settings().width(), studio.settings().height());
+    /** The projections of the eyes of a studio in a picture of the size of its settings. */
+    public static List<Projection> ofEyes(Studio studio) {
+        return views(studio).stream().map(view -> new Projection(studio, view)).toList();
     }
 
-    /** The projection of a studio's picture in another size. */
+    /** The projection of a studio's picture in the size of its settings; if it has two eyes, that of the left one. */
+    public static Projection of(Studio studio) {
+        return ofEyes(studio).get(0);
+    }
+
+    /** The projection of the eye in whose part of the picture a position lies. */
+    static Projection at(Studio studio, Vector2dc position) {
+        return new Projection(studio, EyeView.at(views(studio), position.x(), position.y()));
+    }
+
+    private static List<EyeView> views(Studio studio) {
+        return EyeView.of(
+                studio.camera(), studio.settings().width(), studio.settings().height());
+    }
+
+    /** The projection of a studio's picture in another size; if it has two eyes, that of the left one. */
     public Projection(Studio studio, int width, int height) {
+        this(studio, EyeView.of(studio.camera(), width, height).get(0));
+    }
+
+    private Projection(Studio studio, EyeView view) {
         this.studio = studio;
-        this.width = width;
-        this.height = height;
-        Camera camera = studio.camera();
-        rays = camera.rays(width, height, studio.sceneFromCamera());
-        lens = camera.position();
+        this.view = view;
+        Camera camera = view.camera();
+        rays = camera.rays(view.width(), view.height(), studio.sceneFromCamera());
+        lens = rays.lens(rays.chiefDirection(view.width() / 2.0, view.height() / 2.0));
         rolling = camera.rollingShutter();
         oneTime = camera.shutter() instanceof AperturePlaneShutter && !rolling.rolls();
-        middleTime = time(width / 2.0, height / 2.0);
+        middleTime = time(middle().x(), middle().y());
     }
 
     /** The studio whose picture this is. */
@@ -64,14 +86,23 @@ public final class Projection {
         return studio;
     }
 
-    /** Pixels in a row. */
-    public int width() {
-        return width;
+    /** The part of the whole picture that is projected; positions are those in the whole picture. */
+    public EyeView view() {
+        return view;
     }
 
-    /** Number of rows. */
-    public int height() {
-        return height;
+    /** The position in the middle of the picture. */
+    public Vector2d middle() {
+        return new Vector2d(view.column() + view.width() / 2.0, view.row() + view.height() / 2.0);
+    }
+
+    /** Whether a position, which may be null, lies within the edges of the picture. */
+    public boolean shows(Vector2dc position) {
+        return position != null
+                && position.x() >= view.column()
+                && position.y() >= view.row()
+                && position.x() <= view.column() + view.width()
+                && position.y() <= view.row() + view.height();
     }
 
     /** Whether the shutter opens at one time for all positions, so that positions are found at once. */
@@ -82,25 +113,26 @@ public final class Projection {
     /** Columns after which a panorama repeats; infinite for a lens. */
     public double columnsAround() {
         return studio.camera() instanceof PanoramicCamera panorama
-                ? width * 360 / panorama.horizontalAngleDegrees()
+                ? view.width() * 360 / panorama.horizontalAngleDegrees()
                 : Double.POSITIVE_INFINITY;
     }
 
     /** The unit direction, in the camera frame, that is seen at a position. */
     public Vector3dc direction(double x, double y) {
-        return rays.chiefDirection(x, y);
+        return new Vector3d(rays.chiefDirection(x - view.column(), y - view.row()));
     }
 
     /** The position at which a unit direction of the camera frame is seen; null if it lies behind the lens. */
     public Vector2dc position(Vector3dc direction) {
-        return rays.position(direction);
+        Vector2dc own = rays.position(direction);
+        return own == null ? null : new Vector2d(view.column(), view.row()).add(own);
     }
 
     /**
      * The time, in the camera frame, at which light for a position crosses the centre of the lens; NaN if none does.
      */
     public double time(double x, double y) {
-        Ray ray = rays.ray(x, y, 0, 0, new RayCounts());
+        Ray ray = rays.ray(x - view.column(), y - view.row(), 0, 0, new RayCounts());
         return ray == null ? Double.NaN : ray.time;
     }
 
@@ -110,7 +142,11 @@ public final class Projection {
     }
 
     private Event lensAt(double time) {
-        return new Event(lens.x(), lens.y(), lens.z(), time);
+        return at(lens, time);
+    }
+
+    private static Event at(Vector3dc place, double time) {
+        return new Event(place.x(), place.y(), place.z(), time);
     }
 
     /** The position at which a point that rests in a frame is seen; null if it is out of sight. */
@@ -140,8 +176,20 @@ public final class Projection {
     }
 
     private Vector2dc positionAt(Function<Event, ? extends Vector3dc> look, double time) {
-        Vector3dc direction = look.apply(lensAt(time));
-        return direction == null ? null : rays.position(direction);
+        double settled = LENS_SETTLED * studio.camera().stereo().eyeDistance();
+        Vector3dc from = lens;
+        for (int step = 0; step < MOST_STEPS; step++) {
+            Vector3dc direction = look.apply(at(from, time));
+            if (direction == null) {
+                return null;
+            }
+            Vector3dc there = rays.lens(direction);
+            if (there.distance(from) <= settled) {
+                return position(direction);
+            }
+            from = there;
+        }
+        return null;
     }
 
     /**
@@ -212,11 +260,11 @@ public final class Projection {
     }
 
     private int lines() {
-        return rolling.direction().runsOverRows() ? height : width;
+        return rolling.direction().runsOverRows() ? view.height() : view.width();
     }
 
     private double acrossLines(Vector2dc position) {
-        return rolling.direction().runsOverRows() ? position.y() : position.x();
+        return rolling.direction().runsOverRows() ? position.y() - view.row() : position.x() - view.column();
     }
 
     private int line(Vector2dc position) {

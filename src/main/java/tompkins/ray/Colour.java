@@ -49,6 +49,11 @@ public record Colour(double red, double green, double blue) {
         return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
     }
 
+    /** The luminance; that of white is 1. */
+    public double luminance() {
+        return luminance(red, green, blue);
+    }
+
     /** The sum, channel by channel. */
     public Colour plus(Colour other) {
         return new Colour(red + other.red, green + other.green, blue + other.blue);

@@ -28,7 +28,8 @@ public final class LensEvent {
      * shutter alone; not finite if none does.
      */
     public static double timeInMiddle(Camera camera, SpaceTimeTransformation sceneFromCamera) {
-        LensRay middle = camera.rays(1, 1, sceneFromCamera).chiefRay(Vectors.unit(camera.viewDirection()));
+        LensRay middle =
+                camera.betweenEyes().rays(1, 1, sceneFromCamera).chiefRay(Vectors.unit(camera.viewDirection()));
         return camera.shutter().transmissionTime(middle, sceneFromCamera);
     }
 
@@ -39,7 +40,7 @@ public final class LensEvent {
     public static Event inCamera(Studio studio) {
         Camera camera = studio.camera();
         Vector3dc place = camera.position();
-        Ray axis = camera.rays(1, 1, studio.sceneFromCamera()).ray(0.5, 0.5, 0, 0, new RayCounts());
+        Ray axis = camera.betweenEyes().rays(1, 1, studio.sceneFromCamera()).ray(0.5, 0.5, 0, 0, new RayCounts());
         return new Event(place.x(), place.y(), place.z(), axis == null ? 0 : axis.time);
     }
 

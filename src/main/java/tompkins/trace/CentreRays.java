@@ -3,6 +3,7 @@ package tompkins.trace;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
+import tompkins.camera.EyeView;
 import tompkins.camera.SamplePositions;
 import tompkins.ray.Ray;
 
@@ -17,6 +18,7 @@ final class CentreRays implements PathObserver {
     private final List<Ray> leaving = new ArrayList<>();
     private double spread;
     private boolean known;
+    private EyeView eye;
     private int column;
     private int row;
     private double lensX;
@@ -33,8 +35,9 @@ final class CentreRays implements PathObserver {
         tracer = tracerFor.apply(this);
     }
 
-    /** Begins with a sample, whose place on the lens and moment the rays through the centre share. */
-    void begin(SamplePositions places, int sample) {
+    /** Begins with a sample of an eye, whose place on the lens and moment the rays through the centre share. */
+    void begin(EyeView seeing, SamplePositions places, int sample) {
+        eye = seeing;
         column = places.column(sample);
         row = places.row(sample);
         lensX = places.lensX(sample);
@@ -52,7 +55,7 @@ final class CentreRays implements PathObserver {
         if (!known) {
             known = true;
             leaving.clear();
-            tracer.sample(column + 0.5, row + 0.5, lensX, lensY, moment);
+            tracer.sample(eye, column + 0.5, row + 0.5, lensX, lensY, moment);
         }
         Ray found = next < leaving.size() ? leaving.get(next) : null;
         next++;

@@ -45,15 +45,14 @@ public final class LightShift {
     /** The shift for the picture of a plan, metered in its middle, behind what moves with the camera. */
     static LightShift metered(RenderPlan plan) {
         Studio studio = plan.studio();
-        double x = plan.width() / 2.0;
-        double y = plan.height() / 2.0;
-        RayLife middle = RayLife.of(plan, x, y, 0, 0);
+        RayLife middle = plan.middleLife();
         if (middle != null && middle.sceneStart() != null) {
             return new LightShift(
                     studio.colours(), studio.metering(), middle.sceneDopplerFactor(), middle.sceneDirectionLength());
         }
         // no light of the scene comes from there: as if nothing stood before the lens
-        Vector3dc direction = plan.chiefDirection(x, y);
+        Vector3dc direction =
+                plan.chiefDirection(plan.middle().x(), plan.middle().y());
         Ray ray = studio.sceneFromCamera().transform(Ray.from(0, 0, 0, direction.x(), direction.y(), direction.z(), 0));
         return new LightShift(studio.colours(), studio.metering(), 1 / ray.frequency, ray.directionLength);
     }

@@ -2,10 +2,13 @@ package tompkins.trace;
 
 import java.util.List;
 import java.util.stream.Stream;
+import org.joml.Vector2d;
+import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.Camera;
-import tompkins.camera.CameraRays;
+import tompkins.camera.EyeView;
+import tompkins.camera.PictureRays;
 import tompkins.camera.PixelSampler;
 import tompkins.camera.SamplePositions;
 import tompkins.camera.Sampler;
@@ -46,7 +49,7 @@ public final class RenderPlan {
 
     private final Studio studio;
     private final SpaceTimeTransformation sceneFromCamera;
-    private final CameraRays cameraRays;
+    private final PictureRays pictureRays;
     private final FrameTree frames;
     private final LightShift shift;
 
@@ -72,8 +75,8 @@ public final class RenderPlan {
     private RenderPlan(Studio studio, RenderPlan previous, boolean plain) {
         this.studio = studio;
         sceneFromCamera = studio.sceneFromCamera();
-        cameraRays = studio.camera()
-                .rays(studio.settings().width(), studio.settings().height(), sceneFromCamera);
+        pictureRays = new PictureRays(
+                studio.camera(), studio.settings().width(), studio.settings().height(), sceneFromCamera);
         frames = FrameTree.near(lensEvent(), studio.transformation(), studio.velocity());
         world = previous != null && previous.world.isOf(studio, frames)
                 ? previous.world
@@ -95,7 +98,7 @@ public final class RenderPlan {
         shift = studio.shiftsColours() ? LightShift.metered(this) : null;
         boolean isDirect = around == null && !studio.camera().hasWideAperture();
         stars = studio.background() instanceof StarSky sky
-                ? new StarField(sky, studio, cameraRays, isDirect, shift)
+                ? new StarField(sky, studio, pictureRays, isDirect, shift)
                 : null;
     }
 
@@ -129,7 +132,7 @@ public final class RenderPlan {
     /** The event at which light for the middle of the picture crosses the centre of the lens; time 0 if none does. */
     private Event lensEvent() {
         Vector3dc place = studio.camera().position();
-        Ray axis = cameraRays.ray(width() / 2.0, height() / 2.0, 0, 0, new RayCounts());
+        Ray axis = pictureRays.between().ray(middle().x(), middle().y(), 0, 0, new RayCounts());
         return new Event(place.x(), place.y(), place.z(), axis == null ? 0 : axis.time);
     }
 
@@ -142,7 +145,7 @@ public final class RenderPlan {
         if (fromLens.length() == 0) {
             return lensInScene();
         }
-        LensRay ray = cameraRays.chiefRay(Vectors.unit(fromLens));
+        LensRay ray = pictureRays.between().chiefRay(Vectors.unit(fromLens));
         Camera camera = studio.camera();
         double later = camera.exposureTime() * SamplePositions.MIDDLE
                 + camera.rollingShutter().sweep() / 2;
@@ -166,8 +169,8 @@ public final class RenderPlan {
     }
 
     /** The camera, ready to take the picture. */
-    public CameraRays cameraRays() {
-        return cameraRays;
+    public PictureRays pictureRays() {
+        return pictureRays;
     }
 
     /** What becomes of the light of the scene on its way to the camera; null if it stays as it is. */
@@ -240,7 +243,18 @@ public final class RenderPlan {
      * pixels.
      */
     public Vector3dc chiefDirection(double x, double y) {
-        return cameraRays.chiefDirection(x, y);
+        return pictureRays.chiefDirection(x, y);
+    }
+
+    /** The middle of the picture in pixels; if each eye has its own part, that of the left eye's. */
+    public Vector2dc middle() {
+        EyeView view = pictureRays.views().get(0);
+        return new Vector2d(view.width() / 2.0, view.height() / 2.0);
+    }
+
+    /** The life of the sample in the middle of the picture; null if it never crosses the shutter. */
+    public RayLife middleLife() {
+        return RayLife.of(this, middle().x(), middle().y(), 0, 0);
     }
 
     /** Where the lens is in the scene frame at the time of the picture. */
@@ -299,7 +313,7 @@ public final class RenderPlan {
                         observer);
         return new SampleTracer(
                 sampler,
-                cameraRays,
+                pictureRays,
                 routes.camera(),
                 lensMedium,
                 sceneMedium,

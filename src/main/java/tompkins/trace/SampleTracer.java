@@ -1,8 +1,10 @@
 package tompkins.trace;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.IntStream;
-import tompkins.camera.CameraRays;
+import tompkins.camera.EyeView;
+import tompkins.camera.PictureRays;
 import tompkins.camera.SamplePositions;
 import tompkins.camera.Sampler;
 import tompkins.ray.Colour;
@@ -22,7 +24,7 @@ public final class SampleTracer {
             IntStream.range(0, RayPacket.MOST).map(SampleTracer::mortonColumn).toArray();
 
     private final Sampler sampler;
-    private final CameraRays cameraRays;
+    private final PictureRays pictureRays;
     private final int cameraFrame;
     private final Medium lensMedium;
     private final MovingMedium sceneMedium;
@@ -38,10 +40,19 @@ public final class SampleTracer {
 
     private final SamplePositions places = new SamplePositions(RayPacket.MOST);
     private final RayPacket rays = new RayPacket(RayPacket.MOST);
-    private final Colour[] colours = new Colour[RayPacket.MOST];
+
+    /** The eye whose picture the places are in. */
+    private EyeView eye;
+
+    private Colour[] colours = new Colour[RayPacket.MOST];
 
     /** The samples whose colours are known; clearing references instead would cost the garbage collector time. */
-    private final boolean[] known = new boolean[RayPacket.MOST];
+    private boolean[] known = new boolean[RayPacket.MOST];
+
+    /** Those of one eye, while the other is traced for the same pixels. */
+    private Colour[] otherColours = new Colour[RayPacket.MOST];
+
+    private boolean[] otherKnown = new boolean[RayPacket.MOST];
 
     private final Colour[] sums = new Colour[RayPacket.MOST];
     private final Colour[] factors = new Colour[RayPacket.MOST];
@@ -62,7 +73,7 @@ public final class SampleTracer {
      */
     SampleTracer(
             Sampler sampler,
-            CameraRays cameraRays,
+            PictureRays pictureRays,
             int cameraFrame,
             Medium lensMedium,
             MovingMedium sceneMedium,
@@ -73,7 +84,8 @@ public final class SampleTracer {
             RayCounts counts,
             PathObserver observer) {
         this.sampler = sampler;
-        this.cameraRays = cameraRays;
+        this.pictureRays = pictureRays;
+        eye = pictureRays.views().get(0);
         this.cameraFrame = cameraFrame;
         this.lensMedium = lensMedium;
         this.sceneMedium = sceneMedium;
@@ -101,8 +113,8 @@ public final class SampleTracer {
 
     /** The colour of one sample of a pixel, before exposure. Black where something went wrong, which is counted. */
     public Colour sample(int pixelColumn, int pixelRow, int sample) {
-        places.clear();
-        places.addPixel(pixelColumn, pixelRow);
+        begin(pictureRays.view(pixelColumn, pixelRow));
+        places.addPixel(pixelColumn - eye.column(), pixelRow - eye.row());
         sampler.choose(places, sample);
         return single();
     }
@@ -117,13 +129,24 @@ public final class SampleTracer {
      * @param moment the part of the exposure time that has passed, from 0 to 1
      */
     public Colour sample(double x, double y, double lensX, double lensY, double moment) {
-        places.clear();
+        EyeView seeing = pictureRays.view(x, y);
+        return sample(seeing, x - seeing.column(), y - seeing.row(), lensX, lensY, moment);
+    }
+
+    /** As {@link #sample(double, double, double, double, double)}, in the picture of an eye and in its pixels. */
+    Colour sample(EyeView seeing, double x, double y, double lensX, double lensY, double moment) {
+        begin(seeing);
         places.add(x, y, lensX, lensY, moment);
         return single();
     }
 
+    private void begin(EyeView next) {
+        eye = next;
+        places.clear();
+    }
+
     private void start() {
-        cameraRays.make(places, rays, counts);
+        pictureRays.of(eye).make(places, rays, counts);
         rays.inFrame(cameraFrame);
         if (observer != null && rays.count() > 0) {
             observer.starts(rays.ray(0));
@@ -146,15 +169,27 @@ public final class SampleTracer {
         }
     }
 
+    /**
+     * The colour at the only place. An observer of an anaglyph watches the ray of the left eye, and gets its colour.
+     */
     private Colour single() {
         counts.samples++;
+        Colour colour = ofEye();
+        if (observer != null || !pictureRays.layout().isAnaglyph()) {
+            return colour;
+        }
+        eye = pictureRays.views().get(1);
+        return pictureRays.layout().combined(colour, ofEye());
+    }
+
+    private Colour ofEye() {
         start();
         if (rays.count() == 0) {
             return Colour.BLACK;
         }
         Ray ray = rays.ray(0);
         if (stars != null) {
-            stars.begin(places, 0, spreads[0]);
+            stars.begin(eye, places, 0, spreads[0]);
         }
         return finite(cameraTracer == null ? sceneEntry.colour(ray) : cameraTracer.colourOf(ray));
     }
@@ -175,7 +210,36 @@ public final class SampleTracer {
     public void sampleBlock(int left, int top, int width, int height, int stride, int sample, SampleSink taker) {
         column = left;
         row = top;
-        choosePlaces(left, top, width, height, stride, sample, taker);
+        List<EyeView> eyes = pictureRays.views();
+        for (EyeView next : pictureRays.layout().isAnaglyph() ? eyes.subList(0, 1) : eyes) {
+            begin(next);
+            choosePlaces(left, top, width, height, stride, sample, taker);
+            trace(taker);
+            if (pictureRays.layout().isAnaglyph()) {
+                combineWith(eyes.get(1), taker);
+            }
+            hand(taker);
+        }
+    }
+
+    /** Follows the rays of another eye for the same places, and combines the colours of both. */
+    private void combineWith(EyeView right, SampleSink taker) {
+        Colour[] leftColours = colours;
+        boolean[] leftKnown = known;
+        colours = otherColours;
+        known = otherKnown;
+        otherColours = leftColours;
+        otherKnown = leftKnown;
+        eye = right;
+        trace(taker);
+        for (int i = 0; i < places.count(); i++) {
+            known[i] &= leftKnown[i];
+            colours[i] = known[i] ? pictureRays.layout().combined(leftColours[i], colours[i]) : null;
+        }
+    }
+
+    /** Follows the rays of all places, as far as the taker lets it. */
+    private void trace(SampleSink taker) {
         start();
         boolean raysMissing = rays.count() < places.count();
         Arrays.fill(known, 0, places.count(), raysMissing);
@@ -195,11 +259,15 @@ public final class SampleTracer {
                 takeFromScene(i, sceneEntry.colour(rays.ray(i)));
             }
         }
+    }
+
+    /** Gives away all colours that are known. */
+    private void hand(SampleSink taker) {
         int taken = 0;
         // all together, so that the pixels' memory is fetched at once
         for (int i = 0; i < places.count(); i++) {
             if (known[i]) {
-                taker.take(places.column(i), places.row(i), colours[i]);
+                taker.take(eye.column() + places.column(i), eye.row() + places.row(i), colours[i]);
                 taken++;
             }
         }
@@ -236,14 +304,16 @@ public final class SampleTracer {
     }
 
     private void choosePlaces(int left, int top, int width, int height, int stride, int sample, SampleSink taker) {
-        places.clear();
         for (int place = 0; place < RayPacket.MOST; place++) {
             int across = stride * MORTON_COLUMNS[place];
             int down = stride * MORTON_COLUMNS[place >> 1];
             int nextColumn = left + across;
             int nextRow = top + down;
-            if (across < width && down < height && taker.wants(nextColumn, nextRow)) {
-                places.addPixel(nextColumn, nextRow);
+            if (across < width
+                    && down < height
+                    && pictureRays.view(nextColumn, nextRow) == eye
+                    && taker.wants(nextColumn, nextRow)) {
+                places.addPixel(nextColumn - eye.column(), nextRow - eye.row());
             }
         }
         sampler.choose(places, sample);
@@ -255,10 +325,10 @@ public final class SampleTracer {
 
     private boolean goesTo(int index, SampleSink taker) {
         int sample = rays.sample(index);
-        column = places.column(sample);
-        row = places.row(sample);
+        column = eye.column() + places.column(sample);
+        row = eye.row() + places.row(sample);
         if (stars != null) {
-            stars.begin(places, sample, spreads[sample]);
+            stars.begin(eye, places, sample, spreads[sample]);
         }
         return !taker.isStopped();
     }

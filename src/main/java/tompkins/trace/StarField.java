@@ -3,7 +3,8 @@ package tompkins.trace;
 import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
-import tompkins.camera.CameraRays;
+import tompkins.camera.EyeView;
+import tompkins.camera.PictureRays;
 import tompkins.light.ColourLaw;
 import tompkins.light.Star;
 import tompkins.light.StarCatalogue;
@@ -26,13 +27,15 @@ final class StarField {
     private static final double NARROWEST = 1e-6;
 
     private final StarSky sky;
-    private final CameraRays camera;
+    private final PictureRays pictures;
     private final LightShift shift;
     private final double[] solidAngles;
     private final double[] temperatures;
     private final Colour[] atRest;
     private final StarMap map;
-    private final StarPoints points;
+
+    /** In the picture of each eye; null if rays come in another way. */
+    private final List<StarPoints> points;
 
     /**
      * The stars of a picture.
@@ -40,9 +43,9 @@ final class StarField {
      * @param isDirect whether rays that meet nothing come straight from the sky: through a pinhole, and in vacuum
      * @param shift what becomes of the light, or null if it stays as it is
      */
-    StarField(StarSky sky, Studio studio, CameraRays camera, boolean isDirect, LightShift shift) {
+    StarField(StarSky sky, Studio studio, PictureRays pictures, boolean isDirect, LightShift shift) {
         this.sky = sky;
-        this.camera = camera;
+        this.pictures = pictures;
         this.shift = shift;
         List<Star> stars = StarCatalogue.upTo(sky.limit());
         solidAngles = stars.stream().mapToDouble(sky::solidAngle).toArray();
@@ -55,7 +58,7 @@ final class StarField {
         points = isDirect ? points(studio, directions) : null;
     }
 
-    private StarPoints points(Studio studio, List<Vector3d> directions) {
+    private List<StarPoints> points(Studio studio, List<Vector3d> directions) {
         SeenFrame scene = new SeenFrame(studio, null);
         List<Vector3d> looks = new ArrayList<>();
         List<Colour> lights = new ArrayList<>();
@@ -66,8 +69,9 @@ final class StarField {
             lights.add(light(star, dopplerFactor, 1 / dopplerFactor)
                     .times(solidAngles[star] / (dopplerFactor * dopplerFactor)));
         }
-        return new StarPoints(
-                camera, studio.settings().width(), studio.settings().height(), looks, lights);
+        return pictures.views().stream()
+                .map(eye -> new StarPoints(pictures.of(eye), eye.width(), eye.height(), looks, lights))
+                .toList();
     }
 
     /** The radiance of a star, as the camera sees it, in units of that of white in its rest frame. */
@@ -90,9 +94,9 @@ final class StarField {
         return points != null && ray.depth == 0;
     }
 
-    /** The light of stars that gets straight into a pixel. */
-    Colour direct(int column, int row) {
-        return points.light(column, row);
+    /** The light of stars that gets straight into a pixel of an eye's picture. */
+    Colour direct(EyeView eye, int column, int row) {
+        return points.get(pictures.number(eye)).light(column, row);
     }
 
     /**
@@ -111,9 +115,9 @@ final class StarField {
         return sum.light;
     }
 
-    /** The solid angle of a pixel, in steradians. */
-    double solidAngle(int column, int row) {
-        return camera.solidAngle(column, row);
+    /** The solid angle of a pixel of an eye's picture, in steradians. */
+    double solidAngle(EyeView eye, int column, int row) {
+        return pictures.of(eye).solidAngle(column, row);
     }
 
     private final class Sum implements StarMap.Visitor {

@@ -1,6 +1,7 @@
 package tompkins.trace;
 
 import java.util.function.Function;
+import tompkins.camera.EyeView;
 import tompkins.camera.SamplePositions;
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
@@ -12,6 +13,7 @@ final class StarTracer implements EscapedLight {
     private final StarField stars;
     private final CentreRays centre;
     private final Ray memory = Ray.blank();
+    private EyeView eye;
     private int column;
     private int row;
     private double spread;
@@ -25,13 +27,15 @@ final class StarTracer implements EscapedLight {
     /**
      * Begins with a sample.
      *
+     * @param seeing the eye in whose picture the places are
      * @param newSpread the opening angle with which its ray has left the camera
      */
-    void begin(SamplePositions places, int sample, double newSpread) {
+    void begin(EyeView seeing, SamplePositions places, int sample, double newSpread) {
+        eye = seeing;
         column = places.column(sample);
         row = places.row(sample);
         spread = newSpread;
-        centre.begin(places, sample);
+        centre.begin(seeing, places, sample);
     }
 
     @Override
@@ -52,10 +56,10 @@ final class StarTracer implements EscapedLight {
 
     private Colour stars(Ray ray) {
         if (stars.isDirect(ray)) {
-            return stars.direct(column, row);
+            return stars.direct(eye, column, row);
         }
         Ray central = centre.insteadOf(ray);
-        double pixelAngle = Math.sqrt(stars.solidAngle(column, row));
+        double pixelAngle = Math.sqrt(stars.solidAngle(eye, column, row));
         return central == null
                 ? stars.along(ray, pixelAngle, ray.spread / spread)
                 : stars.along(central, pixelAngle, central.spread / centre.spread());

@@ -10,6 +10,8 @@ import org.joml.Vector3d;
 import org.joml.Vector3i;
 import tompkins.camera.Camera;
 import tompkins.camera.PanoramicCamera;
+import tompkins.camera.Stereo;
+import tompkins.camera.StereoLayout;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.ToneCurve;
 import tompkins.lesson.LessonPlan;
@@ -375,9 +377,16 @@ public final class RandomStudio {
                         random.nextInt(3) - 1,
                         shutter());
         Camera exposed = random.nextInt(3) == 0 ? instant.withExposureTime(Math.abs(number())) : instant;
-        return random.nextInt(3) == 0
+        Camera rolling = random.nextInt(3) == 0
                 ? exposed.withRollingShutter(new RollingShutter(pick(SweepDirection.values()), Math.abs(number())))
                 : exposed;
+        boolean canTurn = !(rolling instanceof PanoramicCamera) || rolling.shutter() instanceof AperturePlaneShutter;
+        return random.nextInt(3) == 0 && canTurn ? rolling.withStereo(stereo()) : rolling;
+    }
+
+    private Stereo stereo() {
+        double distance = size();
+        return new Stereo(pick(StereoLayout.values()), distance * random.nextDouble(), distance);
     }
 
     private Shutter shutter() {

@@ -10,6 +10,8 @@ import org.joml.Vector3dc;
 import org.joml.Vector3i;
 import org.junit.jupiter.api.Named;
 import tompkins.camera.PanoramicCamera;
+import tompkins.camera.Stereo;
+import tompkins.camera.StereoLayout;
 import tompkins.camera.ThinLensCamera;
 import tompkins.lesson.NoLesson;
 import tompkins.light.AmbientLight;
@@ -192,6 +194,11 @@ public final class VariedStudios {
                 Named.of("panoramic camera, other shutter", studio.withCamera(allAround.withShutter(SHUTTERS.get(5)))),
                 Named.of("very wide aperture inside the scene", samples(studio.withCamera(veryWide), 2)),
                 Named.of("camera that looks back", studio.withCamera(back)),
+                Named.of("two eyes side by side", samples(stereo(studio, StereoLayout.SIDE_BY_SIDE), 2)),
+                Named.of(
+                        "anaglyph through a wide aperture",
+                        samples(stereo(studio.withCamera(veryWide), StereoLayout.ANAGLYPH), 2)),
+                Named.of("stereo panorama", stereo(studio.withCamera(allAround), StereoLayout.TOP_AND_BOTTOM)),
                 Named.of("long exposure", samples(exposed(studio, 2, 0, SweepDirection.DOWN), 2)),
                 Named.of("rolling shutter", exposed(studio, 0, 5, SweepDirection.LEFT)),
                 Named.of(
@@ -200,6 +207,10 @@ public final class VariedStudios {
                 Named.of(
                         "panoramic camera, rolling slit",
                         samples(exposed(studio.withCamera(allAround), 0.5, 3, SweepDirection.RIGHT), 2)));
+    }
+
+    private static Studio stereo(Studio studio, StereoLayout layout) {
+        return studio.withCamera(studio.camera().withStereo(Stereo.DEFAULT.withLayout(layout)));
     }
 
     private static Studio exposed(Studio studio, double time, double sweep, SweepDirection direction) {

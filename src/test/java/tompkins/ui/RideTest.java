@@ -77,8 +77,8 @@ class RideTest {
     }
 
     private double pixelsBetween(Vector3d direction, Vector3d other, Camera camera) {
-        Vector2dc one = PicturePosition.of(camera, direction, 640, 480);
-        return one.distance(PicturePosition.of(camera, other, 640, 480));
+        Vector2dc one = PicturePosition.of(camera, direction, 640, 480).get(0);
+        return one.distance(PicturePosition.of(camera, other, 640, 480).get(0));
     }
 
     @Test

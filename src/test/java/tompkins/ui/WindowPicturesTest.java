@@ -183,8 +183,16 @@ class WindowPicturesTest {
         for (int i = 0; i < 4; i++) {
             Vector2dc place = outline.get(i * outline.size() / 4);
             driver.click(new Point(
-                    corner.x + bounds.x + (int) (place.x() * bounds.width / projection.width()),
-                    corner.y + bounds.y + (int) (place.y() * bounds.height / projection.height())));
+                    corner.x
+                            + bounds.x
+                            + (int) (place.x()
+                                    * bounds.width
+                                    / projection.view().width()),
+                    corner.y
+                            + bounds.y
+                            + (int) (place.y()
+                                    * bounds.height
+                                    / projection.view().height())));
         }
         JTextArea results = driver.find(JTextArea.class, "measure.results");
         WindowDriver.await("the circle", () -> results.getText().startsWith("half-angle"));

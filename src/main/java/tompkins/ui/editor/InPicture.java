@@ -1,7 +1,6 @@
 package tompkins.ui.editor;
 
 import java.util.List;
-import org.joml.Vector2dc;
 import org.joml.Vector3dc;
 import tompkins.measure.Projection;
 import tompkins.measure.SceneShapes;
@@ -26,11 +25,6 @@ final class InPicture {
     }
 
     private static boolean shows(Projection projection, FrameMotion motion, Vector3dc point) {
-        Vector2dc place = projection.position(new SeenFrame(projection.studio(), motion), point);
-        return place != null
-                && place.x() >= 0
-                && place.y() >= 0
-                && place.x() <= projection.width()
-                && place.y() <= projection.height();
+        return projection.shows(projection.position(new SeenFrame(projection.studio(), motion), point));
     }
 }

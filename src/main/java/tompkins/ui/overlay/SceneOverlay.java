@@ -3,6 +3,7 @@ package tompkins.ui.overlay;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
+import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.EnumSet;
@@ -14,6 +15,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
+import tompkins.camera.EyeView;
 import tompkins.measure.OverlayDrawing;
 import tompkins.measure.OverlayKind;
 import tompkins.measure.Overlays;
@@ -40,7 +42,34 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
     private static final double SMALLEST_TYPE = 9;
 
     /** What is drawn over the picture of a plan. */
-    private record Drawn(RenderPlan plan, Set<OverlayKind> kinds, List<OverlayDrawing> drawings, String note) {}
+    private record Drawn(RenderPlan plan, Set<OverlayKind> kinds, List<OfEye> eyes, String note) {
+
+        void paint(Graphics2D g, Rectangle bounds, Font font, Rectangle visible) {
+            for (OfEye eye : eyes) {
+                Graphics2D own = (Graphics2D) g.create();
+                if (plan.studio().camera().stereo().layout().hasHalves()) {
+                    own.clip(eye.part(bounds, plan));
+                }
+                String once = eye == eyes.get(0) ? note : "";
+                new OverlayPen(own, bounds, plan, font).paint(eye.drawings, once, visible);
+                own.dispose();
+            }
+        }
+    }
+
+    /** What is drawn over the part of the picture that an eye has. */
+    private record OfEye(EyeView view, List<OverlayDrawing> drawings) {
+
+        Rectangle2D part(Rectangle bounds, RenderPlan plan) {
+            double scaleX = (double) bounds.width / plan.width();
+            double scaleY = (double) bounds.height / plan.height();
+            return new Rectangle2D.Double(
+                    bounds.x + view.column() * scaleX,
+                    bounds.y + view.row() * scaleY,
+                    view.width() * scaleX,
+                    view.height() * scaleY);
+        }
+    }
 
     private record Question(RenderPlan plan, Set<OverlayKind> kinds) {}
 
@@ -90,7 +119,7 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
         }
         Drawn now = drawn(picture.plan());
         if (now != null) {
-            new OverlayPen(g, bounds, now.plan, UIManager.getFont("small.font")).paint(now.drawings, now.note, visible);
+            now.paint(g, bounds, UIManager.getFont("small.font"), visible);
         }
     }
 
@@ -103,9 +132,8 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
         Rectangle whole = new Rectangle(image.getWidth(), image.getHeight());
         float size = (float) Math.max(SMALLEST_TYPE, HEIGHT_SHARE * whole.height);
         Graphics2D g = image.createGraphics();
-        Drawn made = draw(plan, kinds, SceneShapes.of(plan.world().frames()));
-        new OverlayPen(g, whole, plan, new Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont(size))
-                .paint(made.drawings, made.note, whole);
+        draw(plan, kinds, SceneShapes.of(plan.world().frames()))
+                .paint(g, whole, new Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont(size), whole);
         g.dispose();
     }
 
@@ -154,12 +182,19 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
     }
 
     private static Drawn draw(RenderPlan plan, Set<OverlayKind> kinds, SceneShapes shapes) {
-        Overlays overlays = new Overlays(Projection.of(plan.studio()), shapes);
+        List<OfEye> eyes = Projection.ofEyes(plan.studio()).stream()
+                .map(projection -> draw(projection, kinds, shapes))
+                .toList();
+        return new Drawn(plan, Set.copyOf(kinds), eyes, note(plan, shapes));
+    }
+
+    private static OfEye draw(Projection projection, Set<OverlayKind> kinds, SceneShapes shapes) {
+        Overlays overlays = new Overlays(projection, shapes);
         List<OverlayDrawing> drawings = Stream.of(OverlayKind.values())
                 .filter(kinds::contains)
                 .map(overlays::draw)
                 .toList();
-        return new Drawn(plan, Set.copyOf(kinds), drawings, note(plan, shapes));
+        return new OfEye(projection.view(), drawings);
     }
 
     /** Says in one line where the drawing may not agree with the picture; empty if it agrees. */

@@ -14,6 +14,7 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import javax.swing.UIManager;
+import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.primitive.Bounds;
@@ -136,12 +137,13 @@ public final class SideMap implements Overlay {
         private void drawView() {
             SpaceTimeTransformation sceneFromCamera = plan.studio().sceneFromCamera();
             g.setColor(VIEW);
-            double middle = plan.width() / 2.0;
-            for (double row : new double[] {0, plan.height() / 2.0, plan.height()}) {
-                Vector3dc look = plan.chiefDirection(middle, row);
+            Vector2dc middle = plan.middle();
+            // the lower edge itself may belong to the picture of another eye
+            for (double row : new double[] {0, middle.y(), Math.nextDown(2 * middle.y())}) {
+                Vector3dc look = plan.chiefDirection(middle.x(), row);
                 Ray ray = sceneFromCamera.transform(Ray.from(0, 0, 0, look.x(), look.y(), look.z(), 0));
                 g.setStroke(
-                        row == plan.height() / 2.0
+                        row == middle.y()
                                 ? new BasicStroke(
                                         1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 1, new float[] {4}, 0)
                                 : new BasicStroke(1));

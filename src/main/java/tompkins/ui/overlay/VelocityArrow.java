@@ -6,6 +6,8 @@ import java.awt.Rectangle;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
+import java.util.ArrayList;
+import java.util.List;
 import javax.swing.UIManager;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
@@ -49,30 +51,27 @@ public final class VelocityArrow implements Overlay {
             return;
         }
         Vector3dc ahead = studio.velocity().direction();
-        Vector2dc head = place(picture, ahead, bounds);
-        Vector2dc tail = place(picture, new Vector3d().sub(ahead), bounds);
-        if (isIn(visible, head)) {
-            paintHead(g, head);
-        } else {
+        List<Vector2dc> heads = places(picture, ahead, bounds, visible);
+        heads.forEach(head -> paintHead(g, head));
+        if (heads.isEmpty()) {
             paintArrow(g, sideways(studio.camera(), ahead), visible);
         }
-        if (isIn(visible, tail)) {
-            paintTail(g, tail);
-        }
+        places(picture, new Vector3d().sub(ahead), bounds, visible).forEach(tail -> paintTail(g, tail));
     }
 
-    private static Vector2dc place(Picture picture, Vector3dc direction, Rectangle bounds) {
+    /** Where each eye sees a direction, as far as it is visible. */
+    private static List<Vector2dc> places(Picture picture, Vector3dc direction, Rectangle bounds, Rectangle visible) {
         int width = picture.ownWidth();
         int height = picture.ownHeight();
-        Vector2dc place = PicturePosition.of(picture.studio().camera(), direction, width, height);
-        return place == null
-                ? null
-                : new Vector2d(
-                        bounds.x + place.x() / width * bounds.width, bounds.y + place.y() / height * bounds.height);
-    }
-
-    private static boolean isIn(Rectangle bounds, Vector2dc place) {
-        return place != null && bounds.contains(place.x(), place.y());
+        List<Vector2dc> places = new ArrayList<>();
+        for (Vector2dc place : PicturePosition.of(picture.studio().camera(), direction, width, height)) {
+            double x = bounds.x + place.x() / width * bounds.width;
+            double y = bounds.y + place.y() / height * bounds.height;
+            if (visible.contains(x, y)) {
+                places.add(new Vector2d(x, y));
+            }
+        }
+        return places;
     }
 
     /** To the right and down in the picture, the way to a direction outside it; straight back counts as up. */
