@@ -103,6 +103,9 @@ public final class RandomStudio {
 
     private final SplittableRandom random;
 
+    /** Chooses how many eyes a camera has, so that all else of a studio does not depend on it. */
+    private final SplittableRandom eyes;
+
     /** The exponents of ten of lengths and times go from minus to plus this. */
     private final double decades;
 
@@ -114,12 +117,14 @@ public final class RandomStudio {
 
     private RandomStudio(long seed) {
         random = new SplittableRandom(seed);
+        eyes = new SplittableRandom(~seed);
         decades = pick(1.5, 1.5, 1.5, 6.0, 6.0, 12.0, 40.0);
         uniform = null;
     }
 
     private RandomStudio(long seed, double decades, Surface uniform) {
         random = new SplittableRandom(seed);
+        eyes = new SplittableRandom(~seed);
         this.decades = decades;
         this.uniform = uniform;
     }
@@ -381,12 +386,13 @@ public final class RandomStudio {
                 ? exposed.withRollingShutter(new RollingShutter(pick(SweepDirection.values()), Math.abs(number())))
                 : exposed;
         boolean canTurn = !(rolling instanceof PanoramicCamera) || rolling.shutter() instanceof AperturePlaneShutter;
-        return random.nextInt(3) == 0 && canTurn ? rolling.withStereo(stereo()) : rolling;
+        return eyes.nextInt(3) == 0 && canTurn ? rolling.withStereo(stereo()) : rolling;
     }
 
     private Stereo stereo() {
-        double distance = size();
-        return new Stereo(pick(StereoLayout.values()), distance * random.nextDouble(), distance);
+        StereoLayout[] layouts = StereoLayout.values();
+        double distance = Math.pow(10, eyes.nextDouble(-decades, decades));
+        return new Stereo(layouts[eyes.nextInt(layouts.length)], distance * eyes.nextDouble(), distance);
     }
 
     private Shutter shutter() {
