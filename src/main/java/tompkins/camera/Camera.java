@@ -15,6 +15,11 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
     /** Where the shutter is and when it opens. */
     Shutter shutter();
 
+    /** Whether the camera can have a shutter of some type. */
+    default boolean accepts(Class<?> shutter) {
+        return true;
+    }
+
     /** The same camera with another shutter. */
     default Camera withShutter(Shutter shutter) {
         return Descriptions.with(this, "shutter", shutter);

@@ -105,13 +105,23 @@ public record PanoramicCamera(
         Require.duration("exposureTime", exposureTime);
         Require.present("rollingShutter", rollingShutter);
         Require.present("stereo", stereo);
-        if (stereo.layout() != StereoLayout.NONE && !(shutter instanceof AperturePlaneShutter)) {
+        if (!accepts(shutter.getClass(), stereo)) {
             throw new InvalidPropertyException(
                     "shutter",
-                    "AperturePlaneShutter, because the eyes of a panorama turn with its columns: only in the aperture is"
-                            + " a shutter of both in all columns",
+                    "AperturePlaneShutter, because the eyes of a panorama turn with its columns and share no detector or"
+                            + " focus",
                     shutter.getClass().getSimpleName());
         }
+    }
+
+    @Override
+    public boolean accepts(Class<?> type) {
+        return accepts(type, stereo);
+    }
+
+    /** Eyes that turn have no common detector or focus, whose shutter another model could be. */
+    private static boolean accepts(Class<?> type, Stereo stereo) {
+        return stereo.layout() == StereoLayout.NONE || type == AperturePlaneShutter.class;
     }
 
     @Override

@@ -10,6 +10,8 @@ import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import tompkins.camera.EyeView;
+import tompkins.camera.StereoLayout;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.ColourLaw;
 import tompkins.light.Metering;
@@ -74,6 +76,7 @@ public final class Explanation {
         }
         sentences.add(motion());
         sentences.add(lens());
+        StereoSentence.of(studio.camera(), plan.pictureRays()).ifPresent(sentences::add);
         if (!isMeasured) {
             sentences.addAll(plan.mediumSentences());
         }
@@ -200,7 +203,8 @@ public final class Explanation {
                     && together
                     && cameraFrame.size() == 0
                     && !studio.camera().hasWideAperture()
-                    && studio.camera().position().length() == 0;
+                    && studio.camera().position().length() == 0
+                    && studio.camera().stereo().layout() == StereoLayout.NONE;
             return atOrigin
                     ? "All light crosses the pinhole at time 0, where the origins of both frames meet: only directions"
                             + " change (aberration), not the point of view."
@@ -214,7 +218,8 @@ public final class Explanation {
         if (!rolling.rolls() || plan.isStill()) {
             return Optional.empty();
         }
-        int lines = rolling.direction().runsOverRows() ? plan.height() : plan.width();
+        EyeView view = plan.pictureRays().views().get(0);
+        int lines = rolling.direction().runsOverRows() ? view.height() : view.width();
         return Optional.of(format(
                 "The shutter rolls %s: each of %d lines opens %s after the one before it, which is free.",
                 rolling.direction().name().toLowerCase(Locale.ROOT),

@@ -29,6 +29,7 @@ import tompkins.ui.panel.LensPanel;
 import tompkins.ui.panel.PlanFold;
 import tompkins.ui.panel.QualityPanel;
 import tompkins.ui.panel.ShutterPanel;
+import tompkins.ui.panel.StereoPanel;
 import tompkins.ui.panel.VelocityPanel;
 import tompkins.ui.panel.WindowPanel;
 import tompkins.ui.photograph.PhotographView;
@@ -107,6 +108,7 @@ final class SidePanel {
         JComponent shutters = add("section.shutter", shutter.component(), true);
         add("section.shutterDetails", shutter.details(), false);
         add("section.lens", lens.component(), false);
+        add("section.stereo", new StereoPanel(model).component(), false);
         add("section.compare", compare.component(), besideRest);
         add("section.transformation", transformation(model), false);
         add("section.colours", LawPanel.ofColours(model).component(), false);

@@ -124,6 +124,12 @@ class LimitsTest {
                 scene(
                         "shutter that rolls in no direction",
                         "{ \"camera\": { \"rollingShutter\": { \"direction\": \"downwards\", \"sweep\": 2 } } }"),
+                scene("eyes too far apart", "{ \"camera\": { \"stereo\": { \"eyeDistance\": 30 } } }"),
+                scene("unknown layout of two eyes", "{ \"camera\": { \"stereo\": { \"layout\": \"crossed\" } } }"),
+                scene(
+                        "panorama with two eyes and another shutter",
+                        "{ \"camera\": { \"type\": \"PanoramicCamera\", \"stereo\": { \"layout\": \"anaglyph\" },"
+                                + " \"shutter\": { \"type\": \"FocusSurfaceShutter\" } } }"),
                 scene("lesson without a right answer", "{ \"lesson\": { \"right\": 3 } }"),
                 scene("lesson without a choice", "{ \"lesson\": { \"predictions\": [{ \"text\": \"Yes.\" }] } }"),
                 scene("lesson that asks nothing", "{ \"lesson\": { \"question\": \"\" } }"),

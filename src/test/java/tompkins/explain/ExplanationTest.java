@@ -17,6 +17,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.camera.Camera;
 import tompkins.camera.CameraMotion;
+import tompkins.camera.Stereo;
+import tompkins.camera.StereoLayout;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
@@ -76,6 +78,10 @@ class ExplanationTest {
 
     private static Studio with(Studio studio, Shutter shutter) {
         return with(studio, camera -> camera.withShutter(shutter));
+    }
+
+    private static Studio stereo(StereoLayout layout) {
+        return with(REST, camera -> camera.withStereo(Stereo.DEFAULT.withLayout(layout)));
     }
 
     private static Studio wide(Studio studio) {
@@ -156,6 +162,26 @@ class ExplanationTest {
                         "detector",
                         with(MOVING, DetectorPlaneShutter.DEFAULT),
                         "Each ray crosses the lens at its own time, so pixels can have different viewpoints in the scene."),
+                says(
+                        "pair",
+                        stereo(StereoLayout.SIDE_BY_SIDE),
+                        "The left half is the picture of the left eye, the right half that of the right eye. The eyes rest"
+                                + " in the camera frame, 0.3 apart, and both show what is 10 straight ahead in the middle of"
+                                + " their pictures. What is infinitely far away is 2.72 pixels farther to the right for the"
+                                + " right eye."),
+                says(
+                        "anaglyph",
+                        stereo(StereoLayout.ANAGLYPH),
+                        "An anaglyph: red of the left eye, green and blue of the right eye. The eyes rest in the camera"
+                                + " frame, 0.3 apart, and both show what is 10 straight ahead in the middle of their"
+                                + " pictures. What is infinitely far away is 5.44 pixels farther to the right for the right"
+                                + " eye. Each sample follows a ray of each eye; the ray that is traced for a point is that"
+                                + " of the left eye."),
+                says(
+                        "eye",
+                        stereo(StereoLayout.RIGHT_EYE),
+                        "The picture of the right of two eyes. The eyes rest in the camera frame, 0.3 apart, and both show"
+                                + " what is 10 straight ahead in the middle of their pictures."),
                 says(
                         "48 rows",
                         rolling,

@@ -32,7 +32,7 @@ public record Compared(ComparePanel.Other other, Class<?> shutter, Comparison vi
             case UNCHANGED_COLOURS -> now.withColours(ColourLaw.UNCHANGED);
             case SEEN -> now.withView(View.SEEN);
             case MEASURED -> now.withView(View.MEASURED);
-            case OTHER_SHUTTER -> Shutters.replaced(now, shutter);
+            case OTHER_SHUTTER -> now.camera().accepts(shutter) ? Shutters.replaced(now, shutter) : now;
         };
     }
 

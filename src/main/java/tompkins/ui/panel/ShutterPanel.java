@@ -114,6 +114,8 @@ public final class ShutterPanel extends Part {
         Class<?> chosen = (Class<?>) models.getSelectedItem();
         if (chosen != shownModel) {
             note.attempt(() -> replaceBy(chosen));
+            // back to the model of before if the camera cannot have this one
+            updating.during(() -> models.setSelectedItem(shownModel));
         }
     }
 

@@ -1,0 +1,95 @@
+package tompkins.ui.panel;
+
+import java.util.function.BiFunction;
+import java.util.function.ToDoubleFunction;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import tompkins.camera.Stereo;
+import tompkins.camera.StereoLayout;
+import tompkins.studio.Studio;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.number.NumberRow;
+import tompkins.ui.number.SceneSize;
+import tompkins.ui.widget.MessageRoom;
+import tompkins.ui.widget.Naming;
+import tompkins.ui.widget.Note;
+import tompkins.ui.widget.NumberKind;
+import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.Part;
+import tompkins.ui.widget.Range;
+import tompkins.ui.widget.Rows;
+import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Updating;
+import tompkins.ui.widget.Wording;
+
+/** How the pictures of two eyes are shown, and how far apart the eyes are. */
+public final class StereoPanel extends Part {
+
+    private final StudioModel model;
+    private final SceneSize size = new SceneSize();
+    private final JComboBox<StereoLayout> layouts = new JComboBox<>(StereoLayout.values());
+    private final Updating updating = new Updating();
+    private final Note refused = new Note("");
+
+    /** The panel for the camera of a model. */
+    public StereoPanel(StudioModel model) {
+        super(Rows.panel());
+        this.model = model;
+        Naming.items(layouts, Wording::label);
+        Naming.name(layouts, "stereo.layout");
+        layouts.addActionListener(event -> updating.unless(this::choose));
+        JLabel label = new JLabel(Texts.get("stereo.layout"));
+        label.setLabelFor(layouts);
+        panel.add(label);
+        panel.add(layouts, "span 2, growx, wmin 0");
+        add(
+                "eyeDistance",
+                Stereo::eyeDistance,
+                (stereo, value) -> new Stereo(stereo.layout(), value, stereo.zeroParallaxDistance()),
+                0.1);
+        add(
+                "zeroParallaxDistance",
+                Stereo::zeroParallaxDistance,
+                (stereo, value) -> new Stereo(stereo.layout(), stereo.eyeDistance(), value),
+                3);
+        panel.add(new MessageRoom(2, refused).component(), "span, growx, wmin 0");
+        model.addListener(this::update);
+        update();
+    }
+
+    private void add(
+            String property,
+            ToDoubleFunction<Stereo> reading,
+            BiFunction<Stereo, Double, Stereo> change,
+            double largest) {
+        NumberRow.Quantity quantity = new NumberRow.Quantity(
+                property,
+                Wording.meaning(Stereo.class, property),
+                studio -> reading.applyAsDouble(studio.camera().stereo()),
+                (studio, value) -> with(studio, change.apply(studio.camera().stereo(), value)),
+                studio -> range(studio, largest, reading));
+        new NumberRow(model, quantity, NumberKind.DOUBLE, refused).addTo(panel);
+    }
+
+    /** To a part of the size of the scene, and far enough for the number that is set. */
+    private Range range(Studio studio, double part, ToDoubleFunction<Stereo> reading) {
+        double now = reading.applyAsDouble(studio.camera().stereo());
+        return new Range(0, Numbers.niceCeiling(Math.max(part * size.of(studio), now)), 2);
+    }
+
+    private static Studio with(Studio studio, Stereo stereo) {
+        return studio.withCamera(studio.camera().withStereo(stereo));
+    }
+
+    private void choose() {
+        Studio studio = model.studio();
+        StereoLayout layout = (StereoLayout) layouts.getSelectedItem();
+        refused.attempt(() -> model.set(with(studio, studio.camera().stereo().withLayout(layout))));
+        update();
+    }
+
+    private void update() {
+        updating.during(
+                () -> layouts.setSelectedItem(model.studio().camera().stereo().layout()));
+    }
+}
