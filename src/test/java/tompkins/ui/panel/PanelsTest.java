@@ -30,6 +30,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.FocusDistance;
 import tompkins.camera.PanoramicCamera;
+import tompkins.camera.Stereo;
+import tompkins.camera.StereoLayout;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
 import tompkins.lesson.Lesson;
@@ -339,6 +341,32 @@ class PanelsTest {
         assertThat(model.studio().camera().shutter().openingTime()).isEqualTo(2);
         models.setSelectedItem(AperturePlaneShutter.class);
         assertThat(model.studio().camera().shutter().openingTime()).isCloseTo(1.5, within(1e-9));
+    }
+
+    @Test
+    void theEyesAreSetAndWhatCannotBeIsToldAndTakenBack() {
+        Container eyes = (Container) new StereoPanel(model).component();
+        Container shutters = shutter(new ShutterPanel(model));
+        JComboBox<?> layouts = Components.find(eyes, JComboBox.class, "Layout");
+        JComboBox<?> models = Components.find(shutters, JComboBox.class, "Shutter model");
+        layouts.setSelectedItem(StereoLayout.SIDE_BY_SIDE);
+        Components.enter(eyes, "Eye distance", "0.5");
+        Components.enter(eyes, "Zero parallax", "4");
+        assertThat(model.studio().camera().stereo()).isEqualTo(new Stereo(StereoLayout.SIDE_BY_SIDE, 0.5, 4));
+        JTextField wrong = Components.enter(eyes, "Eye distance", "8");
+        assertThat(Components.isMarked(wrong)).isTrue();
+        assertThat(Components.notes(eyes)).anyMatch(note -> note.contains("more than half the eyeDistance 8"));
+
+        model.set(model.studio().withCamera(PanoramicCamera.DEFAULT));
+        layouts.setSelectedItem(StereoLayout.TOP_AND_BOTTOM);
+        models.setSelectedItem(DetectorPlaneShutter.class);
+        assertThat(Components.notes(shutters)).anyMatch(note -> note.contains("share no detector or focus"));
+        assertThat(models.getSelectedItem()).isEqualTo(AperturePlaneShutter.class);
+        layouts.setSelectedItem(StereoLayout.NONE);
+        models.setSelectedItem(DetectorPlaneShutter.class);
+        layouts.setSelectedItem(StereoLayout.ANAGLYPH);
+        assertThat(Components.notes(eyes)).anyMatch(note -> note.contains("share no detector or focus"));
+        assertThat(layouts.getSelectedItem()).isEqualTo(StereoLayout.NONE);
     }
 
     @Test
