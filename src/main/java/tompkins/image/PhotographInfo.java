@@ -10,10 +10,16 @@ import tompkins.property.InvalidPropertyException;
  * @param software the program that took it, with its version; may be empty
  * @param sceneJson the scene from which it can be taken again, a JSON object; empty if there is none
  * @param panorama what it shows of the sphere around the camera, if it is a panorama
+ * @param stereoPair whether its left half is for the left eye and its right half for the right eye
  * @param description what else is to be known about it, one line, which only PNG keeps; may be empty
  */
 public record PhotographInfo(
-        String title, String software, String sceneJson, Optional<Panorama> panorama, String description) {
+        String title,
+        String software,
+        String sceneJson,
+        Optional<Panorama> panorama,
+        boolean stereoPair,
+        String description) {
 
     /** The most characters that a scene may have; a file that claims more is refused. */
     public static final int LONGEST_SCENE = 16 << 20;
@@ -48,18 +54,19 @@ public record PhotographInfo(
     }
 
     /** What a photograph without a description says about itself. */
-    public PhotographInfo(String title, String software, String sceneJson, Optional<Panorama> panorama) {
-        this(title, software, sceneJson, panorama, "");
+    public PhotographInfo(
+            String title, String software, String sceneJson, Optional<Panorama> panorama, boolean stereoPair) {
+        this(title, software, sceneJson, panorama, stereoPair, "");
     }
 
-    /** What a photograph says about itself that is not a panorama and has no description. */
+    /** What a photograph says about itself that is neither a panorama nor a stereo pair, and has no description. */
     public PhotographInfo(String title, String software, String sceneJson) {
-        this(title, software, sceneJson, Optional.empty());
+        this(title, software, sceneJson, Optional.empty(), false);
     }
 
     /** The same with another description. */
     public PhotographInfo withDescription(String other) {
-        return new PhotographInfo(title, software, sceneJson, panorama, other);
+        return new PhotographInfo(title, software, sceneJson, panorama, stereoPair, other);
     }
 
     private static void requireText(String name, String text, String allowedControls) {

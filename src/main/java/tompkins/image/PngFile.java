@@ -40,6 +40,14 @@ final class PngFile {
     private static final String SOFTWARE_KEYWORD = "Software";
     private static final String DESCRIPTION_KEYWORD = "Description";
 
+    /** The indicator of a stereo pair (Extensions to the PNG Specification, sTER): one byte says which eye is where. */
+    private static final String STEREO_CHUNK = "sTER";
+
+    private static final byte LEFT_EYE_ON_THE_LEFT = 1;
+
+    /** The right picture must begin at a column that is a multiple of this. */
+    private static final int STEREO_STEP = 8;
+
     private static final String NATIVE = "javax_imageio_png_1.0";
 
     private PngFile() {}
@@ -72,6 +80,18 @@ final class PngFile {
             String xmp = info.panorama().get().xmp(image.getWidth(), image.getHeight());
             merge(metadata, NATIVE, textNode(Panorama.KEYWORD, xmp, false));
         }
+        if (info.stereoPair() && image.getWidth() % (2 * STEREO_STEP) == 0) {
+            merge(metadata, NATIVE, stereoNode());
+        }
+    }
+
+    private static IIOMetadataNode stereoNode() {
+        IIOMetadataNode chunk = new IIOMetadataNode("UnknownChunk");
+        chunk.setAttribute("type", STEREO_CHUNK);
+        chunk.setUserObject(new byte[] {LEFT_EYE_ON_THE_LEFT});
+        IIOMetadataNode chunks = new IIOMetadataNode("UnknownChunks");
+        chunks.appendChild(chunk);
+        return chunks;
     }
 
     private static void addText(IIOMetadataNode parent, String keyword, String value) {
@@ -111,20 +131,21 @@ final class PngFile {
 
     /** What a PNG file says about itself before its pixels, as {@link #write} does; empty where it says nothing. */
     static PhotographInfo readInfo(InputStream file) throws IOException {
-        Set<String> keywords =
-                Set.of(TITLE_KEYWORD, SOFTWARE_KEYWORD, SCENE_KEYWORD, DESCRIPTION_KEYWORD, Panorama.KEYWORD);
+        Set<String> keywords = Set.of(
+                TITLE_KEYWORD, SOFTWARE_KEYWORD, SCENE_KEYWORD, DESCRIPTION_KEYWORD, Panorama.KEYWORD, STEREO_CHUNK);
         Map<String, String> texts = readTexts(file, keywords, "IDAT");
         return new PhotographInfo(
                 OneLine.of(texts.getOrDefault(TITLE_KEYWORD, "")),
                 OneLine.of(texts.getOrDefault(SOFTWARE_KEYWORD, "")),
                 texts.getOrDefault(SCENE_KEYWORD, ""),
                 Panorama.parse(texts.getOrDefault(Panorama.KEYWORD, "")),
+                texts.containsKey(STEREO_CHUNK),
                 OneLine.of(texts.getOrDefault(DESCRIPTION_KEYWORD, "")));
     }
 
     /**
-     * The texts with some keywords, read until all are found or a chunk of the last type comes; the JDK is not used,
-     * because it cuts texts at 256 kB.
+     * The texts with some keywords, and empty ones for chunks of a type that is among these, read until all are found
+     * or a chunk of the last type comes; the JDK is not used, because it cuts texts at 256 kB.
      */
     private static Map<String, String> readTexts(InputStream file, Set<String> keywords, String lastType)
             throws IOException {
@@ -153,6 +174,9 @@ final class PngFile {
                 }
             } else {
                 in.skipNBytes(length + 4L);
+                if (keywords.contains(type)) {
+                    texts.put(type, "");
+                }
             }
             place += length + PngChunk.FRAME;
         }

@@ -6,6 +6,7 @@ import java.io.UncheckedIOException;
 import java.util.Optional;
 import java.util.Properties;
 import tompkins.camera.PanoramicCamera;
+import tompkins.camera.StereoLayout;
 import tompkins.image.Panorama;
 import tompkins.image.PhotographInfo;
 import tompkins.property.OneLine;
@@ -32,7 +33,9 @@ public final class SelfDescription {
      */
     public static PhotographInfo of(Studio studio) {
         String title = (studio.view() == View.MEASURED ? MEASURED : "") + OneLine.of(studio.title());
-        return new PhotographInfo(title, program(), StudioWriter.writeSelfContained(studio), panorama(studio));
+        boolean stereoPair = studio.camera().stereo().layout() == StereoLayout.SIDE_BY_SIDE;
+        return new PhotographInfo(
+                title, program(), StudioWriter.writeSelfContained(studio), panorama(studio), stereoPair);
     }
 
     private static Optional<Panorama> panorama(Studio studio) {

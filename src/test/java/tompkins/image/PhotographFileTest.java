@@ -7,9 +7,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.zip.InflaterInputStream;
 import javax.imageio.ImageReader;
 import javax.imageio.metadata.IIOMetadataNode;
@@ -19,6 +21,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.w3c.dom.NodeList;
 import tompkins.file.FileException;
@@ -71,6 +74,20 @@ class PhotographFileTest {
     private static java.awt.image.Raster raster(PictureFormat format, byte[] bytes) throws IOException {
         ImageReader reader = Samples.jdkReader(format.name().startsWith("PNG") ? "png" : "tiff", bytes);
         return reader.read(0).getRaster();
+    }
+
+    /** The chunk before the pixels that viewers of stereo pairs look for: its length, type, mode and check sum. */
+    @ParameterizedTest
+    @CsvSource({"32, true, true", "32, false, false", "36, true, false"})
+    void aStereoPairSaysSo(int width, boolean isPair, boolean says) throws IOException {
+        PhotographInfo info = new PhotographInfo("Pair", "", "{}", Optional.empty(), isPair);
+        PhotographFile.write(file, Samples.random(width, 2, 1), PictureFormat.PNG, ToneCurve.LINEAR, info, true);
+        String bytes = Files.readString(file, ISO_8859_1);
+        assertThat(bytes.indexOf("IDAT") > bytes.indexOf("\0\0\0\1sTER\1") && bytes.contains("\0\0\0\1sTER\1"))
+                .isEqualTo(says);
+        try (InputStream in = Files.newInputStream(file)) {
+            assertThat(PngFile.readInfo(in).stereoPair()).isEqualTo(says);
+        }
     }
 
     @ParameterizedTest
