@@ -23,13 +23,16 @@ import tompkins.image.LinearImage;
 import tompkins.measure.Projection;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
+import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.FocusSurfaceShutter;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.PaperStudios;
+import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
+import tompkins.surface.Mirror;
 import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
 import tompkins.world.SeenFrame;
@@ -192,6 +195,33 @@ class StereoTest {
         LinearImage stack = new Photograph(high.withSettings(high.settings().withSize(120, 181))).image();
         assertSame(stack, 0, 0, left);
         assertSame(stack, 0, 90, right);
+    }
+
+    /** Stars are put into pixels by the place of each eye's own centre rays, also behind a mirror. */
+    @Test
+    void eachEyeHasItsOwnStars() {
+        SceneObject mirror = new Parallelogram(
+                "mirror", new Vector3d(-1, -1, 4), new Vector3d(1, 0, 0), new Vector3d(0, 2, 0), Mirror.DEFAULT);
+        Camera camera = camera(StereoLayout.SIDE_BY_SIDE);
+        Studio sky = Descriptions.with(Studio.DEFAULT, "background", StarSky.DEFAULT)
+                .withScene(List.of(mirror))
+                .withVelocity(Velocity.of(0.1, 0, 0.8));
+        LinearImage left = stars(sky, camera, StereoLayout.LEFT_EYE, 120);
+        LinearImage right = stars(sky, camera, StereoLayout.RIGHT_EYE, 120);
+        LinearImage pair = stars(sky, camera, StereoLayout.SIDE_BY_SIDE, 240);
+        LinearImage both = stars(sky, camera, StereoLayout.ANAGLYPH, 120);
+        assertSame(pair, 0, 0, left);
+        assertSame(pair, 120, 0, right);
+        assertThat(left.rgb()).isNotEqualTo(right.rgb());
+        for (int i = 0; i < both.rgb().length; i++) {
+            assertThat(both.rgb()[i]).isEqualTo((i % 3 == 0 ? left : right).rgb()[i]);
+        }
+    }
+
+    private static LinearImage stars(Studio sky, Camera camera, StereoLayout layout, int width) {
+        Studio studio = sky.withCamera(camera.withStereo(camera.stereo().withLayout(layout)))
+                .withSettings(sky.settings().withSize(width, 90).withSamples(2));
+        return new Photograph(studio).image();
     }
 
     private static void assertSame(LinearImage whole, int column, int row, LinearImage part) {
