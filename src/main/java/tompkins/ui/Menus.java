@@ -1,10 +1,12 @@
 package tompkins.ui;
 
 import com.formdev.flatlaf.FlatClientProperties;
+import java.awt.Component;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.Box;
 import javax.swing.ButtonGroup;
@@ -28,6 +30,7 @@ import tompkins.ui.help.HelpCommands;
 import tompkins.ui.lesson.LessonCourse;
 import tompkins.ui.model.Settings;
 import tompkins.ui.number.NumberProperty;
+import tompkins.ui.overlay.MapAxis;
 import tompkins.ui.overlay.PictureOverlays;
 import tompkins.ui.photograph.Captions;
 import tompkins.ui.picture.CanvasZoom;
@@ -107,10 +110,16 @@ final class Menus {
     /** The items that have a key, in their order. */
     List<JMenuItem> itemsWithKeys() {
         return Stream.of(bar.getSubElements())
-                .flatMap(menu -> Stream.of(((JMenu) menu).getMenuComponents()))
+                .flatMap(menu -> parts((JMenu) menu))
                 .filter(part -> part instanceof JMenuItem item && item.getAccelerator() != null)
                 .map(JMenuItem.class::cast)
                 .toList();
+    }
+
+    /** The parts of a menu and of the menus in it. */
+    private static Stream<Component> parts(JMenu menu) {
+        return Stream.of(menu.getMenuComponents())
+                .flatMap(part -> part instanceof JMenu inner ? parts(inner) : Stream.of(part));
     }
 
     /** Lets the keys of the menus work in another window, too. */
@@ -270,11 +279,7 @@ final class Menus {
         JMenu menu = menu("menu.view");
         ButtonGroup group = new ButtonGroup();
         for (Look look : Look.values()) {
-            JRadioButtonMenuItem item = new JRadioButtonMenuItem(Texts.get("look." + look), look == settings.look());
-            item.setName("look." + look);
-            item.addActionListener(event -> window.setLook(look));
-            group.add(item);
-            menu.add(item);
+            addChoice(menu, group, "look." + look, null, look == settings.look(), () -> window.setLook(look));
         }
         menu.addSeparator();
         JCheckBoxMenuItem caption = new JCheckBoxMenuItem();
@@ -285,7 +290,7 @@ final class Menus {
         menu.addSeparator();
         add(menu, caption, "menu.caption", "F7", () -> captions.setShown(caption.isSelected()));
         addOverlay(menu, "menu.arrow", PictureOverlays.ARROW);
-        addOverlay(menu, "menu.map", PictureOverlays.MAP);
+        menu.add(mapMenu());
         addOverlay(menu, "menu.rate", PictureOverlays.RATE);
         menu.add(overlayMenu());
         add(menu, "menu.measure", "F4", () -> strip.toggle(TabStrip.Tab.MEASURE));
@@ -294,6 +299,28 @@ final class Menus {
         add(menu, "menu.panel", "F12", window::togglePanel);
         add(menu, "menu.stop", "F3", window::toggleRendering);
         return menu;
+    }
+
+    private JMenu mapMenu() {
+        JMenu menu = new JMenu(Texts.get("menu.map"));
+        menu.setName("menu.map");
+        ButtonGroup group = new ButtonGroup();
+        boolean none = overlays.map().isEmpty();
+        addChoice(menu, group, "menu.map.NONE", "ctrl shift M", none, () -> overlays.setMap(Optional.empty()));
+        for (MapAxis axis : MapAxis.values()) {
+            Optional<MapAxis> chosen = Optional.of(axis);
+            String key = axis == MapAxis.ABOVE ? "ctrl M" : null;
+            boolean shown = overlays.map().equals(chosen);
+            addChoice(menu, group, "menu.map." + axis, key, shown, () -> overlays.setMap(chosen));
+        }
+        return menu;
+    }
+
+    private static void addChoice(
+            JMenu menu, ButtonGroup group, String key, String accelerator, boolean chosen, Runnable action) {
+        JRadioButtonMenuItem item = new JRadioButtonMenuItem("", chosen);
+        group.add(item);
+        add(menu, item, key, accelerator, action);
     }
 
     private JMenu overlayMenu() {

@@ -83,6 +83,35 @@ public final class SeenFrame {
         return law == TransformationLaw.GALILEAN ? withLightOfTheCamera(unit) : relativistic(unit);
     }
 
+    /**
+     * The event, in this frame, at which a point that rests in it is seen: its light, which leaves there, crosses the
+     * lens at an event of the camera frame. In the measured view both events have one time in the camera frame.
+     *
+     * @return null if no such light reaches the lens: in a Galilean world whose camera is faster than it
+     */
+    public Event seen(Vector3dc point, Event lensInCamera) {
+        Event lens = inwards.transform(lensInCamera);
+        Vector3d way = point.sub(lens.position(), new Vector3d());
+        double earlier = view == View.MEASURED
+                ? outwards.difference(new Event(way.x, way.y, way.z, 0)).time()
+                        / outwards.worldLine().time()
+                : law == TransformationLaw.GALILEAN ? withLightOfTheCamera(way, way.length()) : way.length();
+        return Double.isNaN(earlier) ? null : new Event(point.x(), point.y(), point.z(), lens.time() - earlier);
+    }
+
+    /** How much earlier light of the camera left what is now at the end of a way; NaN if none reaches the lens. */
+    private double withLightOfTheCamera(Vector3dc way, double length) {
+        Vector3d inCamera =
+                outwards.difference(new Event(way.x(), way.y(), way.z(), 0)).position();
+        Vector3d velocity = outwards.worldLine().position();
+        // |inCamera - t velocity| = t
+        double slower = 1 - velocity.lengthSquared();
+        double along = inCamera.dot(velocity);
+        double root = Math.sqrt(along * along + slower * length * length);
+        double later = along >= 0 ? length * length / (along + root) : (root - along) / slower;
+        return later >= 0 ? later : Double.NaN;
+    }
+
     /** The Doppler factor of what rests in this frame, seen along a unit direction of the camera frame. */
     public double dopplerFactor(Vector3dc look) {
         return 1 / inwards.transform(Ray.from(0, 0, 0, look.x(), look.y(), look.z(), 0), Ray.blank()).frequency;

@@ -214,7 +214,7 @@ class WindowPicturesTest {
 
     /** A moment of the recorded ride, with all that can be drawn over the picture. */
     private static void ride(WindowDriver driver) {
-        press(driver, JMenuItem.class, "menu.map");
+        press(driver, JMenuItem.class, "menu.map.ABOVE");
         press(driver, JMenuItem.class, "menu.replay");
         RidePilot pilot = driver.window().motion().pilot();
         WindowDriver.await("the thrust", () -> pilot.moment().properTime() > RIDE_TIME);

@@ -1,6 +1,7 @@
 package tompkins.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Locale;
@@ -48,7 +49,25 @@ class SeenFrameTest {
             assertThat(Angles.between(frame.look(towards), row.vector("d")))
                     .as("%s, gamma %s", row.id(), gamma)
                     .isLessThan(1e-11 * gamma * gamma * size);
+            Event seen = frame.seen(row.vector("k"), new Event(o.x, o.y, o.z, row.number("ot")));
+            assertThat(seen.time())
+                    .as("%s, gamma %s", row.id(), gamma)
+                    .isCloseTo(row.number("ktau"), within(1e-12 * gamma * gamma * (size * towards.length())));
         }
+    }
+
+    /** Both fly apart, or towards each other, at 1.2 c: what comes is faster than its light and not seen before. */
+    @Test
+    void galileanCameraIsNotReachedByWhatItOutruns() {
+        Studio studio = Studio.DEFAULT
+                .withVelocity(Velocity.of(new Vector3d(0, 0, 0.6)))
+                .withTransformation(TransformationLaw.GALILEAN);
+        FrameMotion motion = new FrameMotion(null, Velocity.of(new Vector3d(0, 0, -0.6)), Event.ORIGIN);
+
+        SeenFrame frame = new SeenFrame(studio, motion);
+
+        assertThat(frame.seen(new Vector3d(0, 0, -4), Event.ORIGIN).time()).isCloseTo(-4 / 2.2, within(1e-15));
+        assertThat(frame.seen(new Vector3d(0, 0, 4), Event.ORIGIN)).isNull();
     }
 
     @Test

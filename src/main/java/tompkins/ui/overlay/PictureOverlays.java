@@ -1,6 +1,7 @@
 package tompkins.ui.overlay;
 
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
@@ -18,8 +19,8 @@ public final class PictureOverlays {
     /** Where the camera flies. */
     public static final String ARROW = "arrow";
 
-    /** The scene from the side. */
-    public static final String MAP = "map";
+    /** The setting of the map: 0 is none, else the axis, counted from 1. */
+    private static final String MAP = "map";
 
     /** How many pictures of a ride there are in a second. */
     public static final String RATE = "rate";
@@ -27,7 +28,7 @@ public final class PictureOverlays {
     private final PictureCanvas canvas;
     private final Settings settings;
     private final VelocityArrow arrow = new VelocityArrow();
-    private final SideMap map = new SideMap();
+    private final SceneMap map = new SceneMap();
     private final SceneOverlay overlay;
 
     /** The overlays of a canvas; {@code failures} is told by any thread what could not be worked out. */
@@ -58,6 +59,20 @@ public final class PictureOverlays {
         update();
     }
 
+    /** The axis along which the map of the scene looks; empty if there is none. */
+    public Optional<MapAxis> map() {
+        return Stream.of(MapAxis.values())
+                .filter(axis -> axis.ordinal() + 1 == settings.number(MAP, 0))
+                .findFirst();
+    }
+
+    /** Shows the map along another axis from now on, or none. */
+    public void setMap(Optional<MapAxis> axis) {
+        settings.setNumber(MAP, axis.map(each -> each.ordinal() + 1).orElse(0));
+        settings.save();
+        update();
+    }
+
     /** What formulas say about the scene, as far as it is drawn. */
     public Set<OverlayKind> ofScene() {
         return overlay.shown();
@@ -70,7 +85,7 @@ public final class PictureOverlays {
 
     private void update() {
         arrow.setShown(isShown(ARROW));
-        map.setShown(isShown(MAP));
+        map.setShown(map());
         overlay.setShown(Stream.of(OverlayKind.values())
                 .filter(kind -> isShown(name(kind)))
                 .collect(Collectors.toSet()));

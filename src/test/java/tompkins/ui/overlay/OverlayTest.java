@@ -5,10 +5,13 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -18,9 +21,13 @@ import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
 import tompkins.measure.OverlayKind;
 import tompkins.property.Descriptions;
+import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Moving;
+import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.LensEvent;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.surface.Mirror;
@@ -171,31 +178,69 @@ class OverlayTest {
         assertThat(marked(painted(arrow(), Studios.sphere())).isEmpty()).isTrue();
         assertThat(marked(painted(new VelocityArrow(), flying(0, 0, 0.5))).isEmpty())
                 .isTrue();
-        assertThat(marked(painted(new SideMap(), flying(0, 0, 0.5))).isEmpty()).isTrue();
+        assertThat(marked(painted(new SceneMap(), flying(0, 0, 0.5))).isEmpty()).isTrue();
+    }
+
+    private static SceneMap map(MapAxis axis) {
+        SceneMap map = new SceneMap();
+        map.setShown(Optional.of(axis));
+        return map;
     }
 
     @Test
     void theMapLeavesRoomForWhatIsWritten() {
-        SideMap map = new SideMap();
-        map.setShown(true);
-        assertThat(FREE.contains(marked(painted(map, Studios.sphere(), FREE)))).isTrue();
+        assertThat(FREE.contains(marked(painted(map(MapAxis.SIDE), Studios.sphere(), FREE))))
+                .isTrue();
     }
 
-    /** The sphere lies in front of the camera: in the map to the right of the lens, which is white. */
+    /** The sphere lies in front of the camera: to the right of the lens, which is white, or above it. */
     @Test
-    void mapShowsTheSceneFromItsRightSide() {
-        SideMap map = new SideMap();
-        map.setShown(true);
-        BufferedImage canvas = painted(map, Studios.sphere());
-        Rectangle place = marked(canvas);
+    void mapShowsTheSceneAlongEachAxis() {
+        Rectangle place = marked(painted(map(MapAxis.SIDE), Studios.sphere()));
         assertThat(place.getMaxX()).isBetween(620.0, 640.0);
         assertThat(place.getMaxY()).isBetween(460.0, 480.0);
-        int lens = -1;
-        for (int x = place.x; x < place.getMaxX(); x++) {
-            for (int y = place.y; y < place.getMaxY(); y++) {
-                lens = lens < 0 && canvas.getRGB(x, y) == Color.WHITE.getRGB() ? x : lens;
+        assertThat(lens(MapAxis.SIDE).x).isBetween(place.x, place.x + place.width / 3);
+        assertThat(lens(MapAxis.ABOVE).y).isBetween(place.y + place.height * 2 / 3, place.y + place.height);
+        Rectangle middle =
+                new Rectangle(place.x + place.width / 3, place.y + place.height / 3, place.width / 3, place.height / 3);
+        assertThat(middle.contains(lens(MapAxis.BEHIND))).isTrue();
+    }
+
+    private static Point lens(MapAxis axis) {
+        BufferedImage canvas = painted(map(axis), Studios.sphere());
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                if (canvas.getRGB(x, y) == Color.WHITE.getRGB()) {
+                    return new Point(x, y);
+                }
             }
         }
-        assertThat(lens).isBetween(place.x, place.x + place.width / 3);
+        throw new AssertionError("no lens on the map");
+    }
+
+    /**
+     * A box flies along x at 0.8 c and is right ahead at a distance d when the picture is taken. Its light left at the
+     * time -t with t² = d² + (0.8 t)², so that its place was -4/3 d aside.
+     */
+    @Test
+    void mapShowsWhereMovingObjectsAreAndWereSeen() {
+        double half = 1e-9;
+        Box from = Descriptions.with(Box.DEFAULT, "from", new Vector3d(-half, -half, 6 - half));
+        Box box = Descriptions.with(from, "to", new Vector3d(half, half, 6 + half));
+        double time = LensEvent.inScene(Studios.sphere()).time();
+        SceneObject moving = new Moving("", Velocity.of(0.8, 0, 0), new Vector3d(-0.8 * time, 0, 0), 0, List.of(box));
+        Studio studio = Studios.sphere().withScene(List.of(moving));
+        MappedBoxes boxes = new MappedBoxes(RenderPlan.of(studio), MapAxis.ABOVE);
+
+        Rectangle2D now = boxes.now().getBounds2D();
+        Rectangle2D seen = boxes.seen().getBounds2D();
+
+        assertThat(now.getCenterX()).isCloseTo(0, within(1e-6));
+        assertThat(now.getCenterY()).isCloseTo(6, within(1e-6));
+        assertThat(seen.getCenterX() - now.getCenterX()).isCloseTo(-8, within(1e-6));
+        assertThat(seen.getCenterY()).isCloseTo(6, within(1e-6));
+        assertThat(boxes.isStill()).isFalse();
+        assertThat(new MappedBoxes(RenderPlan.of(Studios.sphere()), MapAxis.ABOVE).isStill())
+                .isTrue();
     }
 }
