@@ -32,12 +32,12 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        25_400),
+                        25_520),
                 arguments("file, image", 4_450),
-                arguments("explain, lesson, measure, animation", 5_540),
-                arguments("io, app", 7_620),
+                arguments("explain, lesson, measure, animation", 5_570),
+                arguments("io, app", 7_700),
                 arguments("study", 4_830),
-                arguments("ui", 20_530));
+                arguments("ui", 20_600));
     }
 
     @ParameterizedTest

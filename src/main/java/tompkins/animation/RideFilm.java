@@ -2,7 +2,10 @@ package tompkins.animation;
 
 import java.util.ArrayList;
 import java.util.List;
+import tompkins.property.InvalidPropertyException;
 import tompkins.property.Require;
+import tompkins.studio.ChallengeProgress;
+import tompkins.studio.Ride;
 import tompkins.studio.RideLeg;
 import tompkins.studio.RideMoment;
 import tompkins.studio.Studio;
@@ -47,6 +50,39 @@ public final class RideFilm implements FrameSequence {
             moment = moment.after(leg, leg.properTime());
         }
         end = moment;
+    }
+
+    /**
+     * Checks that the legs of each ride of a studio meet its challenge, so that it can be met.
+     *
+     * @throws InvalidPropertyException if some do not; it names the ride
+     */
+    public static void requireChallenges(Studio studio) {
+        for (int i = 0; i < studio.rides().size(); i++) {
+            Ride ride = studio.rides().get(i);
+            ChallengeProgress progress = ChallengeProgress.start(ride);
+            if (!ride.challenge().isEmpty()) {
+                progress = new RideFilm(ride.start(studio), Animation.HIGHEST_FRAME_RATE).after(progress);
+                if (!progress.isMet()) {
+                    throw new InvalidPropertyException(
+                            "rides[" + i + "].legs",
+                            "a flight that meets the challenge of the ride",
+                            "one that misses goal " + (progress.reached() + 1) + " of "
+                                    + ride.challenge().size());
+                }
+            }
+        }
+    }
+
+    private ChallengeProgress after(ChallengeProgress start) {
+        ChallengeProgress progress = start;
+        RideMoment before = moment(0.0);
+        for (int frame = 1; frame < frames(); frame++) {
+            RideMoment now = moment(frame);
+            progress = progress.after(before, now);
+            before = now;
+        }
+        return progress;
     }
 
     /** How long it takes. */

@@ -87,8 +87,8 @@ final class AnimateCommand extends ProgramCommand {
             description = "value at the end, or in the middle of an animation there and back")
     private Double to;
 
-    @Option(names = "--ride", description = "take the ride that is recorded in the scene, instead of a number")
-    private boolean ride;
+    @Mixin
+    private RideOption ride;
 
     @Option(
             names = "--duration",
@@ -145,7 +145,7 @@ final class AnimateCommand extends ProgramCommand {
             return assemble();
         }
         Studio studio = options.read(scene, quality.assignments());
-        Recording recording = ride ? ofRide(studio) : ofNumber(studio);
+        Recording recording = ride.isGiven() ? ofRide(ride.start(studio, scene)) : ofNumber(studio);
         if (listed) {
             out().println(frames.choose(recording.film.frames()).frames().size());
             return 0;
@@ -167,6 +167,7 @@ final class AnimateCommand extends ProgramCommand {
     }
 
     private void requireWhatIsNeeded() {
+        scene = ride.scene(scene);
         if (assembled != null) {
             requireOnlyAssembly();
         } else if (scene == null) {
@@ -303,9 +304,6 @@ final class AnimateCommand extends ProgramCommand {
                 throw new MistakeException(
                         other + ": a ride has no number to animate; leave out this option or --ride");
             }
-        }
-        if (studio.ride().isEmpty()) {
-            throw new MistakeException("--ride: no ride is recorded in " + scene + "; the window records one");
         }
         double recorded = studio.ride().stream().mapToDouble(RideLeg::seconds).sum();
         RideFilm film =

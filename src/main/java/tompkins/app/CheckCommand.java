@@ -5,6 +5,7 @@ import java.util.List;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
+import tompkins.animation.RideFilm;
 import tompkins.explain.Explanation;
 import tompkins.file.FileException;
 import tompkins.image.PhotographFile;
@@ -47,7 +48,7 @@ final class CheckCommand extends ProgramCommand {
                         .warnings()
                         .forEach(warning -> err().println(scene + ": warning: " + warning));
                 StudioWriter.notes(studio).forEach(note -> err().println(scene + ": note: " + note));
-                requireLesson(studio);
+                requireWhatIsTaught(studio);
                 Photographer.info(studio, scene);
                 Photographer.requireMemory(studio.settings(), Quality.of(studio));
                 if (!scene.equals(StudioReader.PIPE)) {
@@ -65,9 +66,13 @@ final class CheckCommand extends ProgramCommand {
         return code;
     }
 
-    /** Refuses a lesson that does not fit its scene, or whose numbers are not those of its formulas. */
-    private void requireLesson(Studio studio) {
+    /**
+     * Refuses a lesson that does not fit its scene, or whose numbers are not those of its formulas, and challenges that
+     * their own flights do not meet.
+     */
+    private void requireWhatIsTaught(Studio studio) {
         try {
+            RideFilm.requireChallenges(studio);
             LessonStudio.of(studio).ifPresent(LessonStudio::requireAgreement);
         } catch (InvalidPropertyException wrong) {
             throw StudioReader.mistake(current, wrong);

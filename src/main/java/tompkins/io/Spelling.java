@@ -4,6 +4,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Predicate;
 
 /** Finds the word that may have been meant. */
 public final class Spelling {
@@ -33,18 +34,26 @@ public final class Spelling {
             }
         }
         return Optional.ofNullable(best)
-                .or(() -> onlyWordWith(word, known))
+                .or(() -> only(known, candidate -> isPart(word, candidate)))
+                .or(() -> only(known, candidate -> beginsLike(word, candidate)))
                 .map(meant -> "; did you mean \"" + meant + "\"?")
                 .orElse("");
     }
 
-    /** The known word of which a word is a part, if there is exactly one. */
-    private static Optional<String> onlyWordWith(String part, Collection<String> known) {
-        List<String> whole = known.stream()
-                .filter(candidate -> plain(part).length() >= SHORTEST_PART
-                        && plain(candidate).contains(plain(part)))
-                .toList();
-        return whole.size() == 1 ? Optional.of(whole.get(0)) : Optional.empty();
+    /** The known word that is like a word in some way, if there is exactly one. */
+    private static Optional<String> only(Collection<String> known, Predicate<String> isLike) {
+        List<String> like = known.stream().filter(isLike).toList();
+        return like.size() == 1 ? Optional.of(like.get(0)) : Optional.empty();
+    }
+
+    private static boolean isPart(String part, String candidate) {
+        return plain(part).length() >= SHORTEST_PART && plain(candidate).contains(plain(part));
+    }
+
+    /** Whether the first of several words written together is the same, as in angularVelocity and angularSpeed. */
+    private static boolean beginsLike(String word, String candidate) {
+        String first = word.split("(?=\\p{Lu})|[-_ ]", 2)[0];
+        return first.length() >= SHORTEST_PART && first.length() < word.length() && candidate.startsWith(first);
     }
 
     private static String plain(String word) {

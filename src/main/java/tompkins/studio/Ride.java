@@ -27,7 +27,11 @@ public record Ride(
         double lightSpeed,
 
         @Meaning("The ride, in legs that follow each other; empty if it is only steered by hand")
-        List<RideLeg> legs) {
+        List<RideLeg> legs,
+
+        @Meaning(
+                "What is to be reached, one after the other; the legs must show that it can be. Empty for no challenge")
+        List<RideGoal> challenge) {
 
     /** A ride by hand, from rest at the origin. */
     public static final Ride DEFAULT = new Ride("Ride", "", new Vector3d(), Velocity.REST, 1, List.of());
@@ -40,6 +44,13 @@ public record Ride(
         Velocity.required("velocity", velocity);
         Require.positive("lightSpeed", lightSpeed);
         legs = Require.list("legs", legs);
+        challenge = Require.list("challenge", challenge);
+    }
+
+    /** A ride without a challenge. */
+    public Ride(
+            String name, String task, Vector3dc position, Velocity velocity, double lightSpeed, List<RideLeg> legs) {
+        this(name, task, position, velocity, lightSpeed, legs, List.of());
     }
 
     /**

@@ -113,6 +113,35 @@ class AnimateCommandTest {
         assertThat(animate("again", "--ride", "--from", "0").err()).contains("--from: a ride has no number");
     }
 
+    /** Two seconds at a = 1 from (0, 0, 2), for two units of proper time; --ride before the scene is no name. */
+    @Test
+    void ridesAreTakenByName() throws IOException {
+        Files.writeString(scene, """
+                {
+                  "scene": [{ "type": "Sphere", "centre": [0, 0, 9], "radius": 1.5 }],
+                  "rides": [
+                    { "name": "By hand" },
+                    { "name": "Full thrust", "position": [0, 0, 2],
+                      "legs": [{ "seconds": 2, "properTime": 2, "acceleration": [0, 0, 1] }] }
+                  ],
+                  "settings": { "width": 32, "height": 24, "samples": 1 }
+                }
+                """);
+        assertThat(animate("frames", "--ride", "Full thrust").err()).isEmpty();
+        List<Studio> moments = moments("frames");
+        for (int i = 0; i < moments.size(); i++) {
+            Event lens = RenderPlan.of(moments.get(i)).lensInScene();
+            assertThat(lens.z()).isCloseTo(1 + Math.cosh(0.4 * i), within(1e-9));
+        }
+        String rides = "; its rides with legs are: Full thrust";
+        assertThat(animate("none", "--ride", "By hand").err()).contains("is steered by hand and has no legs" + rides);
+        assertThat(animate("none", "--ride", "full trust").err())
+                .contains("--ride must be the name of a ride in", "was \"full trust\"" + rides, "did you mean");
+        assertThat(animate("none", "--ride").err()).contains("no ride is recorded in", rides);
+        assertThat(ProgramRun.of("animate", "--ride", scene, "--list").err()).contains("no ride is recorded in");
+        assertThat(folder.resolve("none")).doesNotExist();
+    }
+
     @Test
     void missingRideOrEndsAreNamed() {
         assertThat(animate("none", "--ride").err()).contains("--ride: no ride is recorded in", "ball.json");

@@ -39,6 +39,27 @@ class CheckCommandTest {
         }
     }
 
+    /** At 0.6 c the way of 3 takes 5 in the scene and 4 on board. */
+    @Test
+    void challengesHaveToBeMetByTheirOwnFlights() throws IOException {
+        String ride = """
+                {"rides": [{"name": "there", "velocity": [0, 0, 0.6],
+                  "legs": [{"seconds": 1, "properTime": 4}],
+                  "challenge": [{"position": [0, 0, 1], "within": 0.1}, {"position": [0, 0, 3], "within": 0.1, "latest": %s}]}]}
+                """;
+        Path early = Files.writeString(folder.resolve("early.json"), ride.formatted("4.1"));
+        Path late = Files.writeString(folder.resolve("late.json"), ride.formatted("3.5"));
+
+        assertThat(ProgramRun.of("check", early).out()).contains(": no mistakes");
+        ProgramRun run = ProgramRun.of("check", late);
+        assertThat(run.code()).isEqualTo(Failures.MISTAKE);
+        assertThat(run.err())
+                .contains(
+                        "late.json:2:",
+                        "rides[0].legs: must be a flight that meets the challenge of the ride, was one"
+                                + " that misses goal 2 of 2");
+    }
+
     @Test
     void checkTellsOfAPictureThatIsCutThoughItsSceneIsSound() throws IOException {
         Path photograph = folder.resolve("photograph.png");

@@ -65,6 +65,7 @@ import tompkins.studio.Background;
 import tompkins.studio.PanoramaBackground;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Ride;
+import tompkins.studio.RideGoal;
 import tompkins.studio.RideLeg;
 import tompkins.studio.SkyBackground;
 import tompkins.studio.StarSky;
@@ -201,7 +202,19 @@ public final class RandomStudio {
     }
 
     private Ride ride() {
-        return new Ride("ride", "task", new Vector3d(size(), -size(), 0), velocity(), size(), several(2, this::leg));
+        return new Ride(
+                "ride",
+                "task",
+                new Vector3d(size(), -size(), 0),
+                velocity(),
+                size(),
+                several(2, this::leg),
+                several(2, this::goal));
+    }
+
+    private RideGoal goal() {
+        return new RideGoal(
+                new Vector3d(size(), 0, -size()), size(), 1 + random.nextDouble(), 2 + size(), size(), size());
     }
 
     private RideLeg leg() {

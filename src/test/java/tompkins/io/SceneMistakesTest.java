@@ -36,6 +36,14 @@ class SceneMistakesTest {
         return StudioReader.read(text, "f", folder);
     }
 
+    /** Neither is spelt like the key that is meant; the first begins with the same word. */
+    @Test
+    void aKeyIsKnownByItsFirstWord() {
+        String object = "{\"scene\": [{\"type\": \"Rotating\", \"%s\": 1}]}";
+        assertThat(messageOf(object.formatted("angularVelocity"))).endsWith("did you mean \"angularSpeed\"?");
+        assertThat(messageOf(object.formatted("turnsAround"))).endsWith("phaseDegrees, objects");
+    }
+
     private String messageOf(String text) {
         return catchThrowableOfType(MistakeException.class, () -> read(text)).getMessage();
     }

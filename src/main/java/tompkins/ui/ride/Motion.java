@@ -60,7 +60,7 @@ public final class Motion {
         canvas = window.view().canvas();
         pilot = new RidePilot(window.model(), window.status()::report);
         steering = new SteeringMouse(canvas, new CameraHand(window.model(), window.view(), pilot));
-        new RideKeys(canvas, pilot);
+        new RideKeys(canvas, pilot, steering::turn);
         canvas.addOverlay((g, picture, bounds, visible, free) -> paintLine(g, free));
         pilot.addListener(() -> captions.setRiding(pilot.isRiding()));
         pilot.addListener(canvas::repaint);
@@ -224,7 +224,11 @@ public final class Motion {
         RideMoment moment = pilot.moment();
         return moment == null || ride == null || !ride.isShown()
                 ? ""
-                : state() + Captions.of(moment, pilot.isRiding()) + rate();
+                : state() + Captions.of(moment, pilot.isRiding()) + rate() + news();
+    }
+
+    private String news() {
+        return pilot.task().news().isEmpty() ? "" : " \u00b7 " + pilot.task().news();
     }
 
     private String rate() {

@@ -46,11 +46,19 @@ final class RideKeys {
     private record Held(Vector3dc thrust, Timer ending) {}
 
     private final RidePilot pilot;
+    private final Turn turn;
     private final Map<Integer, Held> held = new HashMap<>();
 
+    /** What turns the view by steps to the right and up. */
+    interface Turn {
+
+        void by(int right, int up);
+    }
+
     /** Listens to the keys of a canvas. */
-    RideKeys(PictureCanvas canvas, RidePilot pilot) {
+    RideKeys(PictureCanvas canvas, RidePilot pilot, Turn turn) {
         this.pilot = pilot;
+        this.turn = turn;
         canvas.addKeyListener(new KeyAdapter() {
             @Override
             public void keyPressed(KeyEvent event) {
@@ -119,10 +127,10 @@ final class RideKeys {
                     letGo();
                     pilot.home();
                 }
-                case KeyEvent.VK_LEFT -> pilot.turn(-1, 0);
-                case KeyEvent.VK_RIGHT -> pilot.turn(1, 0);
-                case KeyEvent.VK_PAGE_UP -> pilot.turn(0, 1);
-                case KeyEvent.VK_PAGE_DOWN -> pilot.turn(0, -1);
+                case KeyEvent.VK_LEFT -> turn.by(-1, 0);
+                case KeyEvent.VK_RIGHT -> turn.by(1, 0);
+                case KeyEvent.VK_PAGE_UP -> turn.by(0, 1);
+                case KeyEvent.VK_PAGE_DOWN -> turn.by(0, -1);
                 default -> {
                     return;
                 }

@@ -192,7 +192,7 @@ public final class RidePanel extends Part {
         ride.setText(Texts.get(riding ? "ride.pause" : "ride.ride"));
         record.setSelected(pilot.isRecording());
         record.setText(Texts.get(pilot.isRecording() ? "ride.stopRecording" : "ride.record"));
-        task.setText(pilot.task());
+        task.setText((pilot.task().text() + "\n" + pilot.task().news()).strip());
         if (pilot.unitsPerSecond() != told) {
             light.show(pilot.unitsPerSecond());
             setUnits(pilot.unitsPerSecond());

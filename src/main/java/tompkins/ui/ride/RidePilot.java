@@ -8,10 +8,7 @@ import javax.swing.Timer;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.animation.RideFilm;
-import tompkins.camera.Aim;
-import tompkins.camera.Camera;
 import tompkins.property.InvalidPropertyException;
-import tompkins.studio.FrontWindow;
 import tompkins.studio.Ride;
 import tompkins.studio.RideMoment;
 import tompkins.studio.RideRecorder;
@@ -35,9 +32,6 @@ public final class RidePilot {
     /** The rapidity that thrust gives in a second on board, however slow light is there. */
     private static final double RAPIDITY_PER_SECOND = 0.5;
 
-    /** Share of the field of view by which a step turns. */
-    private static final double TURN = 0.03;
-
     private final StudioModel model;
     private final Consumer<String> teller;
     private final List<Runnable> listeners = new ArrayList<>();
@@ -51,7 +45,7 @@ public final class RidePilot {
     /** Where the ride began that is flown; null before the first. */
     private Studio start;
 
-    private String task = "";
+    private final RideTask task = new RideTask();
 
     private RideMoment moment;
     private RideRecorder recorder;
@@ -105,7 +99,7 @@ public final class RidePilot {
 
     /** The present moment of the ride, which may be paused; null if the camera has been moved elsewhere since. */
     public RideMoment moment() {
-        return moment != null && moment.studio() == model.studio() ? moment : null;
+        return moment != null && moment.studio().equals(model.studio()) ? moment : null;
     }
 
     /**
@@ -140,15 +134,8 @@ public final class RidePilot {
         braking = true;
     }
 
-    /** Turns the view, by steps to the right and up. */
-    void turn(int right, int up) {
-        Camera camera = model.studio().camera();
-        double angle = TURN * Math.toRadians(camera.horizontalAngleDegrees());
-        model.look(FrontWindow.held(model.studio(), new Aim(right * angle, up * angle).turn(camera)), gesture);
-    }
-
-    /** What to try on the ride; empty if nothing is said. */
-    String task() {
+    /** What to try on the ride. */
+    RideTask task() {
         return task;
     }
 
@@ -160,6 +147,8 @@ public final class RidePilot {
             stopThrust();
             film = null;
             moment = RideMoment.start(model.studio().withCamera(start.camera()).withVelocity(start.velocity()));
+            task.restart(true);
+            tell();
             model.look(moment.studio(), gesture);
         }
     }
@@ -209,7 +198,7 @@ public final class RidePilot {
                 attempt(() -> goToStart(rides.get(0)));
             }
             if (moment() == null) {
-                task = "";
+                task.clear();
                 startFrom(model.studio());
             }
         }
@@ -240,7 +229,7 @@ public final class RidePilot {
         unitsPerSecond = ride.lightSpeed();
         startFrom(ride.start(model.studio()));
         model.look(moment.studio(), gesture);
-        task = ride.task();
+        task.begin(ride);
     }
 
     /** Rides from the start of a ride of the scene. */
@@ -268,6 +257,7 @@ public final class RidePilot {
         film = null;
         setRiding(true);
         moment = RideMoment.start(model.studio());
+        task.restart(true);
         recorder = new RideRecorder(model.studio());
         tell();
     }
@@ -313,6 +303,7 @@ public final class RidePilot {
             replayed = beginning;
             filmTime = 0;
             moment = film.moment(0.0);
+            task.restart(beginning == start);
             model.look(moment.studio(), gesture);
             lastTick = System.nanoTime();
             timer.start();
@@ -330,16 +321,21 @@ public final class RidePilot {
         }
         attempt(() -> {
             if (film != null) {
-                show(seconds);
+                filmTime += seconds;
+                go(film.moment(filmTime));
             } else {
                 ride(seconds);
+            }
+            model.flow(moment.studio(), gesture);
+            if (film != null && filmTime >= film.seconds()) {
+                setRiding(false);
             }
         });
     }
 
     /** Takes changes by others: another view or other lights are part of the ride, another place is not; false then. */
     private boolean follow(Studio studio) {
-        if (studio == moment.studio()) {
+        if (studio.equals(moment.studio())) {
             return true;
         }
         if (film != null || !moment.isOf(studio)) {
@@ -347,15 +343,6 @@ public final class RidePilot {
         }
         moment = moment.with(studio);
         return true;
-    }
-
-    private void show(double seconds) {
-        filmTime += seconds;
-        moment = film.moment(filmTime);
-        model.flow(moment.studio(), gesture);
-        if (filmTime >= film.seconds()) {
-            setRiding(false);
-        }
     }
 
     private void ride(double seconds) {
@@ -370,7 +357,6 @@ public final class RidePilot {
             double length = wish.length();
             step(wish.mul(length > 1 ? strength / length : strength, new Vector3d()), properTime);
         }
-        model.flow(moment.studio(), gesture);
     }
 
     private void step(Vector3dc thrust, double properTime) {
@@ -381,7 +367,16 @@ public final class RidePilot {
         if (recorder != null) {
             recorder.add(moment.studio(), thrust, properTime, properTime / unitsPerSecond, next.studio());
         }
+        go(next);
+    }
+
+    private void go(RideMoment next) {
+        boolean hasNews = task.follow(moment, next);
         moment = next;
+        if (hasNews) {
+            teller.accept(task.news());
+            tell();
+        }
     }
 
     /** A camera that gets too fast, or too far away, ends the ride. */

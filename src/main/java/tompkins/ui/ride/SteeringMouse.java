@@ -53,17 +53,11 @@ final class SteeringMouse extends MouseAdapter {
         key(KeyStroke.getKeyStroke(KeyEvent.VK_C, 0), () -> steering.centre(pointed()));
     }
 
-    /** What an arrow key does. */
-    private interface Arrow {
-
-        void press(int right, int up);
-    }
-
-    private void arrows(String modifiers, Arrow arrow) {
-        key(KeyStroke.getKeyStroke(modifiers + " LEFT"), () -> arrow.press(-1, 0));
-        key(KeyStroke.getKeyStroke(modifiers + " RIGHT"), () -> arrow.press(1, 0));
-        key(KeyStroke.getKeyStroke(modifiers + " UP"), () -> arrow.press(0, 1));
-        key(KeyStroke.getKeyStroke(modifiers + " DOWN"), () -> arrow.press(0, -1));
+    private void arrows(String modifiers, RideKeys.Turn arrow) {
+        key(KeyStroke.getKeyStroke(modifiers + " LEFT"), () -> arrow.by(-1, 0));
+        key(KeyStroke.getKeyStroke(modifiers + " RIGHT"), () -> arrow.by(1, 0));
+        key(KeyStroke.getKeyStroke(modifiers + " UP"), () -> arrow.by(0, 1));
+        key(KeyStroke.getKeyStroke(modifiers + " DOWN"), () -> arrow.by(0, -1));
     }
 
     private void key(KeyStroke key, Runnable action) {
@@ -109,6 +103,12 @@ final class SteeringMouse extends MouseAdapter {
                 (point.y + 0.5 - bounds.y) / bounds.height * height,
                 width,
                 height);
+    }
+
+    /** Turns the camera by steps to the right and up. */
+    void turn(int right, int up) {
+        begin(RideKeys.class);
+        steering.turn(right, up);
     }
 
     /** Turns the camera to what is at a place of the picture. */

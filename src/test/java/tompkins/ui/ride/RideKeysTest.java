@@ -37,7 +37,7 @@ class RideKeysTest {
         Look.LIGHT.install();
         WindowDriver.onEventThread(() -> {
             canvas = new PictureCanvas(room -> {});
-            new RideKeys(canvas, pilot);
+            new RideKeys(canvas, pilot, (right, up) -> {});
             pilot.setRiding(true);
         });
     }

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.AfterEach;
@@ -18,6 +20,7 @@ import tompkins.render.Renderer;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.LensEvent;
 import tompkins.studio.Ride;
+import tompkins.studio.RideGoal;
 import tompkins.studio.RideLeg;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
@@ -59,7 +62,7 @@ class RidePilotTest {
             pilot.setRiding(true);
             assertThat(model.studio().velocity()).isEqualTo(Velocity.REST);
             assertThat(lens().distance(0, 0, -4)).isLessThan(1e-12);
-            assertThat(pilot.task()).isEqualTo("Hold W.");
+            assertThat(pilot.task().text()).isEqualTo("Hold W.");
             assertThat(pilot.unitsPerSecond()).isEqualTo(2);
             assertThat(pilot.beginning()).as("of the recorded ride").isEqualTo(photograph);
             pilot.setRiding(false);
@@ -75,7 +78,7 @@ class RidePilotTest {
             assertThat(pilot.isRiding()).isTrue();
             assertThat(model.studio().velocity().speed()).isCloseTo(0.6, within(1e-15));
             assertThat(lens().distance(0, 5, 0)).isLessThan(1e-9);
-            assertThat(pilot.task()).isEqualTo("Look down.");
+            assertThat(pilot.task().text()).isEqualTo("Look down.");
         });
     }
 
@@ -86,7 +89,7 @@ class RidePilotTest {
             model.set(photograph.withCamera(CameraMotion.shifted(photograph.camera(), new Vector3d(1, 0, 0))));
             pilot.setRiding(true);
             assertThat(model.studio().velocity()).isEqualTo(photograph.velocity());
-            assertThat(pilot.task()).isEmpty();
+            assertThat(pilot.task().text()).isEmpty();
         });
     }
 
@@ -103,6 +106,35 @@ class RidePilotTest {
             assertThat(model.studio().velocity().speed()).isCloseTo(0.6, within(1e-15));
             assertThat(pilot.moment().properTime()).isZero();
         });
+    }
+
+    /**
+     * Also if it is replayed where it begins. The lens passes 0.24 at the time 0.4 of the scene, which is 1.25 times
+     * that on board.
+     */
+    @Test
+    void aMetChallengeIsToldWithBothClocks() {
+        RideGoal half = new RideGoal(new Vector3d(0, 0, 0.25), 0.01, 1, 2, 1, 0);
+        Ride ride = new Ride(
+                "there",
+                "Fly.",
+                new Vector3d(),
+                Velocity.of(0, 0, 0.6),
+                1,
+                List.of(new RideLeg(0.5, 0.75, new Vector3d(), 0, 0, 1)),
+                List.of(half));
+        onEventThread(() -> {
+            pilot.begin(ride);
+            pilot.replay();
+        });
+        WindowDriver.await("the end", () -> !pilot.isRiding());
+        Matcher clocks = Pattern.compile("Challenge met: (\\S+) on board, (\\S+) in the scene")
+                .matcher(WindowDriver.onEventThread(() -> String.join("\n", told)));
+        assertThat(clocks.find()).as("%s", told).isTrue();
+        double aboard = Double.parseDouble(clocks.group(1));
+        double scene = Double.parseDouble(clocks.group(2));
+        assertThat(aboard).isBetween(0.31, 0.75);
+        assertThat(scene / aboard).isCloseTo(1.25, within(0.01));
     }
 
     @Test

@@ -1,0 +1,67 @@
+package tompkins.app;
+
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.List;
+import picocli.CommandLine.Option;
+import tompkins.io.Spelling;
+import tompkins.property.MistakeException;
+import tompkins.studio.Ride;
+import tompkins.studio.Studio;
+
+/** The ride that is filmed: the one that is recorded in a scene, or one of its rides by name. */
+final class RideOption {
+
+    @Option(
+            names = "--ride",
+            arity = "0..1",
+            fallbackValue = "",
+            paramLabel = "NAME",
+            description =
+                    "take the ride that is recorded in the scene, or one of its rides by name, instead of a number")
+    private String name;
+
+    /** Whether a ride is wanted. */
+    boolean isGiven() {
+        return name != null;
+    }
+
+    /** The scene; if none was given, what follows the option is not the name of a ride, but the scene. */
+    Path scene(Path given) {
+        if (given != null || name == null || name.isEmpty()) {
+            return given;
+        }
+        try {
+            Path scene = NamedFile.of(name);
+            name = "";
+            return scene;
+        } catch (InvalidPathException noPath) {
+            throw new MistakeException(NamedFile.mistake(noPath));
+        }
+    }
+
+    /** The studio in which the ride begins. */
+    Studio start(Studio studio, Path scene) {
+        List<String> names = studio.rides().stream()
+                .filter(ride -> !ride.legs().isEmpty())
+                .map(Ride::name)
+                .toList();
+        String others = names.isEmpty() ? "" : "; its rides with legs are: " + String.join(", ", names);
+        if (name.isEmpty()) {
+            if (studio.ride().isEmpty()) {
+                throw new MistakeException(
+                        "--ride: no ride is recorded in " + scene + "; the window records one" + others);
+            }
+            return studio;
+        }
+        Ride named = studio.rides().stream()
+                .filter(ride -> ride.name().equals(name))
+                .findFirst()
+                .orElseThrow(() -> new MistakeException("--ride must be the name of a ride in " + scene + ", was \""
+                        + name + "\"" + others + Spelling.hint(name, names)));
+        if (named.legs().isEmpty()) {
+            throw new MistakeException("--ride: \"" + name + "\" is steered by hand and has no legs" + others);
+        }
+        return MistakeException.inOption("--ride", () -> named.start(studio));
+    }
+}
