@@ -37,7 +37,7 @@ class RoomSizeTest {
                 arguments("explain, lesson, measure, animation", 5_570),
                 arguments("io, app", 7_700),
                 arguments("study", 4_830),
-                arguments("ui", 20_600));
+                arguments("ui", 20_640));
     }
 
     @ParameterizedTest

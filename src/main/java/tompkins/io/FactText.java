@@ -126,11 +126,15 @@ public enum FactText {
         return this == SIGNS ? fact.name().replace("^2", "\u00b2").replace(" - ", " \u2212 ") : fact.name();
     }
 
+    /** What follows a number in a unit, which may be empty. */
+    public String unit(String unit) {
+        return unit.isEmpty() ? "" : units.getOrDefault(unit, " " + unit);
+    }
+
     /** The value of a fact, in one line; of a group, its first fact stands without its name. */
     public String value(Fact fact) {
         if (fact instanceof Quantity quantity) {
-            String unit = quantity.unit().isEmpty() ? "" : units.getOrDefault(quantity.unit(), " " + quantity.unit());
-            return number(quantity) + unit;
+            return number(quantity) + unit(quantity.unit());
         }
         if (fact instanceof Fact.Vector vector) {
             return vector.values().stream().map(this::number).collect(Collectors.joining(", ", "(", ")"));

@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Container;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -100,7 +101,7 @@ class SaveDialogTest {
 
     /** As the scene says, or some times as large as on the screen. */
     @Test
-    void theSizeOfAPhotographIsAsked() throws IOException {
+    void sizeAndQualityOfAPhotographAreAsked() throws IOException {
         driver.menu("menu.savePhotograph");
         driver.chooser();
         JTextField width = driver.find(JTextField.class, "Width");
@@ -113,9 +114,19 @@ class SaveDialogTest {
             assertThat(width.getText()).as("before " + typed).isEqualTo("" + 2 * onScreen);
             Components.enter(driver.window().frame(), "Width", typed);
         }
+        Container chooser = driver.chooser();
+        WindowDriver.onEventThread(() -> {
+            Components.enter(chooser, "Target error", "0.01");
+            Components.enter(chooser, "Samples", "3");
+            assertThat(Components.find(chooser, JTextField.class, "Target error")
+                            .getText())
+                    .as("samples stand for themselves")
+                    .isEqualTo("0");
+        });
         Path png = folder.resolve("small.png");
         driver.choose(png);
         awaitSaved(png);
+        assertThat(StudioReader.read(png).settings().samples()).isEqualTo(3);
         BufferedImage saved = ImageIO.read(png.toFile());
         assertThat(saved.getWidth()).isEqualTo(96);
         assertThat(saved.getHeight()).isEqualTo(72);

@@ -113,7 +113,7 @@ class WindowTest {
         Velocity before = driver.studio().velocity();
         Point middle = driver.centre(slider);
         int left = WindowDriver.onEventThread(() -> slider.getLocationOnScreen().x);
-        double share = before.rapidity() / 6;
+        double share = 0.8 * before.rapidity() / 3;
         int knob = left + 8 + (int) (share * (slider.getWidth() - 16));
         driver.drag(new Point(knob, middle.y), new Point(left - 20, middle.y), 30);
         assertThat(driver.studio().velocity().isRest())

@@ -2,7 +2,6 @@ package tompkins.ui.animate;
 
 import java.util.function.IntUnaryOperator;
 import javax.swing.BorderFactory;
-import javax.swing.JLabel;
 import tompkins.animation.Animation;
 import tompkins.property.Require;
 import tompkins.studio.RenderSettings;
@@ -37,10 +36,7 @@ final class AnimationOptions extends Part {
         this.frames = frames;
         size = new PictureSize(studio, refused, this::update);
         panel.setBorder(BorderFactory.createEmptyBorder(0, 12, 0, 0));
-        JLabel label = new JLabel(Texts.get("export.frameRate"));
-        label.setLabelFor(rate.field());
-        panel.add(label);
-        panel.add(rate.field());
+        Rows.add(panel, Texts.get("export.frameRate"), rate.field(), "");
         size.addTo(panel);
         panel.add(count.component(), "span, growx, w 160");
         panel.add(refused.component(), "span, growx, w 160");

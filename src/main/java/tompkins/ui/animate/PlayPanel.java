@@ -126,17 +126,10 @@ public final class PlayPanel extends Part {
     private JComponent valuesRow() {
         JPanel row =
                 new JPanel(new MigLayout("novisualpadding, insets 0, gap 6", "[][50:pref]12[][50:pref]12[][50:pref]"));
-        addField(row, "play.from", fromField);
-        addField(row, "play.to", toField);
-        addField(row, "play.seconds", secondsField);
+        Rows.add(row, Texts.get("play.from"), fromField.field(), "growx, wmin 50");
+        Rows.add(row, Texts.get("play.to"), toField.field(), "growx, wmin 50");
+        Rows.add(row, Texts.get("play.seconds"), secondsField.field(), "growx, wmin 50");
         return row;
-    }
-
-    private static void addField(JPanel row, String key, NumberField field) {
-        JLabel label = new JLabel(Texts.get(key));
-        label.setLabelFor(field.field());
-        row.add(label);
-        row.add(field.field(), "growx, wmin 50");
     }
 
     private NumberField field(String key, DoubleConsumer commit) {

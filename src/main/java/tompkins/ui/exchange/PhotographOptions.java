@@ -2,17 +2,25 @@ package tompkins.ui.exchange;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import java.util.List;
+import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JPanel;
+import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
+import tompkins.ui.widget.NumberField;
+import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Wording;
 
-/** Asks how large a photograph should be: as the scene says, or some times as large as it is on the screen. */
+/**
+ * Asks how large a photograph should be, as the scene says or some times as large as it is on the screen, and how good:
+ * the samples of each pixel, or the error until which they are taken.
+ */
 final class PhotographOptions extends Part {
 
     /** Stands for the size of the scene. */
@@ -20,6 +28,9 @@ final class PhotographOptions extends Part {
 
     private final Note refused = Note.ofLines(3);
     private final PictureSize size;
+    private final NumberField samples;
+    private final NumberField error;
+    private RenderSettings quality;
 
     /** Proposes the size of a studio, whose picture has a width on the screen. */
     PhotographOptions(Studio studio, int screenWidth) {
@@ -32,7 +43,25 @@ final class PhotographOptions extends Part {
                 times -> row.add(button(times, times == OWN ? studio.settings().width() : times * screenWidth)));
         panel.add(row, "span, growx");
         size.addTo(panel);
+        quality = studio.settings();
+        samples = field(NumberKind.INT, "samples", number -> show(quality.withSamples(number.intValue())));
+        error = field(NumberKind.DOUBLE, "targetError", number -> show(quality.withTargetError(number.doubleValue())));
+        show(quality);
         panel.add(refused.component(), "span, growx, w 160");
+    }
+
+    private NumberField field(NumberKind kind, String property, Consumer<Number> taker) {
+        String name = Wording.label(property);
+        String meaning = Wording.meaning(RenderSettings.class, property);
+        NumberField field = new NumberField(kind, property, name, meaning, refused, taker);
+        Rows.add(panel, name, field.field(), "");
+        return field;
+    }
+
+    private void show(RenderSettings other) {
+        quality = other;
+        samples.show(other.samples());
+        error.show(other.targetError());
     }
 
     /** Proposes a width, also once more after another one was typed. */
@@ -45,8 +74,9 @@ final class PhotographOptions extends Part {
         return button;
     }
 
-    /** The studio with the size that was asked for. */
+    /** The studio with the size and the quality that were asked for. */
     Studio studio() {
-        return size.studio();
+        RenderSettings sized = size.studio().settings();
+        return size.studio().withSettings(quality.withSize(sized.width(), sized.height()));
     }
 }

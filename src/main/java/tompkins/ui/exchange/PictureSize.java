@@ -1,7 +1,6 @@
 package tompkins.ui.exchange;
 
 import java.util.function.IntConsumer;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import tompkins.property.Require;
 import tompkins.studio.RenderSettings;
@@ -9,6 +8,7 @@ import tompkins.studio.Studio;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberField;
 import tompkins.ui.widget.NumberKind;
+import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 
 /** Asks for the size of pictures, which keep their proportions. */
@@ -50,15 +50,8 @@ public final class PictureSize {
 
     /** Adds its fields to rows of two columns, each with its label. */
     public void addTo(JPanel rows) {
-        add(rows, "width", width);
-        add(rows, "height", height);
-    }
-
-    private static void add(JPanel rows, String key, NumberField field) {
-        JLabel label = new JLabel(Texts.get("export." + key));
-        label.setLabelFor(field.field());
-        rows.add(label);
-        rows.add(field.field());
+        Rows.add(rows, Texts.get("export.width"), width.field(), "");
+        Rows.add(rows, Texts.get("export.height"), height.field(), "");
     }
 
     /**

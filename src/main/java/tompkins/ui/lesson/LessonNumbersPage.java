@@ -36,7 +36,7 @@ final class LessonNumbersPage extends Part {
             LessonNumber number = result.number();
             addWrapped(number.name());
             addWrapped(readable(number.formula()));
-            add(NumberText.of(number.value()), "");
+            add(NumberText.of(number.value()) + FactText.SIGNS.unit(number.unit()), "");
             add(FactText.SIGNS.value(result.told()), "font: $large.font");
         }
         boolean agree = results.stream().allMatch(LessonResult::agrees);

@@ -79,7 +79,7 @@ public final class ShutterPanel extends Part {
                 size::times);
         new NumberRow(model, time, NumberKind.DOUBLE, note).addTo(timeRow);
         timing = new ShutterTimingPanel(model, size);
-        timing.exposure(note).addTo(timeRow);
+        timing.addTo(timeRow, note);
         details.add(timing.component(), "wmin 0");
         details.add(parameters.component(), "wmin 0");
         details.add(new MessageRoom(1, refused).component(), "wmin 0");

@@ -58,10 +58,6 @@ final class ShutterTimingPanel extends Part {
                 updating.unless(() -> model.set(with(camera().withRollingShutter(new RollingShutter(
                         (SweepDirection) directions.getSelectedItem(), rolling().sweep()))))));
         sweep.addTo(controls);
-        JLabel rolls = new JLabel(Texts.get("shutter.rolls"));
-        rolls.setLabelFor(directions);
-        controls.add(rolls);
-        controls.add(directions, "span 2, growx, wmin 0");
         panel.add(controls, "wmin 0, hidemode 0");
         panel.add(new MessageRoom(2, refused, hidden).component(), "wmin 0");
     }
@@ -76,14 +72,13 @@ final class ShutterTimingPanel extends Part {
         };
     }
 
-    /**
-     * The row for the exposure time, to be put beside the opening time; {@code problems} says what is wrong with it.
-     */
-    NumberRow exposure(Note problems) {
+    /** Adds exposure time and rolling direction to rows of the opening time, for which {@code problems} are told. */
+    void addTo(JPanel rows, Note problems) {
         NumberRow exposure =
                 row(problems, "exposureTime", "shutter.exposureTip", Camera::exposureTime, Camera::withExposureTime);
         exposure.setIcon(TimingIcon.exposure());
-        return exposure;
+        exposure.addTo(rows);
+        Rows.add(rows, Texts.get("shutter.rolls"), directions, "span 2, growx, wmin 0");
     }
 
     private NumberRow row(

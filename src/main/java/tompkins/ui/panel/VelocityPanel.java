@@ -31,8 +31,10 @@ import tompkins.ui.widget.VectorFields;
 /** How fast the camera moves, and in which direction. */
 public final class VelocityPanel extends Part {
 
-    /** The speeds of the slider, as rapidities: from rest to gamma 202. */
-    private static final Range RAPIDITIES = Range.even(0, 6);
+    /**
+     * The speeds of the slider, as rapidities: from rest to gamma 10, where most is seen to change, and to gamma 202.
+     */
+    private static final Range RAPIDITIES = Range.bent(0, 3, 6);
 
     private final StudioModel model;
     private final Note note = new Note("");

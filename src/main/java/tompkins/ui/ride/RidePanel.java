@@ -21,6 +21,7 @@ import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Range;
+import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.ValueSlider;
 
@@ -82,15 +83,10 @@ public final class RidePanel extends Part {
         });
         replay = Buttons.of("ride.replay", pilot::replay);
         export = Buttons.of("ride.export", () -> export(exporter));
-        JLabel lightLabel = new JLabel(Texts.get("ride.light"));
-        lightLabel.setLabelFor(light.slider());
-        JLabel keyboardLabel = new JLabel(Texts.get("ride.keyboard"));
-        keyboardLabel.setLabelFor(keyboard);
         offerKeyboards(settings);
         offerRides(model, flown);
         panel.add(ride);
-        panel.add(lightLabel);
-        panel.add(light.slider(), "wmin 60");
+        Rows.add(panel, Texts.get("ride.light"), light.slider(), "wmin 60");
         panel.add(units, "wrap");
         // in a row of their own, for a narrow window
         panel.add(record, "span, split 4");
@@ -98,9 +94,10 @@ public final class RidePanel extends Part {
         panel.add(export);
         panel.add(rides, "gapleft push, wmin 0");
         panel.add(LawPanel.quickColours(model), "newline, span, wrap");
-        panel.add(LawPanel.quickView(model), "span, split 3");
-        panel.add(keyboardLabel, "gapleft push");
-        panel.add(keyboard, "wmin 0, wrap");
+        panel.add(LawPanel.quickView(model), "span, split 2");
+        JPanel letters = Rows.of("gap 6", "push[][]");
+        Rows.add(letters, Texts.get("ride.keyboard"), keyboard, "wmin 0");
+        panel.add(letters, "growx, wmin 0, wrap");
         panel.add(task.component(), "span, growx, wmin 0");
         panel.add(keys.component(), "span, growx, wmin 0");
         panel.add(note.component(), "span, growx, wmin 0");

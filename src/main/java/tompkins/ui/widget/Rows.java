@@ -1,5 +1,7 @@
 package tompkins.ui.widget;
 
+import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 
@@ -16,6 +18,14 @@ public final class Rows {
     /** A panel of one column. */
     public static JPanel column() {
         return of("wrap 1, hidemode 3, gap 6 5", "[grow,fill]");
+    }
+
+    /** Adds a component with its name before it; the last argument says where, as MigLayout writes it. */
+    public static void add(JPanel rows, String name, JComponent component, String place) {
+        JLabel label = new JLabel(name);
+        label.setLabelFor(component);
+        rows.add(label);
+        rows.add(component, place);
     }
 
     /**

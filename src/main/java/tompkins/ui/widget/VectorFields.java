@@ -58,10 +58,7 @@ public final class VectorFields {
     /** Adds the fields one under the other, each after its name. */
     public void addInColumn(JPanel panel) {
         for (int axis = 0; axis < fields.size(); axis++) {
-            JLabel label = new JLabel(names.get(axis));
-            label.setLabelFor(fields.get(axis).field());
-            panel.add(label);
-            panel.add(fields.get(axis).field(), "wmin 40");
+            Rows.add(panel, names.get(axis), fields.get(axis).field(), "wmin 40");
         }
     }
 

@@ -113,7 +113,8 @@ class NumbersTest {
 
     @Test
     void slidersReachTheirEndsAndComeBack() {
-        for (Range range : new Range[] {Range.even(-20, 20), new Range(0, 0.5, 2), new Range(1, 256, 4)}) {
+        for (Range range :
+                new Range[] {Range.even(-20, 20), new Range(0, 0.5, 2), new Range(1, 256, 4), Range.bent(0, 3, 6)}) {
             assertThat(range.value(0)).isEqualTo(range.minimum());
             assertThat(range.value(1)).isEqualTo(range.maximum());
             for (double place = 0; place <= 1; place += 0.125) {
@@ -121,5 +122,7 @@ class NumbersTest {
             }
             assertThat(range.place(range.maximum() * 7)).isEqualTo(1);
         }
+        assertThat(Range.bent(0, 3, 6).value(0.4)).isEqualTo(1.5);
+        assertThat(Range.bent(0, 3, 6).value(0.9)).isEqualTo(4.5);
     }
 }
