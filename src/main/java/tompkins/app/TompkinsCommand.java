@@ -42,6 +42,7 @@ final class TompkinsCommand extends ProgramCommand {
         COMMANDS.put("explain", ExplainCommand.class);
         COMMANDS.put("trace", TraceCommand.class);
         COMMANDS.put("measure", MeasureCommand.class);
+        COMMANDS.put("sheet", SheetCommand.class);
         COMMANDS.put("study", StudyCommand.class);
     }
 

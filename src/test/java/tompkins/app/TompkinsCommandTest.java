@@ -31,7 +31,7 @@ class TompkinsCommandTest {
         assertThat(run.err().lines()).hasSize(1);
         assertThat(run.err())
                 .startsWith("rendr: ")
-                .contains("command", "render, animate, check, explain, trace, measure, study");
+                .contains("command", "render, animate, check, explain, trace, measure, sheet, study");
     }
 
     @ParameterizedTest
@@ -39,18 +39,18 @@ class TompkinsCommandTest {
             delimiter = '|',
             value = {
                 "rendr | rendr: there is neither a file nor a command of this name; the commands are render, "
-                        + "animate, check, explain, trace, measure, study, help; did you mean \"render\"?",
-                "foo | the commands are render, animate, check, explain, trace, measure, study",
+                        + "animate, check, explain, trace, measure, sheet, study, help; did you mean \"render\"?",
+                "foo | the commands are render, animate, check, explain, trace, measure, sheet, study",
                 "foo bar | foo: there is neither a file nor a command of this name; the commands are",
                 "rendr --size 4x4 scenes/fig1b.json | rendr: there is neither a file nor a command of this name",
-                "--size 4x4 scenes/fig1b.json | --size is an option of render, animate, explain, trace, measure; write the command before it",
+                "--size 4x4 scenes/fig1b.json | --size is an option of render, animate, explain, trace, measure, sheet; write the command before it",
                 "scenes/fig1b.json --beta=0,0,0 | --beta is an option of render, animate, explain, trace",
                 "README.md more words | tompkins: too many arguments: more words",
                 "-x | tompkins: unknown option -x",
                 "render --foo | tompkins render: unknown option --foo",
                 "trace --pxel=3,3 | tompkins trace: unknown option --pxel; did you mean \"--pixel\"?",
                 "help rendr | tompkins: rendr: there is no command of this name; the commands are render, "
-                        + "animate, check, explain, trace, measure, study, help; did you mean \"render\"?",
+                        + "animate, check, explain, trace, measure, sheet, study, help; did you mean \"render\"?",
                 "study tree a b | tompkins study: too many arguments: b"
             })
     void wordsThatMeanNothingAreNamedWithWhatThereIs(String line, String said) {
@@ -117,7 +117,7 @@ class TompkinsCommandTest {
 
     /** A command that is called is the only one that the program makes ready; the help makes all of them ready. */
     @ParameterizedTest
-    @ValueSource(strings = {"render", "check", "explain", "trace", "measure", "study"})
+    @ValueSource(strings = {"render", "check", "explain", "trace", "measure", "sheet", "study"})
     void aCommandIsTheSameAloneAndAmongTheOthers(String command) {
         ProgramRun amongOthers = ProgramRun.of("help", command);
 
@@ -136,7 +136,7 @@ class TompkinsCommandTest {
 
     /** Labels of values are in capital letters; those that the library makes of names in the code are not. */
     @ParameterizedTest
-    @ValueSource(strings = {"render", "check", "explain", "trace", "measure", "study"})
+    @ValueSource(strings = {"render", "check", "explain", "trace", "measure", "sheet", "study"})
     void everyValueHasALabel(String command) {
         assertThat(ProgramRun.of("help", command).out())
                 .startsWith("Usage: tompkins")
