@@ -116,6 +116,10 @@ class SaveDialogTest {
         }
         Container chooser = driver.chooser();
         WindowDriver.onEventThread(() -> {
+            Components.enter(chooser, "Width", "1e308");
+            assertThat(Components.notes(chooser))
+                    .anyMatch(text -> text.contains("a whole number from 1 to 65535, was 1e308"));
+            Components.enter(chooser, "Width", "96");
             Components.enter(chooser, "Target error", "0.01");
             Components.enter(chooser, "Samples", "3");
             assertThat(Components.find(chooser, JTextField.class, "Target error")

@@ -3,13 +3,11 @@ package tompkins.ui.animate;
 import java.util.function.IntUnaryOperator;
 import javax.swing.BorderFactory;
 import tompkins.animation.Animation;
-import tompkins.property.Require;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.ui.exchange.PictureSize;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberField;
-import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
@@ -19,13 +17,14 @@ final class AnimationOptions extends Part {
 
     private final Note refused = Note.ofLines(3);
     private final Note count = Note.ofLines(2);
-    private final NumberField rate = new NumberField(
-            NumberKind.INT,
+    private final NumberField rate = NumberField.within(
             "frameRate",
+            1,
+            Animation.HIGHEST_FRAME_RATE,
             Texts.get("export.frameRate"),
             Texts.get("export.frameRateTip"),
             refused,
-            number -> setRate(number.intValue()));
+            this::setRate);
     private final PictureSize size;
     private final IntUnaryOperator frames;
     private int frameRate = Animation.FRAME_RATE;
@@ -44,7 +43,7 @@ final class AnimationOptions extends Part {
     }
 
     private void setRate(int picturesASecond) {
-        frameRate = Require.within("frameRate", picturesASecond, 1, Animation.HIGHEST_FRAME_RATE);
+        frameRate = picturesASecond;
         update();
     }
 

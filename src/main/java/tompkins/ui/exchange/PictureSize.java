@@ -7,7 +7,6 @@ import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberField;
-import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 
@@ -39,13 +38,8 @@ public final class PictureSize {
 
     private NumberField field(String key, IntConsumer taker) {
         String name = Texts.get("export." + key);
-        return new NumberField(
-                NumberKind.INT,
-                key,
-                name,
-                Texts.get("export." + key + "Tip"),
-                refused,
-                number -> taker.accept(number.intValue()));
+        return NumberField.within(
+                key, 1, RenderSettings.LONGEST_SIDE, name, Texts.get("export." + key + "Tip"), refused, taker);
     }
 
     /** Adds its fields to rows of two columns, each with its label. */

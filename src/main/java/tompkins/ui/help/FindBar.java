@@ -40,8 +40,6 @@ final class FindBar extends Part {
     FindBar(JTextComponent text) {
         super(Rows.of("gap 6", "push[]14[][][][]"));
         this.text = text;
-        JLabel label = new JLabel(Texts.get("help.find"));
-        label.setLabelFor(words);
         Naming.name(words, "help.find");
         count.setName("help.found");
         words.getDocument().addDocumentListener(new TextChanges(event -> search()));
@@ -49,8 +47,7 @@ final class FindBar extends Part {
         Keys.bindFocused(words, KeyStroke.getKeyStroke("shift ENTER"), () -> go(-1));
         Keys.bindFocused(words, KeyStroke.getKeyStroke("ESCAPE"), this::end);
         panel.add(count);
-        panel.add(label);
-        panel.add(words);
+        Rows.add(panel, Texts.get("help.find"), words, "");
         panel.add(previous);
         panel.add(next);
         show();

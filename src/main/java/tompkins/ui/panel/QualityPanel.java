@@ -18,7 +18,6 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JDialog;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
@@ -46,7 +45,6 @@ import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Screens;
 import tompkins.ui.widget.Texts;
-import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Wording;
 
 /** How good the picture has to be: the target error, and a chart of speed against accuracy to choose from. */
@@ -84,11 +82,7 @@ public final class QualityPanel extends Part {
         Note refused = new Note("");
         error = new NumberField(
                 NumberKind.DOUBLE, "targetError", title, meaning, refused, value -> want(value.doubleValue()));
-        JLabel label = new JLabel(title);
-        label.setToolTipText(Tips.wrapped(meaning));
-        label.setLabelFor(error.field());
-        panel.add(label, "span 2");
-        panel.add(error.field());
+        Rows.add(panel, title, error.field(), "skip");
         panel.add(new MessageRoom(2, refused, asked).component(), "span, growx, wmin 0");
         panel.add(Buttons.of("quality.measure", this::chart), "span 3, growx");
         model.addListener(this::update);

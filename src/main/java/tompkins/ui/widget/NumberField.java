@@ -2,6 +2,8 @@ package tompkins.ui.widget;
 
 import java.awt.event.ActionEvent;
 import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.IntConsumer;
 import javax.swing.AbstractAction;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
@@ -11,7 +13,7 @@ import tompkins.property.InvalidPropertyException;
 public final class NumberField {
 
     private final NumberKind kind;
-    private final String property;
+    private final Function<String, Number> reader;
     private final JTextField field = new JTextField(6);
     private final EntryField entry;
     private Number value = 0;
@@ -22,16 +24,33 @@ public final class NumberField {
     /** A field like {@link EntryField}, for the property of the given name. */
     public NumberField(
             NumberKind kind, String property, String name, String tip, Note note, Consumer<? super Number> commit) {
+        this(kind, text -> kind.parse(property, text), name, tip, note, commit);
+    }
+
+    private NumberField(
+            NumberKind kind,
+            Function<String, Number> reader,
+            String name,
+            String tip,
+            Note note,
+            Consumer<? super Number> commit) {
         this.kind = kind;
-        this.property = property;
+        this.reader = reader;
         entry = new EntryField(field, name, tip, note, text -> {
-            typed = kind.parse(property, text);
+            typed = reader.apply(text);
             commit.accept(typed);
         });
         step("UP", 1);
         step("DOWN", -1);
         step("shift UP", 10);
         step("shift DOWN", -10);
+    }
+
+    /** A field for a whole number from a least to a most, which its messages name. */
+    public static NumberField within(
+            String property, int least, int most, String name, String tip, Note note, IntConsumer commit) {
+        Function<String, Number> reader = text -> (int) Numbers.parseWhole(property, text, least, most);
+        return new NumberField(NumberKind.INT, reader, name, tip, note, number -> commit.accept(number.intValue()));
     }
 
     private void step(String key, int steps) {
@@ -52,7 +71,7 @@ public final class NumberField {
     /** The number in the field, whether it has been taken or not. */
     private Number present() {
         boolean isWord = !entry.isPending() && !Double.isFinite(value.doubleValue());
-        return isWord ? value : kind.parse(property, field.getText());
+        return isWord ? value : reader.apply(field.getText());
     }
 
     /** The field itself, to be put into a panel. */
