@@ -20,7 +20,7 @@ class SetOption {
     @Option(
             names = NAME,
             paramLabel = "PATH=VALUE",
-            description = "gives a key of the scene file another value, as it would be written there, such as"
+            description = "gives a key of the scene file another value, as written there, such as"
                     + " settings.toneCurve=srgb or scene[0].radius=2; also several times")
     private List<String> settings = new ArrayList<>();
 
