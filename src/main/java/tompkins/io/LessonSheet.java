@@ -2,6 +2,7 @@ package tompkins.io;
 
 import java.util.Base64;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Collectors;
 import tompkins.lesson.Lesson;
 import tompkins.lesson.LessonControl;
@@ -36,7 +37,7 @@ public record LessonSheet(String title, Lesson lesson, byte[] png, List<LessonRe
 
     /** The page. */
     public String html() {
-        return """
+        String page = """
                 <!DOCTYPE html>
                 <html lang="en">
                 <head>
@@ -55,7 +56,8 @@ public record LessonSheet(String title, Lesson lesson, byte[] png, List<LessonRe
                 %s</section>
                 </body>
                 </html>
-                """.formatted(text(title), STYLE, question(), measuring(), answers());
+                """;
+        return String.format(Locale.ROOT, page, text(title), STYLE, question(), measuring(), answers());
     }
 
     private String question() {
