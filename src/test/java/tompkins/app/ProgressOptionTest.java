@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
@@ -87,7 +88,7 @@ class ProgressOptionTest {
                 .endsWith("begun", "done");
         for (Map<String, Object> frame : told) {
             assertThat(frame).contains(entry("of", 10.0));
-            assertThat(frames.resolve(String.format("frame%04.0f.png", frame.get("frame"))))
+            assertThat(frames.resolve(String.format(Locale.ROOT, "frame%04.0f.png", frame.get("frame"))))
                     .hasToString((String) frame.get("file"))
                     .isRegularFile();
             boolean isDone = frame.get("state").equals("done");

@@ -39,9 +39,9 @@ class SceneMistakesTest {
     /** Neither is spelt like the key that is meant; the first begins with the same word. */
     @Test
     void aKeyIsKnownByItsFirstWord() {
-        String object = "{\"scene\": [{\"type\": \"Rotating\", \"%s\": 1}]}";
-        assertThat(messageOf(object.formatted("angularVelocity"))).endsWith("did you mean \"angularSpeed\"?");
-        assertThat(messageOf(object.formatted("turnsAround"))).endsWith("phaseDegrees, objects");
+        String object = "{\"scene\": [{\"type\": \"Rotating\", \"KEY\": 1}]}";
+        assertThat(messageOf(object.replace("KEY", "angularVelocity"))).endsWith("did you mean \"angularSpeed\"?");
+        assertThat(messageOf(object.replace("KEY", "turnsAround"))).endsWith("phaseDegrees, objects");
     }
 
     private String messageOf(String text) {
