@@ -17,8 +17,7 @@ final class RideOption {
             arity = "0..1",
             fallbackValue = "",
             paramLabel = "NAME",
-            description =
-                    "take the ride that is recorded in the scene, or one of its rides by name, instead of a number")
+            description = "take the recorded ride, or the one of this name")
     private String name;
 
     /** Whether a ride is wanted. */
