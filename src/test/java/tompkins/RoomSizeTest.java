@@ -35,7 +35,7 @@ class RoomSizeTest {
                         25_520),
                 arguments("file, image", 4_450),
                 arguments("explain, lesson, measure, animation", 5_570),
-                arguments("io, app", 7_950),
+                arguments("io, app", 7_960),
                 arguments("study", 4_830),
                 arguments("ui", 20_640));
     }

@@ -104,13 +104,20 @@ final class SidePanel {
         panel.add(remarks.component(), "wmin 0, gapleft 6, gapbottom 4");
         panel.add(slider, "wmin 0, gapleft 6, gapbottom 4");
         add("section.velocity", new VelocityPanel(model).component(), true);
-        add("section.camera", new CameraPanel(model, () -> shown).component(), false);
+        add(
+                "section.camera",
+                below(new CameraPanel(model, () -> shown).component(), new StereoPanel(model).component()),
+                false);
         JComponent shutters = add("section.shutter", shutter.component(), true);
         add("section.shutterDetails", shutter.details(), false);
         add("section.lens", lens.component(), false);
-        add("section.stereo", new StereoPanel(model).component(), false);
         add("section.compare", compare.component(), besideRest);
-        add("section.transformation", transformation(model), false);
+        add(
+                "section.transformation",
+                below(
+                        LawPanel.ofTransformation(model).component(),
+                        LawPanel.ofView(model).component()),
+                false);
         add("section.colours", LawPanel.ofColours(model).component(), false);
         add("section.window", new WindowPanel(model).component(), false);
         add("section.quality", new QualityPanel(model).component(), false);
@@ -136,12 +143,12 @@ final class SidePanel {
         }
     }
 
-    private static JComponent transformation(StudioModel model) {
-        JPanel laws = Rows.column();
-        laws.add(LawPanel.ofTransformation(model).component(), "wmin 0");
-        // two choices, not one
-        laws.add(LawPanel.ofView(model).component(), "wmin 0, gaptop 8");
-        return laws;
+    /** Two choices of one section, told apart by a gap. */
+    private static JComponent below(JComponent first, JComponent second) {
+        JPanel both = Rows.column();
+        both.add(first, "wmin 0");
+        both.add(second, "wmin 0, gaptop 8");
+        return both;
     }
 
     private static JScrollPane scroll(String name, JComponent content) {

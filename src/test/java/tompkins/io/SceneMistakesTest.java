@@ -59,12 +59,12 @@ class SceneMistakesTest {
             PointLight, Moving; did you mean "PointLight"?
             {"camera": {"aperture": 1}}   | f:1:13: camera: unknown key "aperture"; allowed are type, position, \
             viewDirection, topDirection, horizontalAngleDegrees, verticalAngleDegrees, apertureRadius, focus, exposureStops, \
-            shutter, exposureTime, rollingShutter; did you mean "apertureRadius"?
+            shutter, exposureTime, rollingShutter, stereo; did you mean "apertureRadius"?
             {"settings": {"--e-": 1}}     | f:1:15: settings: unknown key "--e-"; allowed are width, height, samples, \
             targetError, seed, maximumDepth, toneCurve
             {"camera": {"angle": 1}}      | f:1:13: camera: unknown key "angle"; allowed are type, position, viewDirection, \
             topDirection, horizontalAngleDegrees, verticalAngleDegrees, apertureRadius, focus, exposureStops, shutter, exposureTime, \
-            rollingShutter
+            rollingShutter, stereo
             {"lights": [{"type": 5}]}     | f:1:22: lights[0]: unknown type 5; allowed are AmbientLight, PointLight, Moving
             {"lights": [{}]}              | f:1:13: lights[0]: needs a key "type"; allowed are AmbientLight, PointLight, Moving
             {"lights": {}}                | f:1:12: lights: must be a list in brackets [ ], was an object in braces

@@ -11,8 +11,11 @@ import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -108,8 +111,48 @@ class LessonNumbersTest {
         List<Studio> found = BundledScenes.studios().stream()
                 .filter(studio -> studio.lesson() instanceof Lesson)
                 .toList();
-        assertThat(found).hasSameSizeAs(lessons().toList());
+        // and the one that counts stars
+        assertThat(found).hasSize((int) lessons().count() + 1);
         assertThat(found).extracting(Studio::topic).containsOnly("Lessons");
+    }
+
+    /**
+     * The catalogue read line by line: a star at the angle a is ahead if cos a is above -v. An even sky of as many
+     * stars has half of them ahead, and (1 + v)/2.
+     */
+    @Test
+    void starsAheadAreThoseOfTheCatalogue() throws IOException {
+        double[] cosines = cosinesToOrion();
+        List<LessonResult> results =
+                LessonStudio.of(studio("17-stars-ahead")).orElseThrow().results();
+
+        assertThat(cosines).hasSize(5044);
+        assertThat(results).hasSize(4).allMatch(LessonResult::agrees);
+        double[] speeds = {0, 0.5, 0.9};
+        for (int i = 0; i < speeds.length; i++) {
+            double speed = speeds[i];
+            assertThat(results.get(i).measured())
+                    .isEqualTo(Arrays.stream(cosines)
+                            .filter(cosine -> cosine > -speed)
+                            .count());
+            assertThat(results.get(i).number().value()).isEqualTo(Math.rint((1 + speed) / 2 * 5044));
+        }
+        assertThat(results.get(3).measured()).isEqualTo(1);
+    }
+
+    /** Cosines of the angles between Orion, at 84 degrees of right ascension, and all stars to magnitude 6. */
+    private static double[] cosinesToOrion() throws IOException {
+        try (InputStream stars = Studio.class.getResourceAsStream("/tompkins/light/stars.csv")) {
+            return new String(stars.readAllBytes(), StandardCharsets.US_ASCII)
+                    .lines()
+                    .filter(line -> !line.startsWith("#") && !line.startsWith("ra"))
+                    .map(line -> Arrays.stream(line.split(","))
+                            .mapToDouble(Double::parseDouble)
+                            .toArray())
+                    .filter(star -> star[2] <= 6)
+                    .mapToDouble(star -> Math.cos(Math.toRadians(star[1])) * Math.cos(Math.toRadians(star[0] - 84)))
+                    .toArray();
+        }
     }
 
     /** The front of the cube is 0.6 wide, at a distance of 1000, and its edges are marked where they are seen. */

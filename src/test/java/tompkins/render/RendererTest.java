@@ -54,6 +54,8 @@ class RendererTest {
             assertThat(together.report())
                     .usingRecursiveComparison()
                     .ignoringFields("time")
+                    // one sample of a star tells no error: NaN is NaN here
+                    .withComparatorForType(Double::compare, Double.class)
                     .isEqualTo(alone.report());
         }
     }

@@ -36,6 +36,7 @@ final class ShutterTimingPanel extends Part {
     private final SceneSize size;
     private final JPanel controls = Rows.panel();
     private final JComboBox<SweepDirection> directions = new JComboBox<>(SweepDirection.values());
+    private JLabel directionName = new JLabel();
     private final Updating updating = new Updating();
     private final Note hidden = new Note("");
     private final Note refused = new Note("");
@@ -78,7 +79,7 @@ final class ShutterTimingPanel extends Part {
                 row(problems, "exposureTime", "shutter.exposureTip", Camera::exposureTime, Camera::withExposureTime);
         exposure.setIcon(TimingIcon.exposure());
         exposure.addTo(rows);
-        Rows.add(rows, Texts.get("shutter.rolls"), directions, "span 2, growx, wmin 0");
+        directionName = Rows.add(rows, Texts.get("shutter.rolls"), directions, "span 2, growx, wmin 0");
     }
 
     private NumberRow row(
@@ -126,6 +127,8 @@ final class ShutterTimingPanel extends Part {
             return;
         }
         updating.during(() -> directions.setSelectedItem(rolling().direction()));
-        directions.setEnabled(rolling().rolls());
+        // without a sweep it says nothing
+        directions.setVisible(rolling().rolls());
+        directionName.setVisible(rolling().rolls());
     }
 }

@@ -3,7 +3,6 @@ package tompkins.ui.panel;
 import java.util.function.BiFunction;
 import java.util.function.ToDoubleFunction;
 import javax.swing.JComboBox;
-import javax.swing.JLabel;
 import tompkins.camera.Stereo;
 import tompkins.camera.StereoLayout;
 import tompkins.studio.Studio;
@@ -38,10 +37,7 @@ public final class StereoPanel extends Part {
         Naming.items(layouts, Wording::label);
         Naming.name(layouts, "stereo.layout");
         layouts.addActionListener(event -> updating.unless(this::choose));
-        JLabel label = new JLabel(Texts.get("stereo.layout"));
-        label.setLabelFor(layouts);
-        panel.add(label);
-        panel.add(layouts, "span 2, growx, wmin 0");
+        Rows.add(panel, Texts.get("stereo.layout"), layouts, "span 2, growx, wmin 0");
         add(
                 "eyeDistance",
                 Stereo::eyeDistance,

@@ -135,7 +135,9 @@ class RecordFormTest {
                 .distinct()
                 .toList();
         assertThat(angles).hasSizeGreaterThan(2);
-        assertThat(angles).allMatch(name -> Wording.label(name).endsWith(" (\u00b0)"));
+        assertThat(angles)
+                .allMatch(name ->
+                        Wording.label(name).endsWith(name.endsWith("SquareDegrees") ? " (\u00b0\u00b2)" : " (\u00b0)"));
     }
 
     @Test

@@ -349,7 +349,7 @@ class PanelsTest {
     void theEyesAreSetAndWhatCannotBeIsToldAndTakenBack() {
         Container eyes = (Container) new StereoPanel(model).component();
         Container shutters = shutter(new ShutterPanel(model));
-        JComboBox<?> layouts = Components.find(eyes, JComboBox.class, "Layout");
+        JComboBox<?> layouts = Components.find(eyes, JComboBox.class, "Two eyes");
         JComboBox<?> models = Components.find(shutters, JComboBox.class, "Shutter model");
         layouts.setSelectedItem(StereoLayout.SIDE_BY_SIDE);
         Components.enter(eyes, "Eye distance", "0.5");
