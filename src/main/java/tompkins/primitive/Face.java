@@ -7,9 +7,6 @@ package tompkins.primitive;
  */
 public abstract sealed class Face permits RoundFace, EllipsoidFace, FlatFace {
 
-    /** Halvings after which rounding decides whether a face is touched. */
-    private static final int MOST_HALVINGS = 60;
-
     /** Steps towards a root that is alone between two places. */
     private static final int MOST_STEPS = 100;
 
@@ -43,10 +40,10 @@ public abstract sealed class Face permits RoundFace, EllipsoidFace, FlatFace {
 
     /** The first distance on a piece of a path at which it meets the face; {@link Primitive#NO_HIT} if none. */
     public final double first(TurningPath path, double from, double to) {
-        return from < to ? first(path, from, to, bend(path), error(path), 0) : Primitive.NO_HIT;
+        return from < to ? first(path, from, to, bend(path), error(path)) : Primitive.NO_HIT;
     }
 
-    private double first(TurningPath path, double from, double to, double bend, double error, int halvings) {
+    private double first(TurningPath path, double from, double to, double bend, double error) {
         double half = (to - from) / 2;
         double middle = from + half;
         path.go(middle);
@@ -57,11 +54,12 @@ public abstract sealed class Face permits RoundFace, EllipsoidFace, FlatFace {
         if (slope > bend * half) {
             return root(path, from, to);
         }
-        if (halvings == MOST_HALVINGS || half <= TOUCHING * to) {
+        // what is left of the function on this piece is no more than rounding
+        if (bend * half * half <= error || half <= TOUCHING * to) {
             return Primitive.NO_HIT;
         }
-        double near = first(path, from, middle, bend, error, halvings + 1);
-        return near < Primitive.NO_HIT ? near : first(path, middle, to, bend, error, halvings + 1);
+        double near = first(path, from, middle, bend, error);
+        return near < Primitive.NO_HIT ? near : first(path, middle, to, bend, error);
     }
 
     /** The root between two places between which the function grows or falls all the way. */
