@@ -32,12 +32,12 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        25_520),
-                arguments("file, image", 4_450),
-                arguments("explain, lesson, measure, animation", 5_570),
+                        25_440),
+                arguments("file, image", 4_420),
+                arguments("explain, lesson, measure, animation", 5_560),
                 arguments("io, app", 7_960),
                 arguments("study", 4_830),
-                arguments("ui", 20_640));
+                arguments("ui", 20_620));
     }
 
     @ParameterizedTest
