@@ -35,7 +35,7 @@ class RoomSizeTest {
                         25_440),
                 arguments("file, image", 4_420),
                 arguments("explain, lesson, measure, animation", 5_560),
-                arguments("io, app", 7_960),
+                arguments("io, app", 7_970),
                 arguments("study", 4_830),
                 arguments("ui", 20_620));
     }

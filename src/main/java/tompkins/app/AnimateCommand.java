@@ -124,7 +124,9 @@ final class AnimateCommand extends ProgramCommand {
     @Mixin
     private ThreadsOption threads;
 
+    /** Acts by itself when it is read. */
     @Mixin
+    @SuppressWarnings("unused")
     private ProgressOption progressOption;
 
     @ArgGroup
