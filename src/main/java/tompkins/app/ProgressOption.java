@@ -16,6 +16,8 @@ final class ProgressOption {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
 
+    // called when the option is read
+    @SuppressWarnings("unused")
     @Option(names = "--progress", paramLabel = "json", description = "tell on the error stream how far it is, in JSON")
     private void setForm(Form json) {
         CommandLine line = command.commandLine();

@@ -55,7 +55,9 @@ final class RenderCommand extends ProgramCommand {
     @Mixin
     private ManyPictures pictures;
 
+    /** Acts by itself when it is read. */
     @Mixin
+    @SuppressWarnings("unused")
     private ProgressOption progress;
 
     @Mixin

@@ -81,7 +81,9 @@ final class StudyCommand extends ProgramCommand {
     @Mixin
     private ThreadsOption threads;
 
+    /** Acts by itself when it is read. */
     @Mixin
+    @SuppressWarnings("unused")
     private ProgressOption progress;
 
     @Mixin
