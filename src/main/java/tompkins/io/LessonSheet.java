@@ -37,7 +37,7 @@ public record LessonSheet(String title, Lesson lesson, byte[] png, List<LessonRe
 
     /** The page. */
     public String html() {
-        String page = """
+        return String.format(Locale.ROOT, """
                 <!DOCTYPE html>
                 <html lang="en">
                 <head>
@@ -56,8 +56,7 @@ public record LessonSheet(String title, Lesson lesson, byte[] png, List<LessonRe
                 %s</section>
                 </body>
                 </html>
-                """;
-        return String.format(Locale.ROOT, page, text(title), STYLE, question(), measuring(), answers());
+                """, text(title), STYLE, question(), measuring(), answers());
     }
 
     private String question() {
