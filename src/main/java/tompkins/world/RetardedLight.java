@@ -20,7 +20,6 @@ import tompkins.spacetime.TransformationLaw;
  */
 public final class RetardedLight {
 
-    private final World world;
     private final FrameRoutes routes;
     private final RayCounts counts;
     private final NearestHit scratch;
@@ -40,7 +39,6 @@ public final class RetardedLight {
 
     /** The ways in a world, for one thread. */
     public RetardedLight(World world, FrameRoutes routes, TransformationLaw law, RayCounts counts) {
-        this.world = world;
         this.routes = routes;
         this.counts = counts;
         scratch = new NearestHit(counts);
