@@ -88,7 +88,7 @@ class ProgressOptionTest {
                 .endsWith("begun", "done");
         for (Map<String, Object> frame : told) {
             assertThat(frame).contains(entry("of", 10.0));
-            assertThat(frames.resolve(String.format(Locale.ROOT, "frame%04.0f.png", frame.get("frame"))))
+            assertThat(frames.resolve(String.format(Locale.ROOT, "frame%04.0f.png", (Double) frame.get("frame"))))
                     .hasToString((String) frame.get("file"))
                     .isRegularFile();
             boolean isDone = frame.get("state").equals("done");

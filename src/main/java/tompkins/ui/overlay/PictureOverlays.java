@@ -62,13 +62,13 @@ public final class PictureOverlays {
     /** The axis along which the map of the scene looks; empty if there is none. */
     public Optional<MapAxis> map() {
         return Stream.of(MapAxis.values())
-                .filter(axis -> axis.ordinal() + 1 == settings.number(MAP, 0))
+                .filter(axis -> axis.setting == settings.number(MAP, 0))
                 .findFirst();
     }
 
     /** Shows the map along another axis from now on, or none. */
     public void setMap(Optional<MapAxis> axis) {
-        settings.setNumber(MAP, axis.map(each -> each.ordinal() + 1).orElse(0));
+        settings.setNumber(MAP, axis.map(each -> each.setting).orElse(0));
         settings.save();
         update();
     }
