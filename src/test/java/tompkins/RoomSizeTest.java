@@ -37,7 +37,7 @@ class RoomSizeTest {
                 arguments("explain, lesson, measure, animation", 5_560),
                 arguments("io, app", 7_970),
                 arguments("study", 4_830),
-                arguments("ui", 20_620));
+                arguments("ui", 20_640));
     }
 
     @ParameterizedTest
