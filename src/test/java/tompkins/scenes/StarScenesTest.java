@@ -78,7 +78,7 @@ class StarScenesTest {
     }
 
     @Test
-    void nineTenthsOfTheSkyFitWithinThirtyDegreesAtTheHighestSpeed() {
+    void nearlyAllStarsCrowdAheadAtTheHighestSpeed() {
         Studio studio = SceneFiles.read("stars-099");
         List<Star> stars = StarCatalogue.upTo(sky(studio).limit());
         double cosine = Math.cos(Math.toRadians(30));
