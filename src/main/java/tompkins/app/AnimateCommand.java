@@ -47,7 +47,7 @@ import tompkins.ui.photograph.Captions;
         description =
                 "Takes photographs while a number of the scene, such as the speed of the camera, runs from one value"
                         + " to another, or along a recorded ride, and saves them as an animation.")
-final class AnimateCommand extends ProgramCommand {
+final class AnimateCommand extends LongCommand {
 
     /** How long it plays unless an option says otherwise. */
     private static final double DEFAULT_SECONDS = 4;
@@ -121,14 +121,6 @@ final class AnimateCommand extends ProgramCommand {
             description = "make the animation of the frames in a folder, or print which are missing (exit code 3)")
     private Path assembled;
 
-    @Mixin
-    private ThreadsOption threads;
-
-    /** Acts by itself when it is read. */
-    @Mixin
-    @SuppressWarnings("unused")
-    private ProgressOption progressOption;
-
     @ArgGroup
     private QualityOptions.Wish quality = new QualityOptions.Wish();
 
@@ -156,7 +148,10 @@ final class AnimateCommand extends ProgramCommand {
             Fonts.require();
         }
         AnimationRecorder recorder = new AnimationRecorder(
-                recording.film, recording.caption, moment -> PictureDecoration.NONE, threads.number());
+                recording.film,
+                recording.caption,
+                moment -> PictureDecoration.NONE,
+                threads().number());
         Set<String> warnings = new LinkedHashSet<>(requirePossible(recording.film));
         if (frames.areGiven()) {
             requireFolder();

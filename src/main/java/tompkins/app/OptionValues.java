@@ -23,7 +23,8 @@ final class OptionValues {
         commandLine.registerConverter(long.class, OptionValues::wholeNumber);
         commandLine.registerConverter(Part.class, Part::parse);
         commandLine.registerConverter(PictureFormat.class, text -> constant(PictureFormat.class, text));
-        commandLine.registerConverter(ProgressOption.Form.class, text -> constant(ProgressOption.Form.class, text));
+        commandLine.registerConverter(
+                LongCommand.ProgressForm.class, text -> constant(LongCommand.ProgressForm.class, text));
     }
 
     private static double number(String text) {

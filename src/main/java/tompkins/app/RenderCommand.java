@@ -22,7 +22,7 @@ import tompkins.studio.Studio;
 @Command(
         description = "Takes the photographs of scene files. The scene travels inside the picture: render a saved"
                 + " photograph to take it again.")
-final class RenderCommand extends ProgramCommand {
+final class RenderCommand extends LongCommand {
 
     @Parameters(
             arity = "1..*",
@@ -50,15 +50,7 @@ final class RenderCommand extends ProgramCommand {
     private QualityOptions quality;
 
     @Mixin
-    private ThreadsOption threads;
-
-    @Mixin
     private ManyPictures pictures;
-
-    /** Acts by itself when it is read. */
-    @Mixin
-    @SuppressWarnings("unused")
-    private ProgressOption progress;
 
     @Mixin
     private SampledOptions options;
@@ -96,7 +88,8 @@ final class RenderCommand extends ProgramCommand {
     }
 
     private int takeAll() throws IOException, InterruptedException {
-        try (Photographer photographer = new Photographer(commandLine(), threads.number())) {
+        try (Photographer photographer =
+                new Photographer(commandLine(), threads().number())) {
             photographer.reads();
             List<Path> own = pictures.own(scenes);
             if (own.size() > 1) {

@@ -35,7 +35,7 @@ import tompkins.study.Trial;
         description =
                 "Charts speed against accuracy: measures methods against each other and writes charts, figures and"
                         + " what they show. A study that was stopped with Ctrl-C continues where it stopped when it is started again.")
-final class StudyCommand extends ProgramCommand {
+final class StudyCommand extends LongCommand {
 
     private static final String ALL = "all";
     private static final String PAGE_OF_ALL = "speed-and-accuracy";
@@ -79,14 +79,6 @@ final class StudyCommand extends ProgramCommand {
     private Part part;
 
     @Mixin
-    private ThreadsOption threads;
-
-    /** Acts by itself when it is read. */
-    @Mixin
-    @SuppressWarnings("unused")
-    private ProgressOption progress;
-
-    @Mixin
     private SetOption option;
 
     private ProgressReport report;
@@ -111,7 +103,7 @@ final class StudyCommand extends ProgramCommand {
         List<StudyKind> fitting = kinds;
         output = output == null ? NamedFile.currentFolder() : output;
         report = ProgressReport.on(err());
-        return OutputOption.inFolder(output, () -> threads.during(() -> study(fitting, setup)));
+        return OutputOption.inFolder(output, () -> threads().during(() -> study(fitting, setup)));
     }
 
     private int study(List<StudyKind> kinds, StudySetup setup) throws IOException {
