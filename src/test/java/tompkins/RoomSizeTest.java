@@ -32,7 +32,7 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        25_440),
+                        25_450),
                 arguments("file, image", 4_420),
                 arguments("explain, lesson, measure, animation", 5_560),
                 arguments("io, app", 7_970),

@@ -16,28 +16,17 @@ final class StarMap {
     private final double[] y;
     private final double[] z;
 
-    /** The stars of each cell, one cell after the other. */
-    private final int[] stars;
-
-    /** Where those of each cell begin. */
-    private final int[] begins = new int[CELLS * CELLS * CELLS + 1];
+    private final CellLists cells;
 
     /** A map of unit vectors. */
     StarMap(List<Vector3d> directions) {
         x = directions.stream().mapToDouble(Vector3d::x).toArray();
         y = directions.stream().mapToDouble(Vector3d::y).toArray();
         z = directions.stream().mapToDouble(Vector3d::z).toArray();
-        for (int star = 0; star < x.length; star++) {
-            begins[cell(star) + 1]++;
-        }
-        for (int cell = 0; cell + 1 < begins.length; cell++) {
-            begins[cell + 1] += begins[cell];
-        }
-        stars = new int[x.length];
-        int[] next = begins.clone();
-        for (int star = 0; star < x.length; star++) {
-            stars[next[cell(star)]++] = star;
-        }
+        cells = new CellLists(
+                CELLS * CELLS * CELLS,
+                x.length,
+                (star, cell) -> cell.accept(cell(step(x[star]), step(y[star]), step(z[star]))));
     }
 
     /** Takes the stars near a direction. */
@@ -64,8 +53,8 @@ final class StarMap {
     }
 
     private void visitCell(int cell, double dx, double dy, double dz, double radius, Visitor visitor) {
-        for (int i = begins[cell]; i < begins[cell + 1]; i++) {
-            int star = stars[i];
+        for (int i = cells.begin(cell); i < cells.end(cell); i++) {
+            int star = cells.number(i);
             double asideX = x[star] - dx;
             double asideY = y[star] - dy;
             double asideZ = z[star] - dz;
@@ -74,10 +63,6 @@ final class StarMap {
                 visitor.take(star, square);
             }
         }
-    }
-
-    private int cell(int star) {
-        return cell(step(x[star]), step(y[star]), step(z[star]));
     }
 
     private static int cell(int i, int j, int k) {

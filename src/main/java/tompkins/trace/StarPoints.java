@@ -2,6 +2,7 @@ package tompkins.trace;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntConsumer;
 import org.joml.Vector2dc;
 import org.joml.Vector3dc;
 import tompkins.camera.CameraRays;
@@ -36,11 +37,8 @@ final class StarPoints {
     private final double[] y;
     private final Colour[] light;
 
-    /** The stars near each cell, one cell after the other. */
-    private final int[] near;
-
-    /** Where those of each cell begin. */
-    private final int[] begins;
+    /** The stars near each cell. */
+    private final CellLists near;
 
     /**
      * The stars of one picture.
@@ -69,30 +67,15 @@ final class StarPoints {
         x = places.stream().mapToDouble(Vector2dc::x).toArray();
         y = places.stream().mapToDouble(Vector2dc::y).toArray();
         light = colours.toArray(Colour[]::new);
-        begins = new int[cellsAcross * cellsDown + 1];
-        for (int star = 0; star < x.length; star++) {
-            forEachCell(star, (cell, each) -> begins[cell + 1]++);
-        }
-        for (int cell = 0; cell + 1 < begins.length; cell++) {
-            begins[cell + 1] += begins[cell];
-        }
-        near = new int[begins[begins.length - 1]];
-        int[] next = begins.clone();
-        for (int star = 0; star < x.length; star++) {
-            forEachCell(star, (cell, each) -> near[next[cell]++] = each);
-        }
+        near = new CellLists(cellsAcross * cellsDown, x.length, this::forEachCell);
     }
 
-    private interface CellUser {
-        void take(int cell, int star);
-    }
-
-    private void forEachCell(int star, CellUser user) {
+    private void forEachCell(int star, IntConsumer user) {
         int right = cell(x[star] + RADIUS, cellsAcross);
         int bottom = cell(y[star] + RADIUS, cellsDown);
         for (int row = cell(y[star] - RADIUS, cellsDown); row <= bottom; row++) {
             for (int column = cell(x[star] - RADIUS, cellsAcross); column <= right; column++) {
-                user.take(row * cellsAcross + column, star);
+                user.accept(row * cellsAcross + column);
             }
         }
     }
@@ -105,8 +88,8 @@ final class StarPoints {
     Colour light(int column, int row) {
         int cell = cell(row, cellsDown) * cellsAcross + cell(column, cellsAcross);
         Colour sum = null;
-        for (int i = begins[cell]; i < begins[cell + 1]; i++) {
-            int star = near[i];
+        for (int i = near.begin(cell); i < near.end(cell); i++) {
+            int star = near.number(i);
             double share = share(column + 0.5 - x[star], row + 0.5 - y[star]);
             if (share > 0) {
                 Colour more = light[star].times(share);
