@@ -36,7 +36,7 @@ final class ShutterTimingPanel extends Part {
     private final SceneSize size;
     private final JPanel controls = Rows.panel();
     private final JComboBox<SweepDirection> directions = new JComboBox<>(SweepDirection.values());
-    private JLabel directionName = new JLabel();
+    private final JLabel directionName = new JLabel(Texts.get("shutter.rolls"));
     private final Updating updating = new Updating();
     private final Note hidden = new Note("");
     private final Note refused = new Note("");
@@ -54,6 +54,7 @@ final class ShutterTimingPanel extends Part {
                         new RollingShutter(camera.rollingShutter().direction(), value)));
         Naming.items(directions, Wording::label);
         Naming.name(directions, "shutter.direction");
+        directionName.setLabelFor(directions);
         directions.setRenderer(withIcons(directions.getRenderer()));
         directions.addActionListener(event ->
                 updating.unless(() -> model.set(with(camera().withRollingShutter(new RollingShutter(
@@ -79,7 +80,8 @@ final class ShutterTimingPanel extends Part {
                 row(problems, "exposureTime", "shutter.exposureTip", Camera::exposureTime, Camera::withExposureTime);
         exposure.setIcon(TimingIcon.exposure());
         exposure.addTo(rows);
-        directionName = Rows.add(rows, Texts.get("shutter.rolls"), directions, "span 2, growx, wmin 0");
+        rows.add(directionName);
+        rows.add(directions, "span 2, growx, wmin 0");
     }
 
     private NumberRow row(

@@ -20,15 +20,12 @@ public final class Rows {
         return of("wrap 1, hidemode 3, gap 6 5", "[grow,fill]");
     }
 
-    /**
-     * Adds a component with its name before it; the last argument says where, as MigLayout writes it. Gives the name.
-     */
-    public static JLabel add(JPanel rows, String name, JComponent component, String place) {
+    /** Adds a component with its name before it; the last argument says where, as MigLayout writes it. */
+    public static void add(JPanel rows, String name, JComponent component, String place) {
         JLabel label = new JLabel(name);
         label.setLabelFor(component);
         rows.add(label);
         rows.add(component, place);
-        return label;
     }
 
     /**
