@@ -77,7 +77,7 @@ public final class PictureStudy {
         }
         for (int samples = 4; samples <= MOST_SAMPLES; samples *= 4) {
             if (sharp && others) {
-                trials.add(sampled(GRID, new GridPattern(samples), samples));
+                trials.add(sampled(GRID, grid(samples), samples));
             }
             trials.add(photographed(FIXED, samples, new Quality.Samples(samples)));
         }
@@ -93,6 +93,15 @@ public final class PictureStudy {
 
     private Trial sampled(String method, Sampler sampler, int samples) {
         return new Trial(name, method, samples, () -> pixels.sampled(sampler, samples), pixels);
+    }
+
+    /** The centres of the cells of a grid in the pixel, the same in all pixels; through the centre of the lens. */
+    private static Sampler grid(int samples) {
+        int side = (int) Math.round(Math.sqrt(samples));
+        return new SamplePattern(0, random -> (sample, at) -> {
+            at.x = (sample % side + 0.5) / side;
+            at.y = (sample / side + 0.5) / side;
+        });
     }
 
     /** Number of points of the chart. */

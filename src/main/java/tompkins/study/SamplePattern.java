@@ -1,51 +1,68 @@
 package tompkins.study;
 
 import java.util.SplittableRandom;
+import java.util.function.IntToDoubleFunction;
 import tompkins.camera.SamplePositions;
 import tompkins.camera.Sampler;
 import tompkins.ray.RayPacket;
 
 /**
  * A way to choose positions, at work on the blocks of pixels that the renderer follows. Like the program's own sampler,
- * a pattern depends on the seed and the pixel; what it keeps for each pixel of a block is made at the first sample.
+ * a pattern depends on the seed and the pixel.
  */
-abstract class SamplePattern implements Sampler {
+final class SamplePattern implements Sampler {
 
     /** Pixels of a block. */
     static final int PIXELS = RayPacket.MOST;
 
+    /** The samples of one pixel. */
+    @FunctionalInterface
+    interface PixelSamples {
+
+        /** Puts the position of a sample where it belongs; samples come in their order. */
+        void go(int sample, Position at);
+    }
+
+    /** Begins pixels. */
+    @FunctionalInterface
+    interface Pixels {
+
+        /** The samples of a pixel, from a generator of its own. */
+        PixelSamples begin(SplittableRandom random);
+    }
+
     private final long seed;
+    private final Pixels pixels;
+    private final IntToDoubleFunction weight;
+    private final PixelSamples[] block = new PixelSamples[PIXELS];
     private final Position position = new Position();
 
-    SamplePattern(long seed) {
+    /** A pattern whose samples all count alike. */
+    SamplePattern(long seed, Pixels pixels) {
+        this(seed, pixels, sample -> 1);
+    }
+
+    /** A pattern with a weight of each sample in the mean of its pixel. */
+    SamplePattern(long seed, Pixels pixels, IntToDoubleFunction weight) {
         this.seed = seed;
+        this.pixels = pixels;
+        this.weight = weight;
     }
 
     @Override
     public void choose(SamplePositions positions, int sample) {
         for (int i = 0; i < positions.count(); i++) {
             if (sample == 0) {
-                start(i, randomFor(positions.column(i), positions.row(i)));
+                block[i] = pixels.begin(randomFor(positions.column(i), positions.row(i)));
             }
-            go(i, sample, position);
+            block[i].go(sample, position);
             positions.choose(i, position.x, position.y, position.lensX, position.lensY, position.moment);
         }
     }
 
-    /**
-     * Begins a pixel.
-     *
-     * @param pixel its number in the block, below {@link #PIXELS}
-     * @param random a generator of its own
-     */
-    abstract void start(int pixel, SplittableRandom random);
-
-    /** Puts the position of a sample where it belongs. */
-    abstract void go(int pixel, int sample, Position at);
-
-    /** The weight of a sample in the mean of its pixel; 1 but for rules that have weights of their own. */
+    /** The weight of a sample in the mean of its pixel. */
     static double weight(Sampler sampler, int sample) {
-        return sampler instanceof DiscPattern disc ? disc.weight(sample) : 1;
+        return sampler instanceof SamplePattern pattern ? pattern.weight.applyAsDouble(sample) : 1;
     }
 
     private SplittableRandom randomFor(int column, int row) {
@@ -63,11 +80,5 @@ abstract class SamplePattern implements Sampler {
             order[j] = i;
         }
         return order;
-    }
-
-    /** The sum without its whole part. */
-    static double wrapped(double value, double shift) {
-        double sum = value + shift;
-        return sum - Math.floor(sum);
     }
 }

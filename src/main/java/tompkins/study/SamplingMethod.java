@@ -3,6 +3,7 @@ package tompkins.study;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.BiFunction;
 import tompkins.camera.PixelSampler;
 import tompkins.camera.Sampler;
 
@@ -10,10 +11,10 @@ import tompkins.camera.Sampler;
 enum SamplingMethod {
 
     /** Independent random positions; on the lens by rejection, as in Dr TIM. */
-    RANDOM("random (as in Dr TIM)", (seed, samples, space) -> new RandomPattern(seed, space)),
+    RANDOM("random (as in Dr TIM)", (samples, space) -> RandomPattern.independent(space)),
 
     /** One random position in each cell of a grid, on the lens by the concentric map. */
-    JITTERED("jittered", JitteredPattern::new),
+    JITTERED("jittered", RandomPattern::jittered),
 
     /** Multiples of irrational numbers (Roberts 2018), shifted for each pixel. */
     ADDITIVE("R2", ShiftedPattern::additive),
@@ -32,6 +33,10 @@ enum SamplingMethod {
 
     private final String title;
     private final Factory factory;
+
+    SamplingMethod(String title, BiFunction<Integer, SampledSpace, SamplePattern.Pixels> pixels) {
+        this(title, (seed, samples, space) -> new SamplePattern(seed, pixels.apply(samples, space)));
+    }
 
     SamplingMethod(String title, Factory factory) {
         this.title = title;

@@ -220,7 +220,7 @@ final class ScenePixels {
         int samples = Math.max(1, referenceSamples / 2);
         blocks.parallelStream().forEach(block -> {
             stopIfCancelled();
-            addBlock(block, ShiftedPattern.lattice(seed, samples), samples, light);
+            addBlock(block, new SamplePattern(seed, ShiftedPattern.lattice(samples)), samples, light);
         });
         return light;
     }

@@ -1,37 +1,25 @@
 package tompkins.study;
 
-import java.util.SplittableRandom;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import org.hipparchus.random.HaltonSequenceGenerator;
 
 /** The points of one sequence for all pixels, shifted in each by another vector. */
-final class ShiftedPattern extends SamplePattern {
+final class ShiftedPattern {
 
     /** The generating vector of a lattice rule (Cools, Kuo and Nuyens 2006): lens, time (its last number), pixel. */
     private static final long[] GENERATOR = {1, 182667, 110745, 469891, 498753};
 
-    private final double[][] points;
-    private final double[][] shifts;
-    private final SampledSpace space;
-
-    private ShiftedPattern(long seed, int samples, SampledSpace space, IntFunction<double[]> sequence) {
-        super(seed);
-        this.space = space;
-        shifts = new double[PIXELS][space.dimensions()];
-        points = new double[samples][];
-        for (int i = 0; i < samples; i++) {
-            points[i] = sequence.apply(i);
-        }
-    }
+    private ShiftedPattern() {}
 
     /** {@link SamplingMethod#HALTON}. */
-    static ShiftedPattern halton(long seed, int samples, SampledSpace space) {
+    static SamplePattern.Pixels halton(int samples, SampledSpace space) {
         HaltonSequenceGenerator sequence = new HaltonSequenceGenerator(space.dimensions());
-        return new ShiftedPattern(seed, samples, space, i -> sequence.nextVector());
+        return shifted(samples, space, i -> sequence.nextVector());
     }
 
     /** {@link SamplingMethod#ADDITIVE}: steps 1/p, 1/p^2, ..., where p^(d+1) = p + 1 in d dimensions. */
-    static ShiftedPattern additive(long seed, int samples, SampledSpace space) {
+    static SamplePattern.Pixels additive(int samples, SampledSpace space) {
         int dimensions = space.dimensions();
         double base = 1;
         for (int i = 0; i < 60; i++) {
@@ -42,7 +30,7 @@ final class ShiftedPattern extends SamplePattern {
             steps[i] = Math.pow(base, -i - 1);
         }
         double[] last = new double[dimensions];
-        return new ShiftedPattern(seed, samples, space, i -> wrapped(last, steps));
+        return shifted(samples, space, i -> wrapped(last, steps));
     }
 
     private static double[] wrapped(double[] last, double[] steps) {
@@ -56,8 +44,8 @@ final class ShiftedPattern extends SamplePattern {
      * The points of references, in all dimensions: a lattice in the order of van der Corput. None of the methods that
      * are compared uses it.
      */
-    static ShiftedPattern lattice(long seed, int samples) {
-        return new ShiftedPattern(seed, samples, SampledSpace.ALL, i -> {
+    static SamplePattern.Pixels lattice(int samples) {
+        return shifted(samples, SampledSpace.ALL, i -> {
             double[] point = new double[GENERATOR.length];
             for (int dimension = 0; dimension < point.length; dimension++) {
                 point[dimension] = wrapped((Integer.reverse(i) & 0xffffffffL) * 0x1p-32 * GENERATOR[dimension], 0);
@@ -66,30 +54,32 @@ final class ShiftedPattern extends SamplePattern {
         });
     }
 
-    @Override
-    void start(int pixel, SplittableRandom random) {
-        double[] shift = shifts[pixel];
-        for (int i = 0; i < shift.length; i++) {
-            shift[i] = random.nextDouble();
-        }
+    private static SamplePattern.Pixels shifted(int samples, SampledSpace space, IntFunction<double[]> sequence) {
+        double[][] points = IntStream.range(0, samples).mapToObj(sequence).toArray(double[][]::new);
+        return random -> {
+            double[] shift = random.doubles(space.dimensions()).toArray();
+            return (sample, at) -> {
+                double[] point = points[sample];
+                int next = 0;
+                if (space.hasLens()) {
+                    at.goToLens(wrapped(point[0], shift[0]), wrapped(point[1], shift[1]));
+                    next = 2;
+                }
+                if (space.hasTime()) {
+                    at.moment = wrapped(point[next], shift[next]);
+                    next++;
+                }
+                if (space.hasPixel()) {
+                    at.x = wrapped(point[next], shift[next]);
+                    at.y = wrapped(point[next + 1], shift[next + 1]);
+                }
+            };
+        };
     }
 
-    @Override
-    void go(int pixel, int sample, Position at) {
-        double[] point = points[sample];
-        double[] shift = shifts[pixel];
-        int next = 0;
-        if (space.hasLens()) {
-            at.goToLens(wrapped(point[0], shift[0]), wrapped(point[1], shift[1]));
-            next = 2;
-        }
-        if (space.hasTime()) {
-            at.moment = wrapped(point[next], shift[next]);
-            next++;
-        }
-        if (space.hasPixel()) {
-            at.x = wrapped(point[next], shift[next]);
-            at.y = wrapped(point[next + 1], shift[next + 1]);
-        }
+    /** The sum without its whole part. */
+    private static double wrapped(double value, double shift) {
+        double sum = value + shift;
+        return sum - Math.floor(sum);
     }
 }
