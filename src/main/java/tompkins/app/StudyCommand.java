@@ -21,6 +21,7 @@ import tompkins.io.BundledScenes;
 import tompkins.io.SelfDescription;
 import tompkins.property.MistakeException;
 import tompkins.studio.Studio;
+import tompkins.study.Conclusion;
 import tompkins.study.Finding;
 import tompkins.study.Measurement;
 import tompkins.study.Study;
@@ -201,10 +202,10 @@ final class StudyCommand extends LongCommand {
             out().println(file(kind, page).toAbsolutePath());
             return true;
         }
-        page.add(kind, study, all);
-        out().println(study.answer(all));
+        Conclusion conclusion = page.add(kind, study, all);
+        out().println(conclusion.answer());
         boolean holds = true;
-        for (Finding finding : study.findings(all)) {
+        for (Finding finding : conclusion.findings()) {
             out().println((finding.holds() ? "" : "BROKEN: ") + finding.sentence());
             holds &= finding.holds();
         }

@@ -9,35 +9,38 @@ import tompkins.studio.Studio;
  * Whether samples are better shared evenly or put where they are needed, and whether the error is what was promised.
  *
  * @param compared pinhole photographs on which methods are compared
- * @param promised photographs on which the promised error is compared with the true one
- * @param sparse photographs with sparse light, of which the same is asked
- * @param width width of the compared photographs in pixels; the promised ones have a third of it
- * @param referenceSamples samples per pixel of the references of the compared photographs; those of the promised ones
- *     begin with a quarter and have as many as it takes
+ * @param promises photographs on which the promised error is compared with the true one
+ * @param seed of the first of several runs
+ * @param width of the compared photographs in pixels
+ * @param referenceSamples samples per pixel of the references of the compared photographs
  */
 record AntialiasingStudy(
-        Map<String, Studio> compared,
-        Map<String, Studio> promised,
-        Map<String, Studio> sparse,
-        long seed,
-        int width,
-        int referenceSamples)
+        Map<String, Studio> compared, PromisedErrors promises, long seed, int width, int referenceSamples)
         implements Study {
 
-    private PromisedErrors promises() {
-        return new PromisedErrors(promised, sparse, seed, promisedWidth(), referenceSamples / 4);
-    }
-
-    private int promisedWidth() {
-        return width / 3;
+    /** The study, as thorough as for the documents. */
+    static AntialiasingStudy of(StudySetup setup) {
+        PromisedErrors promises = new PromisedErrors(
+                setup.studios(setup.names()),
+                setup.scene() == null ? SparseLight.scenes(setup.seed()) : Map.of(),
+                setup.seed(),
+                48,
+                1024);
+        return new AntialiasingStudy(setup.studios(List.of("fig1a", "fig2a")), promises, setup.seed(), 144, 4096);
     }
 
     @Override
     public String settings() {
-        return "seeds " + seed + " to " + (seed + PictureStudy.SEEDS - 1) + ", width " + width + " and "
-                + promisedWidth()
-                + ", references " + referenceSamples + " samples or as many as it takes, scenes "
-                + StudySetup.settings(compared) + ", " + StudySetup.settings(promised) + " and " + sparse.keySet();
+        return StudyText.of(
+                "antialiasing.settings",
+                seed,
+                seed + PictureStudy.SEEDS - 1,
+                width,
+                promises.width(),
+                referenceSamples,
+                StudySetup.settings(compared),
+                StudySetup.settings(promises.studios()),
+                promises.sparse().keySet());
     }
 
     @Override
@@ -45,68 +48,43 @@ record AntialiasingStudy(
         List<Trial> trials = new ArrayList<>();
         compared.forEach((name, studio) ->
                 trials.addAll(new PictureStudy(name, studio, seed, width, referenceSamples, () -> false).trials(true)));
-        trials.addAll(promises().trials());
+        trials.addAll(promises.trials());
         return trials;
     }
 
     @Override
     public List<Chart> charts() {
         List<Chart> charts = new ArrayList<>();
-        compared.forEach((name, studio) -> charts.add(new Chart(
-                        name,
-                        name + (studio.camera().hasWideAperture() ? ", wide aperture" : ", pinhole"),
-                        Chart.across("rays", Measurement::rays),
-                        Chart.ERROR,
-                        true)
-                .withOwn(PictureStudy.ADAPTIVE)));
-        if (!promised.isEmpty()) {
-            charts.add(PromisedErrors.chart());
-        }
+        compared.forEach((name, studio) -> {
+            String title = name + (studio.camera().hasWideAperture() ? ", wide aperture" : ", pinhole");
+            charts.add(new Chart(name, title, Chart.RAYS, Chart.ERROR, true, PictureStudy.ADAPTIVE));
+        });
+        charts.add(PromisedErrors.chart());
         return charts;
     }
 
     @Override
-    public String answer(List<Measurement> all) {
-        StringBuilder text = new StringBuilder(StudyText.of("antialiasing.centre"));
+    public void conclude(List<Measurement> all, Conclusion conclusion) {
+        conclusion.say("antialiasing.centre");
         for (String name : compared.keySet()) {
-            for (Measurement centre : Measurement.of(name, PictureStudy.CENTRE, all)) {
-                double ratio = centre.medianError() / anywhere(name, all);
-                text.append(StudyText.of("antialiasing.centreOf", name, 100 * ratio));
-            }
-        }
-        text.append(StudyText.of("antialiasing.adaptive"));
-        for (String name : compared.keySet()) {
-            text.append(StudyText.of("antialiasing.adaptiveOf", name, 100 / saving(name, all)));
-        }
-        if (!promised.isEmpty()) {
-            text.append(StudyText.of("antialiasing.promise", Math.floor(100 * PromisedErrors.share(all))));
-        }
-        return text.toString();
-    }
-
-    @Override
-    public List<Finding> findings(List<Measurement> all) {
-        List<Finding> findings = new ArrayList<>();
-        for (String name : compared.keySet()) {
+            // there is none if the photograph is blurred
             for (Measurement centre : Measurement.of(name, PictureStudy.CENTRE, all)) {
                 double anywhere = anywhere(name, all);
-                findings.add(Finding.of(
-                        centre.medianError() <= anywhere,
-                        name + ": error of one sample in the centre of each pixel",
-                        Finding.text("at most %.3g, that of one sample anywhere in it", anywhere),
-                        "%.3g",
-                        centre.medianError()));
+                conclusion.say("antialiasing.centreOf", name, 100 * centre.medianError() / anywhere);
+            }
+        }
+        conclusion.say("antialiasing.adaptive");
+        for (String name : compared.keySet()) {
+            for (Measurement centre : Measurement.of(name, PictureStudy.CENTRE, all)) {
+                double error = centre.medianError();
+                double anywhere = anywhere(name, all);
+                conclusion.demand(error <= anywhere, "antialiasing.centreError", name, anywhere, error);
             }
             double saving = saving(name, all);
-            findings.add(Finding.of(
-                    saving > 1,
-                    name + ": rays of the same number everywhere, divided by those of `--error` for the same error",
-                    "above 1",
-                    "%.2f",
-                    saving));
+            conclusion.say("antialiasing.adaptiveOf", name, 100 / saving);
+            conclusion.demand(saving > 1, "antialiasing.saving", name, saving);
         }
-        findings.addAll(PromisedErrors.findings(all));
-        return findings;
+        PromisedErrors.conclude(all, conclusion);
     }
 
     private static double anywhere(String name, List<Measurement> all) {

@@ -59,37 +59,33 @@ final class ApertureStudy extends SamplingStudy {
     }
 
     @Override
-    public String answer(List<Measurement> all) {
-        PowerLaw random = law(LensProblems.EDGE, RANDOM, all);
-        PowerLaw own = law(LensProblems.EDGE, comparison().program(), all);
-        return StudyText.of(
-                        "aperture.answer",
-                        own.slope(),
-                        samplesFor(0.002, own),
-                        samplesFor(0.002, random),
-                        samplesFor(0.002, law(LensProblems.EDGE, SPIRAL, all)),
-                        law(LensProblems.SWEEP, SPIRAL, all).slope(),
-                        law(LensProblems.SWEEP, comparison().program(), all).slope())
-                + timesInPhotographs(all);
+    public void conclude(List<Measurement> all, Conclusion conclusion) {
+        String program = comparison().program();
+        PowerLaw own = law(LensProblems.EDGE, program, all);
+        conclusion.say(
+                "aperture.answer",
+                own.slope(),
+                samplesFor(0.002, own),
+                samplesFor(0.002, law(LensProblems.EDGE, RANDOM, all)),
+                samplesFor(0.002, law(LensProblems.EDGE, SPIRAL, all)),
+                law(LensProblems.SWEEP, SPIRAL, all).slope(),
+                law(LensProblems.SWEEP, program, all).slope());
+        super.conclude(all, conclusion);
+        double ratio = Measurement.of(INDEPENDENCE, program, all).get(0).medianError();
+        conclusion.demand(
+                ratio < MOST_CORRELATION,
+                "aperture.independence",
+                MOST_CORRELATION,
+                ExactProblem.PIXELS_OF_INSTANCE,
+                ratio);
     }
 
     private static String samplesFor(double error, PowerLaw law) {
         double samples = Math.pow(error / law.factor(), 1 / law.slope());
+        // those of a method that does not get better
+        if (!Double.isFinite(samples)) {
+            return "no number of";
+        }
         return new BigDecimal(samples).round(new MathContext(2)).toBigInteger().toString();
-    }
-
-    @Override
-    public List<Finding> findings(List<Measurement> all) {
-        List<Finding> findings = new ArrayList<>(super.findings(all));
-        double ratio =
-                Measurement.of(INDEPENDENCE, comparison().program(), all).get(0).medianError();
-        findings.add(Finding.of(
-                ratio < MOST_CORRELATION,
-                "Pixels that see the same err independently: variance of their mean error, divided by that of independent"
-                        + " pixels",
-                Finding.text("below %.0f (%d if all err alike)", MOST_CORRELATION, ExactProblem.PIXELS_OF_INSTANCE),
-                "%.2f",
-                ratio));
-        return findings;
     }
 }

@@ -2,7 +2,6 @@ package tompkins.study;
 
 import java.util.List;
 import java.util.function.Function;
-import java.util.function.ToDoubleFunction;
 
 /**
  * What a chart shows: one curve for each method of a problem, on logarithmic axes.
@@ -24,9 +23,9 @@ public record Chart(
         String own,
         List<Guide> guides) {
 
-    /** A chart in which no method stands out, without guides. */
-    Chart(String problem, String title, Axis<Double> across, Axis<Spread> up, boolean pareto) {
-        this(problem, title, across, up, pareto, "", List.of());
+    /** A chart without guides. */
+    Chart(String problem, String title, Axis<Double> across, Axis<Spread> up, boolean pareto, String own) {
+        this(problem, title, across, up, pareto, own, List.of());
     }
 
     /**
@@ -55,14 +54,12 @@ public record Chart(
     /** Root mean square error in linear light. */
     static final Axis<Spread> ERROR = new Axis<>("RMS error in linear light (white = 1)", Measurement::error);
 
-    /** Error against time. */
-    static Chart errorAgainstTime(String problem, String title) {
-        return new Chart(problem, title, SECONDS, ERROR, true);
-    }
+    /** Rays that were followed. */
+    static final Axis<Double> RAYS = new Axis<>("rays", measurement -> measurement.rays());
 
-    /** The same chart, in which the method of the program stands out. */
-    Chart withOwn(String method) {
-        return new Chart(problem, title, across, up, pareto, method, guides);
+    /** Error against time. */
+    static Chart errorAgainstTime(String problem, String title, String own) {
+        return new Chart(problem, title, SECONDS, ERROR, true, own);
     }
 
     /** The same chart with lines to compare the curves with. */
@@ -70,14 +67,9 @@ public record Chart(
         return new Chart(problem, title, across, up, pareto, own, lines);
     }
 
-    /** Another number across. */
-    static Axis<Double> across(String label, ToDoubleFunction<Measurement> value) {
-        return new Axis<>(label, value::applyAsDouble);
-    }
-
     /** The setting of the trials across. */
     static Axis<Double> setting(String label) {
-        return across(label, Measurement::setting);
+        return new Axis<>(label, Measurement::setting);
     }
 
     /** The place of a measurement across. */

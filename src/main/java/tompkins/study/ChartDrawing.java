@@ -151,7 +151,7 @@ public final class ChartDrawing {
                 points.stream().mapToDouble(point -> chart.y(point).middle()).toArray());
         return points.size() < FEWEST_FOR_SLOPE || !Double.isFinite(law.slope())
                 ? ""
-                : Finding.text("  (%.2f)", law.slope());
+                : StudyText.format("  (%.2f)", law.slope());
     }
 
     private static Shape marker(int number) {

@@ -6,6 +6,7 @@ import java.util.function.IntFunction;
 import org.joml.Vector3d;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
+import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
 import tompkins.render.Quality;
@@ -28,7 +29,7 @@ final class DepthStudy implements Study {
 
     private static final String TWO_CORRIDORS = "two-corridors";
     private static final String LIMIT = "limit of depth";
-    private static final String PROGRAM = Finding.text("the program: 1/%.0f of the light", 1 / Ray.FAINTEST);
+    private static final String PROGRAM = StudyText.format("the program: 1/%.0f of the light", 1 / Ray.FAINTEST);
     private static final int[] DEPTHS = {1, 2, 5, 10, 20, 50, 66, 100, 200, 350, 500};
     private static final int REPEATS = 3;
     private static final double CLEARLY_LESS = 0.7;
@@ -58,9 +59,7 @@ final class DepthStudy implements Study {
 
     @Override
     public String settings() {
-        return Finding.text(
-                "corridors [R=0.90, two-corridors] 2 wide and %.0f long, %.0f degrees, a sheet of glass of index %.0f, %.0f degrees, %d x %d pixels",
-                LENGTH, ANGLE, INDEX, ANGLE_THROUGH_GLASS, WIDTH, HEIGHT);
+        return StudyText.of("depth.settings", LENGTH, ANGLE, INDEX, ANGLE_THROUGH_GLASS, WIDTH, HEIGHT);
     }
 
     @Override
@@ -178,71 +177,49 @@ final class DepthStudy implements Study {
     }
 
     private static Studio studio(List<SceneObject> objects, double angle, int depth) {
-        ThinLensCamera plain = ThinLensCamera.DEFAULT;
-        ThinLensCamera camera = new ThinLensCamera(
-                plain.position(),
-                plain.viewDirection(),
-                plain.topDirection(),
-                angle,
-                1,
-                0,
-                plain.focus(),
-                0,
-                plain.shutter());
+        ThinLensCamera wide = Descriptions.with(ThinLensCamera.DEFAULT, "horizontalAngleDegrees", angle);
         return Studio.DEFAULT
                 .withScene(objects)
-                .withCamera(camera)
+                .withCamera(Descriptions.with(wide, "verticalAngleDegrees", 1.0))
                 .withSettings(RenderSettings.DEFAULT.withSize(WIDTH, HEIGHT).withMaximumDepth(depth));
     }
 
     @Override
     public List<Chart> charts() {
         return PROBLEMS.stream()
-                .map(problem -> new Chart(
-                                problem.key, problem.title, Chart.across("rays", Measurement::rays), Chart.ERROR, true)
-                        .withOwn(PROGRAM))
+                .map(problem -> new Chart(problem.key, problem.title, Chart.RAYS, Chart.ERROR, true, PROGRAM))
                 .toList();
     }
 
     @Override
-    public String answer(List<Measurement> all) {
-        double own = own(TWO_CORRIDORS, all).rays();
-        return StudyText.of("depth.answer", cheapestLimit(TWO_CORRIDORS, all) / own, 1 / Ray.FAINTEST);
-    }
-
-    @Override
-    public List<Finding> findings(List<Measurement> all) {
-        List<Finding> findings = new ArrayList<>();
+    public void conclude(List<Measurement> all, Conclusion conclusion) {
         for (Problem problem : PROBLEMS) {
-            Measurement own = own(problem.key, all);
-            findings.add(Finding.of(
+            Measurement own = Measurement.of(problem.key, PROGRAM, all).get(0);
+            double cheapest = cheapestLimit(own, all);
+            if (problem.key.equals(TWO_CORRIDORS)) {
+                conclusion.say("depth.answer", cheapest / own.rays(), 1 / Ray.FAINTEST);
+            }
+            conclusion.demand(
                     own.maximum() <= Ray.FAINTEST,
-                    problem.title + ": largest error of the program",
-                    Finding.text("at most 1/%.0f = %.2g", 1 / Ray.FAINTEST, Ray.FAINTEST),
-                    "%.2g",
-                    own.maximum()));
-            double cheapest = cheapestLimit(problem.key, all);
-            findings.add(Finding.of(
+                    "depth.error",
+                    problem.title,
+                    1 / Ray.FAINTEST,
+                    Ray.FAINTEST,
+                    own.maximum());
+            conclusion.demand(
                     own.rays() <= cheapest * problem.share,
-                    problem.title + ": rays of the program",
-                    Finding.text(
-                            "at most %sthose of the cheapest limit that is as exact",
-                            problem.share < 1 ? problem.share + " times " : ""),
-                    "%.0f; the limit's %.0f",
+                    "depth.rays",
+                    problem.title,
+                    problem.share < 1 ? problem.share + " times " : "",
                     own.rays(),
-                    cheapest));
+                    cheapest);
         }
-        return findings;
     }
 
-    private static Measurement own(String problem, List<Measurement> all) {
-        return Measurement.of(problem, PROGRAM, all).get(0);
-    }
-
-    private static double cheapestLimit(String problem, List<Measurement> all) {
-        double error = own(problem, all).medianError();
-        return Measurement.of(problem, LIMIT, all).stream()
-                .filter(limit -> limit.medianError() <= error * (1 + 1e-9))
+    /** The fewest rays that a limit follows which is as exact as the program. */
+    private static double cheapestLimit(Measurement own, List<Measurement> all) {
+        return Measurement.of(own.problem(), LIMIT, all).stream()
+                .filter(limit -> limit.medianError() <= own.medianError() * (1 + 1e-9))
                 .mapToDouble(Measurement::rays)
                 .min()
                 .orElse(Double.POSITIVE_INFINITY);

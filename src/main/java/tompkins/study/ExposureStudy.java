@@ -13,13 +13,13 @@ final class ExposureStudy extends SamplingStudy {
     }
 
     @Override
-    public String answer(List<Measurement> all) {
-        return StudyText.of(
-                        "exposure.answer",
-                        law(MotionProblems.EDGE, comparison().program(), all).slope(),
-                        law(MotionProblems.SLANTED, comparison().program(), all).slope(),
-                        shareOfRandom(MotionProblems.EDGE, all),
-                        shareOfRandom(MotionProblems.SLIT, all))
-                + timesInPhotographs(all);
+    public void conclude(List<Measurement> all, Conclusion conclusion) {
+        conclusion.say(
+                "exposure.answer",
+                law(MotionProblems.EDGE, comparison().program(), all).slope(),
+                law(MotionProblems.SLANTED, comparison().program(), all).slope(),
+                shareOfRandom(MotionProblems.EDGE, all),
+                shareOfRandom(MotionProblems.SLIT, all));
+        super.conclude(all, conclusion);
     }
 }

@@ -2,6 +2,7 @@ package tompkins.study;
 
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import tompkins.image.LinearImage;
 import tompkins.render.Quality;
 import tompkins.render.RenderJob;
@@ -36,12 +37,18 @@ final class Photographs {
                 }
             }
         };
+        RenderJob job = done(renderer -> renderer.start(plan, quality, canceller));
+        if (!job.isComplete()) {
+            throw new CancellationException();
+        }
+        return job;
+    }
+
+    /** Renders with one thread, and waits for it. */
+    static RenderJob done(Function<Renderer, RenderJob> start) {
         try (Renderer renderer = new Renderer(1)) {
-            RenderJob job = renderer.start(plan, quality, canceller);
+            RenderJob job = start.apply(renderer);
             job.await();
-            if (!job.isComplete()) {
-                throw new CancellationException();
-            }
             return job;
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();

@@ -111,7 +111,7 @@ public final class PictureStudy {
 
     /** The chart. */
     public Chart chart() {
-        return Chart.errorAgainstTime(name, "This picture, smaller; a click on a point sets the quality");
+        return Chart.errorAgainstTime(name, "This picture, smaller; a click on a point sets the quality", "");
     }
 
     /**

@@ -4,11 +4,9 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CancellationException;
 import tompkins.image.LinearImage;
 import tompkins.render.Quality;
 import tompkins.render.RenderListener;
-import tompkins.render.Renderer;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
@@ -36,7 +34,7 @@ record PreviewStudy(Map<String, Studio> studios) implements Study {
 
     @Override
     public String settings() {
-        return "one sample per pixel, " + REPEATS + " runs, scenes " + StudySetup.settings(studios);
+        return StudyText.of("preview.settings", REPEATS, StudySetup.settings(studios));
     }
 
     @Override
@@ -59,41 +57,38 @@ record PreviewStudy(Map<String, Studio> studios) implements Study {
         List<Figures> runs = new ArrayList<>();
         // the first runs only let the compiler warm up
         for (int run = -REPEATS; run < REPEATS; run++) {
-            Passes passes = passes(plan);
-            LinearImage coarse = passes.images.get(pass);
-            double seconds = passes.seconds.get(pass);
+            List<Pass> passes = passes(plan);
+            LinearImage coarse = passes.get(pass).image;
+            double seconds = passes.get(pass).seconds;
             if (method.equals(BLOCKS)) {
-                seconds = passes.secondsBefore.get(pass);
                 long start = System.nanoTime();
                 coarse = blocks(coarse, STRIDES[pass]);
-                seconds += (System.nanoTime() - start) / 1e9;
+                seconds = passes.get(pass).secondsBefore + secondsSince(start);
             }
             if (run >= 0) {
-                double[] picture = Photographs.light(passes.images.get(STRIDES.length));
+                double[] picture = Photographs.light(passes.get(STRIDES.length).image);
                 runs.add(Figures.of(rays, seconds, ErrorNorm.of(Photographs.light(coarse), picture), 0));
             }
         }
         return Figures.of(runs);
     }
 
-    /** The pictures after each pass, and the times before and after they were made from the samples. */
-    private record Passes(List<LinearImage> images, List<Double> secondsBefore, List<Double> seconds) {}
+    /** The picture after a pass, and the seconds before and after it was made from the samples. */
+    private record Pass(LinearImage image, double secondsBefore, double seconds) {}
 
-    private static Passes passes(RenderPlan plan) {
-        Passes passes = new Passes(new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
+    private static List<Pass> passes(RenderPlan plan) {
+        List<Pass> passes = new ArrayList<>();
         long start = System.nanoTime();
         RenderListener listener = RenderListener.afterEachPass(job -> {
-            passes.secondsBefore.add((System.nanoTime() - start) / 1e9);
-            passes.images.add(job.image());
-            passes.seconds.add((System.nanoTime() - start) / 1e9);
+            double before = secondsSince(start);
+            passes.add(new Pass(job.image(), before, secondsSince(start)));
         });
-        try (Renderer renderer = new Renderer(1)) {
-            renderer.startCoarse(plan, new Quality.Samples(1), listener).await();
-        } catch (InterruptedException interrupted) {
-            Thread.currentThread().interrupt();
-            throw new CancellationException();
-        }
+        Photographs.done(renderer -> renderer.startCoarse(plan, new Quality.Samples(1), listener));
         return passes;
+    }
+
+    private static double secondsSince(long start) {
+        return (System.nanoTime() - start) / 1e9;
     }
 
     /** The picture that repeats every stride-th pixel of each direction. */
@@ -112,52 +107,38 @@ record PreviewStudy(Map<String, Studio> studios) implements Study {
     @Override
     public List<Chart> charts() {
         return studios.keySet().stream()
-                .map(name -> Chart.errorAgainstTime(name, name + ", previews at every 8th, 4th and 2nd pixel")
-                        .withOwn(PROGRAM))
+                .map(name -> Chart.errorAgainstTime(name, name + ", previews at every 8th, 4th and 2nd pixel", PROGRAM))
                 .toList();
     }
 
     @Override
-    public String answer(List<Measurement> all) {
+    public void conclude(List<Measurement> all, Conclusion conclusion) {
         double slowest = 0;
         double left = 0;
-        StringBuilder each = new StringBuilder();
+        for (String name : studios.keySet()) {
+            Measurement first = Measurement.of(name, PROGRAM, FIRST, all);
+            double blocks = Measurement.of(name, BLOCKS, FIRST, all).medianError();
+            slowest = Math.max(slowest, first.medianSeconds());
+            left = Math.max(left, first.medianError() / blocks);
+        }
+        conclusion.say("preview.answer", 1e3 * slowest, 100 * left);
         for (String name : studios.keySet()) {
             Measurement blocks = Measurement.of(name, BLOCKS, FIRST, all);
             Measurement first = Measurement.of(name, PROGRAM, FIRST, all);
             Measurement last = Measurement.of(name, PROGRAM, LAST, all);
-            slowest = Math.max(slowest, first.medianSeconds());
-            left = Math.max(left, first.medianError() / blocks.medianError());
-            each.append(StudyText.of(
+            conclusion.say(
                     "preview.first",
                     name,
                     1e3 * first.medianSeconds(),
                     1e3 * blocks.medianSeconds(),
-                    1e3 * last.medianSeconds()));
+                    1e3 * last.medianSeconds());
+            require(first, blocks, "preview.interpolated", conclusion);
+            require(last, first, "preview.last", conclusion);
         }
-        return StudyText.of("preview.answer", 1e3 * slowest, 100 * left) + each;
     }
 
-    @Override
-    public List<Finding> findings(List<Measurement> all) {
-        List<Finding> findings = new ArrayList<>();
-        for (String name : studios.keySet()) {
-            double blocks = Measurement.of(name, BLOCKS, FIRST, all).medianError();
-            double first = Measurement.of(name, PROGRAM, FIRST, all).medianError();
-            double last = Measurement.of(name, PROGRAM, LAST, all).medianError();
-            findings.add(Finding.of(
-                    first < blocks,
-                    name + ": error of the first preview, interpolated",
-                    Finding.text("below %.2g, that of blocks", blocks),
-                    "%.2g",
-                    first));
-            findings.add(Finding.of(
-                    last < first,
-                    name + ": error of the preview at every second pixel",
-                    Finding.text("below %.2g, that of the first", first),
-                    "%.2g",
-                    last));
-        }
-        return findings;
+    private static void require(Measurement better, Measurement worse, String key, Conclusion conclusion) {
+        double error = better.medianError();
+        conclusion.demand(error < worse.medianError(), key, better.problem(), worse.medianError(), error);
     }
 }

@@ -103,30 +103,21 @@ record PromisedErrors(
     static Chart chart() {
         return new Chart(
                         PROBLEM,
-                        Finding.text(
+                        StudyText.format(
                                 "Error found against error promised, all scenes (%.2f times is allowed)", TOLERANCE),
                         Chart.setting("promised RMS error (--error)"),
                         Chart.ERROR,
-                        false)
+                        false,
+                        "")
                 .withGuides(List.of(
                         new Chart.Guide("found = promised", 1),
-                        new Chart.Guide(Finding.text("%.2f times that", TOLERANCE), TOLERANCE)));
-    }
-
-    /** The share of the photographs that keep what was promised. */
-    static double share(List<Measurement> all) {
-        List<Measurement> runs = runs(PROBLEM, all);
-        return (double) kept(runs) / runs.size();
+                        new Chart.Guide(StudyText.format("%.2f times that", TOLERANCE), TOLERANCE)));
     }
 
     private static List<Measurement> runs(String problem, List<Measurement> all) {
         return all.stream()
                 .filter(point -> point.problem().startsWith(problem + ":"))
                 .toList();
-    }
-
-    private static long kept(List<Measurement> runs) {
-        return runs.stream().filter(run -> excess(run) <= TOLERANCE).count();
     }
 
     /** The run with the largest of some figure. */
@@ -138,51 +129,41 @@ record PromisedErrors(
         return run.problem().substring(run.problem().indexOf(':') + 1).replace(":", ", ") + " at " + run.setting();
     }
 
-    /** What the measurements must show. */
-    static List<Finding> findings(List<Measurement> all) {
-        List<Finding> findings = new ArrayList<>();
+    /** Says whether the promises are kept. */
+    static void conclude(List<Measurement> all, Conclusion conclusion) {
         List<Measurement> runs = runs(PROBLEM, all);
-        if (!runs.isEmpty()) {
-            long kept = kept(runs);
-            Measurement worst = worst(runs, PromisedErrors::excess);
-            double reference = worst(runs, Measurement::floor).floor();
-            findings.add(Finding.of(
-                    kept >= SHARE * runs.size(),
-                    Finding.text("Photographs that err by at most %.2f times what was promised", TOLERANCE),
-                    Finding.text("%.0f %%", 100 * SHARE),
-                    "%d of %d; the worst errs by %.2f times (%s)",
-                    kept,
-                    runs.size(),
-                    excess(worst),
-                    name(worst)));
-            findings.add(Finding.of(
-                    reference <= MOST_REFERENCE_ERROR,
-                    "Largest error of the references themselves, from the difference of their halves",
-                    Finding.text("at most %.4f, half of the smallest promise", MOST_REFERENCE_ERROR),
-                    "%.5f",
-                    reference));
+        if (runs.isEmpty()) {
+            return;
         }
+        long kept = runs.stream().filter(run -> excess(run) <= TOLERANCE).count();
+        conclusion.say("promise.answer", Math.floor(100.0 * kept / runs.size()));
+        Measurement worst = worst(runs, PromisedErrors::excess);
+        conclusion.demand(
+                kept >= SHARE * runs.size(),
+                "promise.kept",
+                TOLERANCE,
+                100 * SHARE,
+                kept,
+                runs.size(),
+                excess(worst),
+                name(worst));
+        double reference = worst(runs, Measurement::floor).floor();
+        conclusion.demand(reference <= MOST_REFERENCE_ERROR, "promise.reference", MOST_REFERENCE_ERROR, reference);
         List<Measurement> lights = runs(LIGHT, all);
         if (!lights.isEmpty()) {
-            Measurement worst = worst(
-                    runs.stream().filter(run -> run.method().equals(SPARSE)).toList(), PromisedErrors::excess);
-            findings.add(Finding.of(
-                    excess(worst) <= SPARSE_TOLERANCE,
-                    "Largest error of a photograph with sparse light, divided by what was promised",
-                    Finding.text("at most %.0f", SPARSE_TOLERANCE),
-                    "%.2f (%s)",
-                    excess(worst),
-                    name(worst)));
-            Measurement darkest = worst(lights, Measurement::medianError);
-            findings.add(Finding.of(
-                    darkest.medianError() <= LIGHT_TOLERANCE,
-                    "Mean light of photographs with sparse light: largest difference from that of the reference",
-                    Finding.text("at most %.0f %%", 100 * LIGHT_TOLERANCE),
-                    "%.2f %% (%s)",
-                    100 * darkest.medianError(),
-                    name(darkest)));
+            concludeSparse(
+                    runs.stream().filter(run -> run.method().equals(SPARSE)).toList(), lights, conclusion);
         }
-        return findings;
+    }
+
+    private static void concludeSparse(List<Measurement> runs, List<Measurement> lights, Conclusion conclusion) {
+        Measurement worst = worst(runs, PromisedErrors::excess);
+        conclusion.demand(
+                excess(worst) <= SPARSE_TOLERANCE, "promise.sparse", SPARSE_TOLERANCE, excess(worst), name(worst));
+        Measurement darkest = worst(lights, Measurement::medianError);
+        double missing = darkest.medianError();
+        conclusion.demand(
+                missing <= LIGHT_TOLERANCE, "promise.light", 100 * LIGHT_TOLERANCE, 100 * missing, name(darkest));
     }
 
     /** The error, divided by what was promised, without that of the reference, which adds to it in squares. */

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.IntFunction;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import tompkins.studio.Studio;
 
@@ -42,8 +43,6 @@ abstract class SamplingStudy implements Study {
             long seed, int mostSamples, int repeats, Map<String, SamplingMethod.Factory> methods, String program) {}
 
     private final Comparison comparison;
-    private final Map<String, SamplingMethod.Factory> methods;
-    private final String program;
     private final List<ExactProblem> problems;
     private final String photographed;
     private final Map<String, ScenePixels> scenes = new LinkedHashMap<>();
@@ -61,8 +60,6 @@ abstract class SamplingStudy implements Study {
         this.comparison = comparison;
         this.problems = problems;
         this.photographed = photographed;
-        methods = comparison.methods;
-        program = comparison.program;
         sceneNames = StudySetup.settings(studios);
         int referenceSamples = 16 * comparison.mostSamples;
         studios.forEach((name, studio) -> scenes.put(
@@ -75,9 +72,13 @@ abstract class SamplingStudy implements Study {
 
     @Override
     public final String settings() {
-        return "seed " + comparison.seed + ", up to " + comparison.mostSamples + " samples, " + comparison.repeats
-                + " runs, " + SCENE_BLOCKS
-                + " blocks of photographs, times of the processor, scenes " + sceneNames;
+        return StudyText.of(
+                "sampling.settings",
+                comparison.seed,
+                comparison.mostSamples,
+                comparison.repeats,
+                SCENE_BLOCKS,
+                sceneNames);
     }
 
     @Override
@@ -85,7 +86,7 @@ abstract class SamplingStudy implements Study {
         List<Trial> trials = new ArrayList<>();
         for (ExactProblem problem : problems) {
             for (int samples : counts()) {
-                methods.forEach((title, factory) ->
+                comparison.methods.forEach((title, factory) ->
                         trials.add(new Trial(problem.key(), title, samples, () -> exact(problem, factory, samples))));
             }
         }
@@ -109,7 +110,7 @@ abstract class SamplingStudy implements Study {
     /** All methods at work on a photograph, in turns. */
     private Race race(ScenePixels pixels, int samples) {
         Map<String, IntFunction<Figures>> racers = new LinkedHashMap<>();
-        methods.forEach((title, factory) -> racers.put(
+        comparison.methods.forEach((title, factory) -> racers.put(
                 title,
                 run -> pixels.sampled(factory.sampler(comparison.seed + run, samples, pixels.space()), samples)));
         return new Race(racers, SCENE_REPEATS);
@@ -128,115 +129,73 @@ abstract class SamplingStudy implements Study {
     public final List<Chart> charts() {
         List<Chart> charts = new ArrayList<>();
         for (ExactProblem problem : problems) {
+            String title = problem.title() + ", exact answer";
             charts.add(new Chart(
-                            problem.key(),
-                            problem.title() + ", exact answer",
-                            Chart.setting("samples per pixel"),
-                            Chart.ERROR,
-                            true)
-                    .withOwn(program));
+                    problem.key(), title, Chart.setting("samples per pixel"), Chart.ERROR, true, comparison.program));
         }
         for (String name : scenes.keySet()) {
-            charts.add(Chart.errorAgainstTime(name, name + ", " + photographed).withOwn(program));
+            charts.add(Chart.errorAgainstTime(name, name + ", " + photographed, comparison.program));
         }
         return charts;
     }
 
     @Override
-    public List<Finding> findings(List<Measurement> all) {
-        List<Finding> findings = new ArrayList<>();
+    public void conclude(List<Measurement> all, Conclusion conclusion) {
         for (ExactProblem problem : problems) {
-            PowerLaw random = law(problem, RANDOM, all);
-            findings.add(Finding.of(
-                    random.slope() >= -0.55 && random.slope() <= -0.45,
-                    problem.title() + ": slope of random places",
-                    "-0.55 to -0.45 (theory: -1/2)",
-                    "%.3f",
-                    random.slope()));
-            PowerLaw own = law(problem, program, all);
-            findings.add(Finding.of(
+            double random = law(problem, RANDOM, all).slope();
+            conclusion.demand(random >= -0.55 && random <= -0.45, "sampling.random", problem.title(), random);
+            PowerLaw own = law(problem, comparison.program, all);
+            conclusion.demand(
                     own.slope() <= problem.largestSlope() && own.rSquared() > STRAIGHT,
-                    problem.title() + ": slope of the program's places",
-                    Finding.text(
-                            "at most %.2f (theory: %s), R² above %.2f",
-                            problem.largestSlope(), problem.theory(), STRAIGHT),
-                    "%.3f, R² = %.4f",
+                    "sampling.program",
+                    problem.title(),
+                    problem.largestSlope(),
+                    problem.theory(),
+                    STRAIGHT,
                     own.slope(),
-                    own.rSquared()));
+                    own.rSquared());
             double share = shareOfRandom(problem, all);
-            findings.add(Finding.of(
-                    share <= problem.share(),
-                    Finding.text(
-                            "%s: error of the program's places with %.0f samples, divided by that of random ones",
-                            problem.title(), COMPARED_AT),
-                    Finding.text("at most %.2f", problem.share()),
-                    "%.3f",
-                    share));
+            conclusion.demand(
+                    share <= problem.share(), "sampling.share", problem.title(), COMPARED_AT, problem.share(), share);
         }
-        for (String scene : scenes.keySet()) {
-            findings.add(againstRandom(scene, all));
-            findings.add(againstFastest(scene, all));
-        }
-        return findings;
+        scenes.keySet().forEach(scene -> conclude(scene, all, conclusion));
     }
 
-    /** How soon the program reaches what random places reach in the end. */
-    private Finding againstRandom(String scene, List<Measurement> all) {
-        Measurement random = last(scene, RANDOM, all);
-        double own = secondsTo(random.medianError(), scene, program, all);
-        return Finding.of(
-                own * FASTER <= random.medianSeconds(),
-                Finding.text("%s: time of random places for an RMS error of %.2g", scene, random.medianError()),
-                Finding.text("at least %.0f times that of the program's", FASTER),
-                "%.1f times",
-                random.medianSeconds() / own);
+    /** How soon the methods reach what random places reach in the end, and an error that all but they reach. */
+    private void conclude(String scene, List<Measurement> all, Conclusion conclusion) {
+        List<Measurement> randoms = Measurement.of(scene, RANDOM, all);
+        Measurement random = randoms.get(randoms.size() - 1);
+        double soon = saySecondsTo(random.medianError(), scene, all, conclusion).get(comparison.program);
+        conclusion.demand(
+                soon * FASTER <= random.medianSeconds(),
+                "sampling.againstRandom",
+                scene,
+                random.medianError(),
+                FASTER,
+                random.medianSeconds() / soon);
+        List<Measurement> owns = Measurement.of(scene, comparison.program, all);
+        Measurement own = owns.get(Math.max(0, owns.size() - 2));
+        Map.Entry<String, Double> fastest = saySecondsTo(own.medianError(), scene, all, conclusion)
+                .entrySet()
+                .iterator()
+                .next();
+        double ratio = own.medianSeconds() / fastest.getValue();
+        conclusion.demand(
+                ratio <= SLOWER, "sampling.againstFastest", scene, own.medianError(), SLOWER, ratio, fastest.getKey());
     }
 
-    /** How soon the program reaches a small error, compared with the fastest method. */
-    private Finding againstFastest(String scene, List<Measurement> all) {
-        Measurement own = lastButOne(scene, program, all);
-        double error = own.medianError();
-        String fastest = methods.keySet().stream()
-                .min(Comparator.comparingDouble(method -> secondsTo(error, scene, method, all)))
-                .orElse(program);
-        double ratio = own.medianSeconds() / secondsTo(error, scene, fastest, all);
-        return Finding.of(
-                ratio <= SLOWER,
-                Finding.text("%s: time of the program's places for an RMS error of %.2g", scene, error),
-                Finding.text("at most %.2f times that of the fastest method", SLOWER),
-                "%.2f times (%s)",
-                ratio,
-                fastest);
-    }
-
-    /** What each photograph says about the time of the methods, beginning with a space. */
-    final String timesInPhotographs(List<Measurement> all) {
-        StringBuilder text = new StringBuilder();
-        for (String scene : scenes.keySet()) {
-            for (Measurement goal : List.of(last(scene, RANDOM, all), lastButOne(scene, program, all))) {
-                double error = goal.medianError();
-                List<String> times = methods.keySet().stream()
-                        .filter(method -> Double.isFinite(secondsTo(error, scene, method, all)))
-                        .sorted(Comparator.comparingDouble(method -> secondsTo(error, scene, method, all)))
-                        .map(method -> Finding.text("%s %.0f ms", method, 1e3 * secondsTo(error, scene, method, all)))
-                        .toList();
-                text.append(Finding.text(
-                        " For an RMS error of %.2g, %s takes: %s.", error, scene, String.join(", ", times)));
-            }
-        }
-        return text.toString();
-    }
-
-    /** The measurement with the most samples. */
-    private static Measurement last(String problem, String method, List<Measurement> all) {
-        List<Measurement> points = Measurement.of(problem, method, all);
-        return points.get(points.size() - 1);
-    }
-
-    /** The same with a quarter of the samples, an error that other methods reach, too. */
-    private static Measurement lastButOne(String problem, String method, List<Measurement> all) {
-        List<Measurement> points = Measurement.of(problem, method, all);
-        return points.get(Math.max(0, points.size() - 2));
+    /** Says in which time each method comes to an error in a photograph, and returns the seconds, the fewest first. */
+    private Map<String, Double> saySecondsTo(double error, String scene, List<Measurement> all, Conclusion conclusion) {
+        Map<String, Double> seconds = new LinkedHashMap<>();
+        comparison.methods.keySet().stream()
+                .sorted(Comparator.comparingDouble(method -> secondsTo(error, scene, method, all)))
+                .forEach(method -> seconds.put(method, secondsTo(error, scene, method, all)));
+        String times = seconds.entrySet().stream()
+                .filter(entry -> Double.isFinite(entry.getValue()))
+                .map(entry -> StudyText.format("%s %.0f ms", entry.getKey(), 1e3 * entry.getValue()))
+                .collect(Collectors.joining(", "));
+        conclusion.say("sampling.times", error, scene, times);
+        return seconds;
     }
 
     /** The time in which a method comes to an error, between its measurements; infinite if it does not. */
@@ -258,7 +217,7 @@ abstract class SamplingStudy implements Study {
     }
 
     final double shareOfRandom(ExactProblem problem, List<Measurement> all) {
-        return error(problem, program, all) / error(problem, RANDOM, all);
+        return error(problem, comparison.program, all) / error(problem, RANDOM, all);
     }
 
     private static double error(ExactProblem problem, String method, List<Measurement> all) {

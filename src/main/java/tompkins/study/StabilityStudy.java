@@ -75,7 +75,7 @@ record StabilityStudy(long seed) implements Study {
 
     @Override
     public String settings() {
-        return "seed " + seed + ", " + CASES + " cases for each distance";
+        return StudyText.of("stability.settings", seed, CASES);
     }
 
     @Override
@@ -224,37 +224,27 @@ record StabilityStudy(long seed) implements Study {
 
     @Override
     public List<Chart> charts() {
+        Chart.Axis<Spread> error = new Chart.Axis<>("largest relative error", Measurement::error);
         return PLACES.stream()
-                .map(place -> new Chart(
-                                place.key,
-                                place.title,
-                                Chart.setting(place.distance),
-                                new Chart.Axis<>("largest relative error", Measurement::error),
-                                false)
-                        .withOwn(STABLE))
+                .map(place -> new Chart(place.key, place.title, Chart.setting(place.distance), error, false, STABLE))
                 .toList();
     }
 
     @Override
-    public String answer(List<Measurement> all) {
-        return StudyText.of("stability.answer");
-    }
-
-    @Override
-    public List<Finding> findings(List<Measurement> all) {
-        List<Finding> findings = new ArrayList<>();
+    public void conclude(List<Measurement> all, Conclusion conclusion) {
+        conclusion.say("stability.answer");
         for (Place place : PLACES) {
             double stable = worst(place, STABLE, all);
             double naive = worst(place, NAIVE, all);
-            findings.add(Finding.of(
+            conclusion.demand(
                     stable < GOOD && naive > MUCH * stable,
-                    StudyPage.heading(place.title) + ": largest relative error",
-                    Finding.text("below %.0e; the textbook's is %.0f times larger or more", GOOD, MUCH),
-                    "%.1g; the textbook's %.1g",
+                    "stability.worst",
+                    StudyPage.heading(place.title),
+                    GOOD,
+                    MUCH,
                     stable,
-                    naive));
+                    naive);
         }
-        return findings;
     }
 
     private static double worst(Place place, String method, List<Measurement> all) {

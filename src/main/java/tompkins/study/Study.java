@@ -15,16 +15,9 @@ public interface Study {
     List<Chart> charts();
 
     /**
-     * What the charts show and what follows from it, in a few sentences of Markdown.
+     * Says what the figures show.
      *
      * @param all the measurements of all trials
      */
-    String answer(List<Measurement> all);
-
-    /**
-     * Whether the measurements are as theory and the program's promises demand.
-     *
-     * @param all the measurements of all trials
-     */
-    List<Finding> findings(List<Measurement> all);
+    void conclude(List<Measurement> all, Conclusion conclusion);
 }

@@ -2,7 +2,6 @@ package tompkins.study;
 
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.function.Function;
 
 /** The studies that the program can make. */
@@ -17,13 +16,7 @@ public enum StudyKind {
             setup.studios(List.of("rolling-slit")), SamplingMethod.comparison(setup, SamplingMethod.inTime()))),
 
     /** See {@link AntialiasingStudy}. */
-    ANTIALIASING(setup -> new AntialiasingStudy(
-            setup.studios(List.of("fig1a", "fig2a")),
-            setup.studios(setup.names()),
-            setup.scene() == null ? SparseLight.scenes(setup.seed()) : Map.of(),
-            setup.seed(),
-            144,
-            4096)),
+    ANTIALIASING(AntialiasingStudy::of),
 
     /** See {@link PrecisionStudy}. */
     PRECISION(setup -> new PrecisionStudy(setup.seed())),

@@ -57,7 +57,7 @@ public final class StudyPage {
      */
     public static String introduction(String program) {
         try (InputStream text = StudyPage.class.getResourceAsStream("introduction.md")) {
-            return Finding.text(
+            return StudyText.format(
                     new String(text.readAllBytes(), StandardCharsets.UTF_8),
                     program,
                     Machine.text(),
@@ -102,18 +102,19 @@ public final class StudyPage {
         }
     }
 
-    /** Adds a study: writes its charts, and puts them and its findings on the page. */
-    public void add(StudyKind kind, Study study, List<Measurement> all) throws IOException {
+    /** Adds a study: writes its charts, and puts them and what follows from its figures on the page. */
+    public Conclusion add(StudyKind kind, Study study, List<Measurement> all) throws IOException {
+        Conclusion conclusion = Conclusion.of(study, all);
         text.append("\n## " + heading(kind.toString()) + "\n\n" + StudyText.of(kind + ".question") + "\n\n"
-                + study.answer(all) + "\n\n");
+                + conclusion.answer() + "\n\n");
         for (Chart chart : study.charts()) {
             Path file = put(fileOf(kind, chart), ChartDrawing.png(chart, all));
             String link = name + "/" + file.getFileName();
             text.append("![").append(chart.title()).append("](").append(link).append(")\n");
         }
         text.append("\n| criterion | demanded | found | met |\n|---|---|---|---|\n");
-        for (Finding finding : study.findings(all)) {
-            text.append(Finding.text(
+        for (Finding finding : conclusion.findings()) {
+            text.append(StudyText.format(
                     "| %s | %s | %s | %s |\n",
                     finding.criterion(),
                     finding.demanded(),
@@ -121,7 +122,8 @@ public final class StudyPage {
                     finding.holds() ? "yes" : "**no: something is broken**"));
         }
         text.append("\nSettings: ").append(study.settings()).append(".\n");
-        text.append(Finding.text("Figures: [%s.csv](%s/%s.csv)\n", kind, name, kind));
+        text.append(StudyText.format("Figures: [%s.csv](%s/%s.csv)\n", kind, name, kind));
+        return conclusion;
     }
 
     /** Writes the page and says where it is. */

@@ -5,9 +5,10 @@ import java.io.InputStreamReader;
 import java.io.Reader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.Locale;
 import java.util.Properties;
 
-/** The sentences of studies, from {@code studies.properties}. */
+/** The words of studies, with their figures, from {@code studies.properties}. */
 final class StudyText {
 
     private static final Properties TEXTS = read();
@@ -25,8 +26,13 @@ final class StudyText {
         return texts;
     }
 
-    /** A text with its figures, which are put in as by {@link Finding#text}. */
+    /** A text with its figures, put in as by {@link #format}. */
     static String of(String key, Object... figures) {
-        return Finding.text(TEXTS.getProperty(key), figures);
+        return format(TEXTS.getProperty(key), figures);
+    }
+
+    /** A {@link String#format(String, Object...)} pattern with its figures, the same in all countries. */
+    static String format(String pattern, Object... figures) {
+        return String.format(Locale.ROOT, pattern, figures);
     }
 }

@@ -41,8 +41,7 @@ record TreeStudy(long seed, int mostObjects, int manyRepeats) implements Study {
 
     @Override
     public String settings() {
-        return "seed " + seed + ", up to " + mostObjects + " objects, " + RAYS + " rays, " + manyRepeats
-                + " runs in turns, " + REPEATS + " above " + MANY + " objects";
+        return StudyText.of("tree.settings", seed, mostObjects, RAYS, manyRepeats, REPEATS, MANY);
     }
 
     @Override
@@ -133,61 +132,37 @@ record TreeStudy(long seed, int mostObjects, int manyRepeats) implements Study {
 
     @Override
     public List<Chart> charts() {
-        return List.of(
-                new Chart(SPHERES, "List against tree, building included", Chart.setting("objects"), Chart.TIME, false)
-                        .withOwn(PROGRAM));
+        return List.of(new Chart(
+                SPHERES, "List against tree, building included", Chart.setting("objects"), Chart.TIME, false, PROGRAM));
     }
 
     @Override
-    public String answer(List<Measurement> all) {
+    public void conclude(List<Measurement> all, Conclusion conclusion) {
+        // the smallest number of objects from which on the tree is always faster, of those measured
+        double crossing = Double.POSITIVE_INFINITY;
+        double slower = 0;
+        double at = Double.NaN;
         List<Measurement> lists = Measurement.of(SPHERES, LIST, all);
+        for (Measurement list : lists) {
+            double objects = list.setting();
+            double tree = seconds(TREE, objects, all);
+            crossing = tree < list.medianSeconds() ? Math.min(crossing, objects) : Double.POSITIVE_INFINITY;
+            double ratio = seconds(PROGRAM, objects, all) / Math.min(list.medianSeconds(), tree);
+            if (objects <= MANY && ratio > slower) {
+                slower = ratio;
+                at = objects;
+            }
+        }
         Measurement longest = lists.get(lists.size() - 1);
-        double crossing = crossing(all);
-        return StudyText.of(
+        conclusion.say(
                 "tree.answer",
-                crossing < Double.POSITIVE_INFINITY ? Finding.text("%.0f", crossing) : "no number of",
+                crossing < Double.POSITIVE_INFINITY ? StudyText.format("%.0f", crossing) : "no number of",
                 longest.setting(),
                 longest.medianSeconds() / seconds(TREE, longest.setting(), all),
                 ObjectTree.SMALLEST_TREE);
-    }
-
-    /** The smallest number of objects from which on the tree is always faster, of those measured. */
-    private static double crossing(List<Measurement> all) {
-        double crossing = Double.POSITIVE_INFINITY;
-        for (Measurement list : Measurement.of(SPHERES, LIST, all)) {
-            boolean faster = seconds(TREE, list.setting(), all) < list.medianSeconds();
-            crossing = faster ? Math.min(crossing, list.setting()) : Double.POSITIVE_INFINITY;
-        }
-        return crossing;
-    }
-
-    @Override
-    public List<Finding> findings(List<Measurement> all) {
-        double slower = 0;
-        double at = Double.NaN;
-        for (Measurement list : Measurement.of(SPHERES, LIST, all)) {
-            double best = Math.min(list.medianSeconds(), seconds(TREE, list.setting(), all));
-            double ratio = seconds(PROGRAM, list.setting(), all) / best;
-            if (list.setting() <= MANY && ratio > slower) {
-                slower = ratio;
-                at = list.setting();
-            }
-        }
+        conclusion.demand(slower <= TOLERANCE, "tree.time", TOLERANCE, MANY, slower, at);
         double different = all.stream().mapToDouble(Measurement::maximum).max().orElse(0);
-        return List.of(
-                Finding.of(
-                        slower <= TOLERANCE,
-                        "Median time of the program's choice, divided by the better of list and tree",
-                        Finding.text("at most %.1f for up to %d objects", TOLERANCE, MANY),
-                        "%.2f (with %.0f objects)",
-                        slower,
-                        at),
-                Finding.of(
-                        different == 0,
-                        "Rays that find another object, or the same at another distance, than with a list",
-                        "none, to the last bit",
-                        "%.0f",
-                        different));
+        conclusion.demand(different == 0, "tree.hits", different);
     }
 
     private static double seconds(String method, double objects, List<Measurement> all) {

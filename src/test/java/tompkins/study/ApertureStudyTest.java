@@ -24,7 +24,7 @@ class ApertureStudyTest {
     void methodsFallAsTheoryAndTableSay() {
         ApertureStudy study = study(1024, SamplingMethod.all());
         List<Measurement> all = measure(study);
-        assertThat(study.findings(all))
+        assertThat(Conclusion.of(study, all).findings())
                 .allSatisfy(finding ->
                         assertThat(finding.holds()).as(finding.sentence()).isTrue());
         // measured for 400 other pixels by an independent prototype
@@ -51,7 +51,7 @@ class ApertureStudyTest {
             }
         });
         ApertureStudy study = study(256, broken);
-        assertThat(study.findings(measure(study)))
+        assertThat(Conclusion.of(study, measure(study)).findings())
                 .filteredOn(finding -> !finding.holds())
                 .hasSizeGreaterThan(4);
     }
@@ -77,7 +77,7 @@ class ApertureStudyTest {
             };
         });
         ApertureStudy study = study(64, broken);
-        assertThat(study.findings(measure(study)))
+        assertThat(Conclusion.of(study, measure(study)).findings())
                 .filteredOn(finding -> !finding.holds())
                 .anySatisfy(finding -> assertThat(finding.criterion()).contains("err independently"));
     }

@@ -98,8 +98,8 @@ class ChartDrawingTest {
         List<Measurement> all = List.of(
                 point("other", 1, 0.1), point("other", 10, 0.01), point(OWN, 10, 0.01), point("other", 100, 0.001));
         assertThat(pixels(SECOND_COLOUR, chart(), all)).as("covered").isZero();
-        assertThat(pixels(FIRST_COLOUR, chart().withOwn(OWN), all)).as("ring").isBetween(20L, 150L);
-        assertThat(pixels(SECOND_COLOUR, chart().withOwn(OWN), all)).isGreaterThan(100);
+        assertThat(pixels(FIRST_COLOUR, chart(OWN), all)).as("ring").isBetween(20L, 150L);
+        assertThat(pixels(SECOND_COLOUR, chart(OWN), all)).isGreaterThan(100);
     }
 
     /** Number of pixels of a colour between the axes. */
@@ -127,7 +127,11 @@ class ChartDrawingTest {
     }
 
     private static Chart chart() {
-        return new Chart("p", "title", Chart.setting("setting"), Chart.ERROR, false);
+        return chart("");
+    }
+
+    private static Chart chart(String own) {
+        return new Chart("p", "title", Chart.setting("setting"), Chart.ERROR, false, own);
     }
 
     private static Measurement point(String method, double setting, double error) {

@@ -55,7 +55,7 @@ class ExposureStudyTest {
     void methodsFallAsTheorySays() {
         ExposureStudy study = study(1024, SamplingMethod.inTime());
         List<Measurement> all = measure(study);
-        assertThat(study.findings(all))
+        assertThat(Conclusion.of(study, all).findings())
                 .allSatisfy(finding ->
                         assertThat(finding.holds()).as(finding.sentence()).isTrue());
     }
@@ -67,7 +67,7 @@ class ExposureStudyTest {
         broken.put(SamplingMethod.RANDOM.title(), SamplingMethod.RANDOM.factory());
         broken.put(PROGRAM, (seed, samples, space) -> new PixelSampler(seed, true, false));
         ExposureStudy study = study(256, broken);
-        assertThat(study.findings(measure(study)))
+        assertThat(Conclusion.of(study, measure(study)).findings())
                 .filteredOn(finding -> !finding.holds())
                 .hasSizeGreaterThanOrEqualTo(2 * MotionProblems.ALL.size());
     }
@@ -89,7 +89,9 @@ class ExposureStudyTest {
                 .trials().stream().map(Trial::measure).toList();
 
         assertThat(all).hasSize(27);
-        assertThat(PromisedErrors.findings(all))
+        Conclusion conclusion = new Conclusion();
+        PromisedErrors.conclude(all, conclusion);
+        assertThat(conclusion.findings())
                 .allSatisfy(finding ->
                         assertThat(finding.holds()).as(finding.sentence()).isTrue());
     }

@@ -37,7 +37,7 @@ class StudiesTest {
     @MethodSource("studies")
     void findingsHold(Study study) {
         List<Measurement> all = measure(study);
-        assertThat(study.findings(all))
+        assertThat(Conclusion.of(study, all).findings())
                 .isNotEmpty()
                 .allSatisfy(finding ->
                         assertThat(finding.holds()).as(finding.sentence()).isTrue());
@@ -52,7 +52,8 @@ class StudiesTest {
         List<Study> studies = new ArrayList<>(List.of(PRECISION, new DepthStudy(), new StabilityStudy(3)));
         if (TestRun.THOROUGH) {
             Map<String, Studio> figure = Map.of("fig1b", PaperStudios.fig1b());
-            studies.add(new AntialiasingStudy(figure, figure, Map.of(), 3, 72, 1024));
+            PromisedErrors promises = new PromisedErrors(figure, Map.of(), 3, 24, 256);
+            studies.add(new AntialiasingStudy(figure, promises, 3, 72, 1024));
         }
         return studies;
     }
@@ -83,8 +84,11 @@ class StudiesTest {
 
     /** What the study of precision concludes, from the nanoseconds that single precision and the program take. */
     private static String answerWithTimes(double single, double own) {
-        Measurement first = timed(DirectionForm.SINGLE, single);
-        return new PrecisionStudy(3).answer(List.of(first, timed(DirectionForm.HALF_ANGLE, own)));
+        // of several measurements of one trial the first counts
+        List<Measurement> all =
+                new ArrayList<>(List.of(timed(DirectionForm.SINGLE, single), timed(DirectionForm.HALF_ANGLE, own)));
+        all.addAll(measure(PRECISION));
+        return Conclusion.of(PRECISION, all).answer();
     }
 
     private static Measurement timed(DirectionForm form, double nanoseconds) {
@@ -95,14 +99,19 @@ class StudiesTest {
 
     @Test
     void brokenPromisesAreFound() {
-        assertThat(PromisedErrors.findings(promised(96, 4, 0.0001))).allMatch(Finding::holds);
-        assertThat(PromisedErrors.findings(promised(94, 6, 0.0001)).get(0).holds())
-                .isFalse();
+        assertThat(promises(promised(96, 4, 0.0001))).allMatch(Finding::holds);
+        assertThat(promises(promised(94, 6, 0.0001)).get(0).holds()).isFalse();
+    }
+
+    private static List<Finding> promises(List<Measurement> all) {
+        Conclusion conclusion = new Conclusion();
+        PromisedErrors.conclude(all, conclusion);
+        return conclusion.findings();
     }
 
     @Test
     void referencesThatAreNotGoodEnoughAreFound() {
-        List<Finding> findings = PromisedErrors.findings(promised(100, 0, 0.0006));
+        List<Finding> findings = promises(promised(100, 0, 0.0006));
         assertThat(findings.get(1).holds()).isFalse();
     }
 
@@ -111,7 +120,7 @@ class StudiesTest {
         for (double error : new double[] {0.0019, 0.0021}) {
             for (double light : new double[] {0.019, 0.021}) {
                 List<Measurement> all = List.of(sparse("promise", error), sparse("light", light));
-                List<Finding> findings = PromisedErrors.findings(all);
+                List<Finding> findings = promises(all);
                 assertThat(findings.get(2).holds()).isEqualTo(error < 0.002);
                 assertThat(findings.get(3).holds()).isEqualTo(light < 0.02);
             }
@@ -160,7 +169,7 @@ class StudiesTest {
 
         List<String> complete = Files.readAllLines(file);
         assertThat(complete).hasSize(5 + all).startsWith(kept.toArray(String[]::new));
-        assertThat(study.findings(measured)).allMatch(Finding::holds);
+        assertThat(Conclusion.of(study, measured).findings()).allMatch(Finding::holds);
         assertThat(data.complete(study.trials(), (point, done, count) -> {})).hasSize(all);
         assertThat(Files.readAllLines(file)).isEqualTo(complete);
 
@@ -212,8 +221,8 @@ class StudiesTest {
         String text = Files.readString(page.write());
         assertThat(text)
                 .startsWith("# Title")
-                .contains(study.answer(all))
-                .contains("| " + study.findings(all).get(0).criterion() + " |");
+                .contains(Conclusion.of(study, all).answer())
+                .contains("| " + Conclusion.of(study, all).findings().get(0).criterion() + " |");
         for (Chart chart : study.charts()) {
             String file = "page/stability-" + chart.problem() + ".png";
             assertThat(text).contains("](" + file + ")");
@@ -234,7 +243,7 @@ class StudiesTest {
 
     @Test
     void frontHoldsWhatNoOtherBeats() {
-        Chart chart = Chart.errorAgainstTime("p", "title");
+        Chart chart = Chart.errorAgainstTime("p", "title", "");
         Measurement cheap = point(1, 0.5);
         Measurement beaten = point(2, 0.6);
         Measurement good = point(3, 0.1);
@@ -273,13 +282,8 @@ class StudiesTest {
         }
 
         @Override
-        public String answer(List<Measurement> all) {
-            return whole.answer(all);
-        }
-
-        @Override
-        public List<Finding> findings(List<Measurement> all) {
-            return whole.findings(all);
+        public void conclude(List<Measurement> all, Conclusion conclusion) {
+            whole.conclude(all, conclusion);
         }
     }
 }
