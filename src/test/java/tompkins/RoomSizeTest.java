@@ -36,7 +36,7 @@ class RoomSizeTest {
                 arguments("file, image", 4_420),
                 arguments("explain, lesson, measure, animation", 5_560),
                 arguments("io, app", 7_970),
-                arguments("study", 4_610),
+                arguments("study", 4_560),
                 arguments("ui", 20_640));
     }
 

@@ -60,8 +60,7 @@ final class ApertureStudy extends SamplingStudy {
 
     @Override
     public void conclude(List<Measurement> all, Conclusion conclusion) {
-        String program = comparison().program();
-        PowerLaw own = law(LensProblems.EDGE, program, all);
+        PowerLaw own = law(LensProblems.EDGE, PROGRAM, all);
         conclusion.say(
                 "aperture.answer",
                 own.slope(),
@@ -69,9 +68,9 @@ final class ApertureStudy extends SamplingStudy {
                 samplesFor(0.002, law(LensProblems.EDGE, RANDOM, all)),
                 samplesFor(0.002, law(LensProblems.EDGE, SPIRAL, all)),
                 law(LensProblems.SWEEP, SPIRAL, all).slope(),
-                law(LensProblems.SWEEP, program, all).slope());
+                law(LensProblems.SWEEP, PROGRAM, all).slope());
         super.conclude(all, conclusion);
-        double ratio = Measurement.of(INDEPENDENCE, program, all).get(0).medianError();
+        double ratio = Measurement.of(INDEPENDENCE, PROGRAM, all).get(0).medianError();
         conclusion.demand(
                 ratio < MOST_CORRELATION,
                 "aperture.independence",

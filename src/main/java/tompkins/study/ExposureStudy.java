@@ -16,8 +16,8 @@ final class ExposureStudy extends SamplingStudy {
     public void conclude(List<Measurement> all, Conclusion conclusion) {
         conclusion.say(
                 "exposure.answer",
-                law(MotionProblems.EDGE, comparison().program(), all).slope(),
-                law(MotionProblems.SLANTED, comparison().program(), all).slope(),
+                law(MotionProblems.EDGE, PROGRAM, all).slope(),
+                law(MotionProblems.SLANTED, PROGRAM, all).slope(),
                 shareOfRandom(MotionProblems.EDGE, all),
                 shareOfRandom(MotionProblems.SLIT, all));
         super.conclude(all, conclusion);

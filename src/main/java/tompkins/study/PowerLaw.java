@@ -1,7 +1,9 @@
 package tompkins.study;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 
 /**
  * A law {@code y = factor x^slope}, fitted to points by least squares of the logarithms.
@@ -14,30 +16,22 @@ record PowerLaw(double slope, double factor, double rSquared) {
 
     /** Fits a law; points that are not above 0 are left out. All numbers are NaN if fewer than two are left. */
     static PowerLaw fit(double[] x, double[] y) {
-        int count = 0;
-        double sumX = 0;
-        double sumY = 0;
-        for (int i = 0; i < x.length; i++) {
-            if (x[i] > 0 && y[i] > 0) {
-                count++;
-                sumX += Math.log(x[i]);
-                sumY += Math.log(y[i]);
-            }
-        }
+        double[][] logs = IntStream.range(0, x.length)
+                .filter(i -> x[i] > 0 && y[i] > 0)
+                .mapToObj(i -> new double[] {Math.log(x[i]), Math.log(y[i])})
+                .toArray(double[][]::new);
+        double meanX = Arrays.stream(logs).mapToDouble(log -> log[0]).average().orElse(Double.NaN);
+        double meanY = Arrays.stream(logs).mapToDouble(log -> log[1]).average().orElse(Double.NaN);
         double xx = 0;
         double xy = 0;
         double yy = 0;
-        for (int i = 0; i < x.length; i++) {
-            if (x[i] > 0 && y[i] > 0) {
-                double dx = Math.log(x[i]) - sumX / count;
-                double dy = Math.log(y[i]) - sumY / count;
-                xx += dx * dx;
-                xy += dx * dy;
-                yy += dy * dy;
-            }
+        for (double[] log : logs) {
+            xx += (log[0] - meanX) * (log[0] - meanX);
+            xy += (log[0] - meanX) * (log[1] - meanY);
+            yy += (log[1] - meanY) * (log[1] - meanY);
         }
         double slope = xy / xx;
-        return new PowerLaw(slope, Math.exp((sumY - slope * sumX) / count), slope * xy / yy);
+        return new PowerLaw(slope, Math.exp(meanY - slope * meanX), slope * xy / yy);
     }
 
     /** How the median error falls with a number; errors below three times that of the reference are left out. */

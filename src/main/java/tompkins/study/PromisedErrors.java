@@ -5,8 +5,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiFunction;
+import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
-import java.util.stream.LongStream;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
@@ -45,52 +45,40 @@ record PromisedErrors(
 
     List<Trial> trials() {
         List<Trial> trials = new ArrayList<>();
-        studios.forEach((name, studio) -> {
-            Studio small = Photographs.small(studio, width);
-            trials.addAll(trials(name, kind(studio), small, pixels(small)));
-        });
-        sparse.forEach((name, studio) -> {
-            Studio small = Photographs.small(studio, SPARSE_WIDTH);
-            ScenePixels pixels = pixels(small);
-            trials.addAll(trials(name, SPARSE, small, pixels));
-            double best = PROMISES[PROMISES.length - 1];
-            trials.addAll(trials(LIGHT, name, SPARSE, small, best, pixels::meanLight));
-        });
+        studios.forEach((name, studio) -> trials.addAll(trials(name, kind(studio), studio, width)));
+        sparse.forEach((name, studio) -> trials.addAll(trials(name, SPARSE, studio, SPARSE_WIDTH)));
         return trials;
     }
 
-    private ScenePixels pixels(Studio small) {
-        return new ScenePixels(small, ScenePixels.ALL, referenceSamples, WANTED_REFERENCE_ERROR, () -> false);
-    }
-
-    private List<Trial> trials(String name, String kind, Studio small, ScenePixels pixels) {
+    /** One trial for each promise and each seed; those of sparse light also measure the mean light at the best. */
+    private List<Trial> trials(String name, String kind, Studio studio, int columns) {
+        Studio small = Photographs.small(studio, columns);
+        ScenePixels pixels =
+                new ScenePixels(small, ScenePixels.ALL, referenceSamples, WANTED_REFERENCE_ERROR, () -> false);
         List<Trial> trials = new ArrayList<>();
         for (double promise : PROMISES) {
-            trials.addAll(trials(PROBLEM, name, kind, small, promise, pixels::photographed));
+            trials.addAll(runs(PROBLEM, name, kind, promise, small, pixels::photographed));
+        }
+        if (kind.equals(SPARSE)) {
+            trials.addAll(runs(LIGHT, name, kind, PROMISES[PROMISES.length - 1], small, pixels::meanLight));
         }
         return trials;
     }
 
-    /** One trial for each seed. */
-    private List<Trial> trials(
+    private List<Trial> runs(
             String problem,
             String name,
             String kind,
-            Studio small,
             double promise,
+            Studio small,
             BiFunction<List<Studio>, Quality, Figures> measure) {
-        return LongStream.range(seed, seed + SEEDS)
-                .mapToObj(run -> {
-                    List<Studio> seeded =
-                            List.of(small.withSettings(small.settings().withSeed(run)));
-                    return new Trial(
-                            problem + ":" + name + ":seed " + run,
-                            kind,
-                            promise,
-                            () -> measure.apply(seeded, new Quality.TargetError(promise)),
-                            name);
-                })
-                .toList();
+        List<Trial> trials = new ArrayList<>();
+        for (long run = seed; run < seed + SEEDS; run++) {
+            List<Studio> seeded = List.of(small.withSettings(small.settings().withSeed(run)));
+            Supplier<Figures> measurer = () -> measure.apply(seeded, new Quality.TargetError(promise));
+            trials.add(new Trial(problem + ":" + name + ":seed " + run, kind, promise, measurer, name));
+        }
+        return trials;
     }
 
     private static String kind(Studio studio) {

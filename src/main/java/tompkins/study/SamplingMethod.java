@@ -68,7 +68,7 @@ enum SamplingMethod {
 
     /** The comparison of some methods with that of the program, as thorough as for the documents. */
     static SamplingStudy.Comparison comparison(StudySetup setup, Map<String, Factory> methods) {
-        return new SamplingStudy.Comparison(setup.seed(), 4096, 5, methods, SOBOL.title);
+        return new SamplingStudy.Comparison(setup.seed(), 4096, 5, methods);
     }
 
     /** All methods, by title. */

@@ -19,6 +19,9 @@ abstract class SamplingStudy implements Study {
     /** The method of Dr TIM. */
     static final String RANDOM = SamplingMethod.RANDOM.title();
 
+    /** The program's own method. */
+    static final String PROGRAM = SamplingMethod.SOBOL.title();
+
     private static final int SCENE_BLOCKS = 8;
     private static final int SCENE_REPEATS = 3;
     private static final double STRAIGHT = 0.98;
@@ -37,10 +40,8 @@ abstract class SamplingStudy implements Study {
      * @param mostSamples the largest number of samples per pixel; a power of 4
      * @param repeats runs of each trial with an exact answer
      * @param methods the methods, by name
-     * @param program the name of the program's own method
      */
-    record Comparison(
-            long seed, int mostSamples, int repeats, Map<String, SamplingMethod.Factory> methods, String program) {}
+    record Comparison(long seed, int mostSamples, int repeats, Map<String, SamplingMethod.Factory> methods) {}
 
     private final Comparison comparison;
     private final List<ExactProblem> problems;
@@ -130,11 +131,10 @@ abstract class SamplingStudy implements Study {
         List<Chart> charts = new ArrayList<>();
         for (ExactProblem problem : problems) {
             String title = problem.title() + ", exact answer";
-            charts.add(new Chart(
-                    problem.key(), title, Chart.setting("samples per pixel"), Chart.ERROR, true, comparison.program));
+            charts.add(new Chart(problem.key(), title, Chart.setting("samples per pixel"), Chart.ERROR, true, PROGRAM));
         }
         for (String name : scenes.keySet()) {
-            charts.add(Chart.errorAgainstTime(name, name + ", " + photographed, comparison.program));
+            charts.add(Chart.errorAgainstTime(name, name + ", " + photographed, PROGRAM));
         }
         return charts;
     }
@@ -144,7 +144,7 @@ abstract class SamplingStudy implements Study {
         for (ExactProblem problem : problems) {
             double random = law(problem, RANDOM, all).slope();
             conclusion.demand(random >= -0.55 && random <= -0.45, "sampling.random", problem.title(), random);
-            PowerLaw own = law(problem, comparison.program, all);
+            PowerLaw own = law(problem, PROGRAM, all);
             conclusion.demand(
                     own.slope() <= problem.largestSlope() && own.rSquared() > STRAIGHT,
                     "sampling.program",
@@ -165,7 +165,7 @@ abstract class SamplingStudy implements Study {
     private void conclude(String scene, List<Measurement> all, Conclusion conclusion) {
         List<Measurement> randoms = Measurement.of(scene, RANDOM, all);
         Measurement random = randoms.get(randoms.size() - 1);
-        double soon = saySecondsTo(random.medianError(), scene, all, conclusion).get(comparison.program);
+        double soon = saySecondsTo(random.medianError(), scene, all, conclusion).get(PROGRAM);
         conclusion.demand(
                 soon * FASTER <= random.medianSeconds(),
                 "sampling.againstRandom",
@@ -173,7 +173,7 @@ abstract class SamplingStudy implements Study {
                 random.medianError(),
                 FASTER,
                 random.medianSeconds() / soon);
-        List<Measurement> owns = Measurement.of(scene, comparison.program, all);
+        List<Measurement> owns = Measurement.of(scene, PROGRAM, all);
         Measurement own = owns.get(Math.max(0, owns.size() - 2));
         Map.Entry<String, Double> fastest = saySecondsTo(own.medianError(), scene, all, conclusion)
                 .entrySet()
@@ -217,7 +217,7 @@ abstract class SamplingStudy implements Study {
     }
 
     final double shareOfRandom(ExactProblem problem, List<Measurement> all) {
-        return error(problem, comparison.program, all) / error(problem, RANDOM, all);
+        return error(problem, PROGRAM, all) / error(problem, RANDOM, all);
     }
 
     private static double error(ExactProblem problem, String method, List<Measurement> all) {

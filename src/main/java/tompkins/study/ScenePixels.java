@@ -1,13 +1,15 @@
 package tompkins.study;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
+import java.util.stream.Stream;
 import tompkins.camera.Sampler;
 import tompkins.image.LinearImage;
-import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
 import tompkins.render.Quality;
@@ -33,25 +35,17 @@ final class ScenePixels {
     private final BooleanSupplier cancelled;
     private final RenderPlan plan;
     private final List<Block> blocks = new ArrayList<>();
-    private int count;
     private double[] reference;
 
     /** The root mean square error of the reference, from the difference of its halves. */
     private double floor;
 
-    /**
-     * A block.
-     *
-     * @param left first column
-     * @param top first row
-     * @param width columns
-     * @param height rows
-     * @param first number of its first pixel among those of all blocks
-     */
-    private record Block(int left, int top, int width, int height, int first) {
+    /** A block of pixels, from its first column and row. */
+    private record Block(int left, int top, int width, int height) {
 
-        int place(int column, int row) {
-            return first + (row - top) * width + column - left;
+        /** Channels of all pixels. */
+        int values() {
+            return 3 * width * height;
         }
     }
 
@@ -77,8 +71,7 @@ final class ScenePixels {
             int top = number / columns * side;
             int width = Math.min(side, plan.width() - left);
             int height = Math.min(side, plan.height() - top);
-            blocks.add(new Block(left, top, width, height, count));
-            count += width * height;
+            blocks.add(new Block(left, top, width, height));
         }
     }
 
@@ -94,8 +87,10 @@ final class ScenePixels {
     Figures sampled(Sampler sampler, int samples) {
         double[] right = reference();
         double[][] light = new double[1][];
-        double seconds = Stopwatch.seconds(() -> light[0] = light(sampler, samples));
-        return Figures.of((double) samples * count, seconds, ErrorNorm.of(light[0], right), floor);
+        double seconds =
+                Stopwatch.seconds(() -> light[0] = light(blocks.stream(), block -> light(block, sampler, samples)));
+        double rays = (double) samples * right.length / 3;
+        return Figures.of(rays, seconds, ErrorNorm.of(light[0], right), floor);
     }
 
     /**
@@ -121,25 +116,10 @@ final class ScenePixels {
             stopIfCancelled();
             RenderJob job = Photographs.taken(RenderPlan.of(studio), quality, cancelled);
             RenderReport report = job.report();
-            ErrorNorm norm = measure.apply(light(job.image()), right);
+            ErrorNorm norm = measure.apply(light(blocks.stream(), block -> light(block, job.image())), right);
             runs.add(Figures.of(report.samples(), report.time().toNanos() / 1e9, norm, floor));
         }
         return Figures.of(runs);
-    }
-
-    /** The light of the blocks of a photograph. */
-    private double[] light(LinearImage image) {
-        double[] light = new double[3 * count];
-        for (Block block : blocks) {
-            for (int i = 0; i < block.width * block.height; i++) {
-                int column = block.left + i % block.width;
-                int row = block.top + i / block.width;
-                for (int channel = 0; channel < 3; channel++) {
-                    light[3 * block.place(column, row) + channel] = image.value(column, row, channel);
-                }
-            }
-        }
-        return light;
     }
 
     private void stopIfCancelled() {
@@ -148,47 +128,40 @@ final class ScenePixels {
         }
     }
 
-    /** The light of all pixels, three channels each, from some samples of each. */
-    private double[] light(Sampler sampler, int samples) {
-        double[] light = new double[3 * count];
-        blocks.forEach(block -> addBlock(block, sampler, samples, light));
+    /** The light of some pixels, three channels each, from what each block shows. */
+    private static double[] light(Stream<Block> blocks, Function<Block, double[]> light) {
+        return blocks.map(light).flatMapToDouble(Arrays::stream).toArray();
+    }
+
+    private static double[] light(Block block, LinearImage image) {
+        double[] light = new double[block.values()];
+        for (int i = 0; i < light.length; i++) {
+            int pixel = i / 3;
+            light[i] = image.value(block.left + pixel % block.width, block.top + pixel / block.width, i % 3);
+        }
         return light;
     }
 
-    private void addBlock(Block block, Sampler sampler, int samples, double[] light) {
+    private double[] light(Block block, Sampler sampler, int samples) {
         SampleTracer tracer = plan.tracer(new RayCounts(), sampler);
         tracer.shareBetween(samples);
-        BlockLight sink = new BlockLight(block, light);
+        double[] light = new double[block.values()];
         double weights = 0;
         for (int sample = 0; sample < samples; sample++) {
-            sink.weight = SamplePattern.weight(sampler, sample);
-            weights += sink.weight;
+            double weight = SamplePattern.weight(sampler, sample);
+            weights += weight;
+            SampleSink sink = (column, row, colour) -> {
+                int place = 3 * ((row - block.top) * block.width + column - block.left);
+                light[place] += weight * colour.red();
+                light[place + 1] += weight * colour.green();
+                light[place + 2] += weight * colour.blue();
+            };
             tracer.sampleBlock(block.left, block.top, block.width, block.height, 1, sample, sink);
         }
-        for (int i = 3 * block.first; i < 3 * (block.first + block.width * block.height); i++) {
+        for (int i = 0; i < light.length; i++) {
             light[i] *= plan.exposure() / weights;
         }
-    }
-
-    /** Adds up the light of a block. */
-    private static final class BlockLight implements SampleSink {
-
-        private final Block block;
-        private final double[] light;
-        private double weight;
-
-        BlockLight(Block block, double[] light) {
-            this.block = block;
-            this.light = light;
-        }
-
-        @Override
-        public void take(int column, int row, Colour colour) {
-            int place = 3 * block.place(column, row);
-            light[place] += weight * colour.red();
-            light[place + 1] += weight * colour.green();
-            light[place + 2] += weight * colour.blue();
-        }
+        return light;
     }
 
     /** The light of all pixels as it should be; worked out when it is first asked for. */
@@ -216,12 +189,10 @@ final class ScenePixels {
     }
 
     private double[] half(long seed) {
-        double[] light = new double[3 * count];
         int samples = Math.max(1, referenceSamples / 2);
-        blocks.parallelStream().forEach(block -> {
+        return light(blocks.parallelStream(), block -> {
             stopIfCancelled();
-            addBlock(block, new SamplePattern(seed, ShiftedPattern.lattice(samples)), samples, light);
+            return light(block, new SamplePattern(seed, ShiftedPattern.lattice(samples)), samples);
         });
-        return light;
     }
 }

@@ -4,14 +4,15 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import tompkins.file.FileException;
 import tompkins.file.OutputFolder;
@@ -23,10 +24,8 @@ import tompkins.file.PendingFile;
  */
 public final class StudyData {
 
-    /** What the name of a file has before its ending if it holds a part of the figures. */
-    private static final String PART = "-part-[0-9]+-of-[0-9]+";
-
-    private static final String ENDING = ".csv";
+    /** How the name of a file ends if it holds a part of the figures. */
+    private static final String PART = "-part-[0-9]*-of-[0-9]*.csv";
 
     private static final String COLUMNS = "problem,method,setting,rays,seconds_low,seconds_median,seconds_high,"
             + "error_low,error_median,error_high,maximum,reference_error";
@@ -101,13 +100,13 @@ public final class StudyData {
         if (!Files.isDirectory(folder)) {
             return List.of();
         }
-        String name = file.getFileName().toString();
-        String pattern = Pattern.quote(name.substring(0, name.length() - ENDING.length())) + PART + "\\" + ENDING;
-        try (Stream<Path> files = Files.list(folder)) {
-            return files.filter(each -> each.getFileName().toString().matches(pattern))
-                    .sorted()
-                    .toList();
+        String pattern = file.getFileName().toString().replace(".csv", PART);
+        List<Path> parts = new ArrayList<>();
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, pattern)) {
+            files.forEach(parts::add);
         }
+        Collections.sort(parts);
+        return parts;
     }
 
     /**

@@ -18,7 +18,7 @@ import tompkins.camera.Sampler;
 /** The slopes of theory, and what happens if a sampler is broken. */
 class ApertureStudyTest {
 
-    private static final String PROGRAM = SamplingMethod.SOBOL.title();
+    private static final String PROGRAM = SamplingStudy.PROGRAM;
 
     @Test
     void methodsFallAsTheoryAndTableSay() {
@@ -97,7 +97,7 @@ class ApertureStudyTest {
     }
 
     private static ApertureStudy study(int mostSamples, Map<String, SamplingMethod.Factory> methods) {
-        return new ApertureStudy(Map.of(), new SamplingStudy.Comparison(7, mostSamples, 1, methods, PROGRAM));
+        return new ApertureStudy(Map.of(), new SamplingStudy.Comparison(7, mostSamples, 1, methods));
     }
 
     private static List<Measurement> measure(Study study) {

@@ -19,7 +19,7 @@ import tompkins.studio.Studio;
 /** The slopes of theory, the exact answers against fine grids, and what happens if a sampler is broken. */
 class ExposureStudyTest {
 
-    private static final String PROGRAM = SamplingMethod.SOBOL.title();
+    private static final String PROGRAM = SamplingStudy.PROGRAM;
 
     @ParameterizedTest
     @MethodSource("problems")
@@ -73,7 +73,7 @@ class ExposureStudyTest {
     }
 
     private static ExposureStudy study(int mostSamples, Map<String, SamplingMethod.Factory> methods) {
-        return new ExposureStudy(Map.of(), new SamplingStudy.Comparison(7, mostSamples, 1, methods, PROGRAM));
+        return new ExposureStudy(Map.of(), new SamplingStudy.Comparison(7, mostSamples, 1, methods));
     }
 
     /** What {@code --error} promises, of the scenes with an exposure time or a rolling shutter. */
