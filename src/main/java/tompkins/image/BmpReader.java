@@ -83,8 +83,6 @@ final class BmpReader {
     }
 
     private void require(boolean known, String property, String allowed) throws FileException {
-        if (!known) {
-            throw PictureEncoding.BMP.refusal(name, property, allowed);
-        }
+        PictureEncoding.BMP.require(known, name, property, allowed);
     }
 }

@@ -81,22 +81,15 @@ final class JpegReader {
      * A frame: bits of a sample, height, width, and components with three bytes each, the first of which is its name.
      */
     private void readFrame(int marker, byte[] frame) throws IOException {
-        if (marker > JPEG.SOF2) {
-            throw PictureEncoding.JPEG.refusal(name, "its coding is " + coding(marker), "be baseline or progressive");
-        }
-        if (frame[0] != 8) {
-            throw PictureEncoding.JPEG.refusal(name, "has " + frame[0] + " bits a sample", "have 8");
-        }
+        PictureEncoding kind = PictureEncoding.JPEG;
+        kind.require(marker <= JPEG.SOF2, name, "its coding is " + coding(marker), "be baseline or progressive");
+        kind.require(frame[0] == 8, name, "has " + frame[0] + " bits a sample", "have 8");
         // The library has a limit of its own, and no reason.
         Pixels.requireSize(bigEndian(frame, 3), bigEndian(frame, 1), name);
         int count = frame[5] & 0xff;
-        if (count != 1 && count != 3) {
-            throw PictureEncoding.JPEG.refusal(
-                    name,
-                    "has " + count + " colours"
-                            + (count == 4 ? ", as for printing in cyan, magenta, yellow and black" : ""),
-                    "be grey or red, green and blue");
-        }
+        String inks = count == 4 ? ", as for printing in cyan, magenta, yellow and black" : "";
+        kind.require(
+                count == 1 || count == 3, name, "has " + count + " colours" + inks, "be grey or red, green and blue");
         components = new byte[count];
         for (int i = 0; i < count; i++) {
             components[i] = frame[6 + 3 * i];

@@ -43,15 +43,18 @@ enum PictureEncoding {
     }
 
     /**
-     * The refusal of a picture of a kind that is not read.
+     * Refuses a picture of a kind that is not read.
      *
+     * @param known whether it is of another kind
      * @param name the file's name
      * @param property what is not read, such as "has 12 bits a sample"
      * @param allowed what pictures of this encoding must do instead, such as "have 8 or 16"
      */
-    FileException refusal(String name, String property, String allowed) {
-        return new FileException(name + ": " + property + "; a " + label + " picture must " + allowed
-                + "; convert it, for example with ImageMagick or GIMP");
+    void require(boolean known, String name, String property, String allowed) throws FileException {
+        if (!known) {
+            throw new FileException(name + ": " + property + "; a " + label + " picture must " + allowed
+                    + "; convert it, for example with ImageMagick or GIMP");
+        }
     }
 
     private boolean begins(byte[] file) {

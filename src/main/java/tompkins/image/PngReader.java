@@ -34,10 +34,12 @@ final class PngReader {
      * @throws IOException if the file is damaged
      */
     static Pixels read(byte[] file, String name) throws IOException {
-        if (new String(file, FIRST_TYPE_AT, APPLE.length(), StandardCharsets.ISO_8859_1).equals(APPLE)) {
-            throw PictureEncoding.PNG.refusal(
-                    name, "is packed in a way that only Apple devices read (" + APPLE + ")", "be an ordinary one");
-        }
+        String firstType = new String(file, FIRST_TYPE_AT, APPLE.length(), StandardCharsets.ISO_8859_1);
+        PictureEncoding.PNG.require(
+                !firstType.equals(APPLE),
+                name,
+                "is packed in a way that only Apple devices read (" + APPLE + ")",
+                "be an ordinary one");
         ByteBuffer header = ByteBuffer.wrap(file).position(FIRST_TYPE_AT + APPLE.length());
         Pixels.requireSize(Integer.toUnsignedLong(header.getInt()), Integer.toUnsignedLong(header.getInt()), name);
         int bitDepth = header.get();

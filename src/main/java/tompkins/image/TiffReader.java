@@ -168,9 +168,7 @@ final class TiffReader {
     }
 
     private void require(boolean known, String property, String allowed) throws FileException {
-        if (!known) {
-            throw PictureEncoding.TIFF.refusal(name, property, allowed);
-        }
+        PictureEncoding.TIFF.require(known, name, property, allowed);
     }
 
     private static String named(Map<Long, String> names, long number) {
