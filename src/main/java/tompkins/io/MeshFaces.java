@@ -112,44 +112,35 @@ final class MeshFaces {
             if (!statement.nextWord()) {
                 throw statement.mistake("a vertex must have three coordinates, has " + axis);
             }
-            coordinates.addElement(coordinate(statement));
+            String word = statement.word();
+            if (!NUMBER.matcher(word).matches()) {
+                throw statement.unclear();
+            }
+            double coordinate = number(word);
+            if (!Double.isFinite(coordinate)) {
+                throw statement.mistake("coordinates must be finite, one was " + Problems.shortened(word));
+            }
+            coordinates.addElement(coordinate);
         }
     }
 
-    private static double coordinate(ObjStatements statement) {
-        String word = statement.word();
-        if (!NUMBER.matcher(word).matches()) {
-            throw statement.unclear();
-        }
-        boolean digits = Character.isDigit(word.charAt(word.length() - 1)) || word.endsWith(".");
-        double value = digits ? Double.parseDouble(word) : Double.NaN;
-        if (!Double.isFinite(value)) {
-            throw statement.mistake("coordinates must be finite, one was " + Problems.shortened(word));
-        }
-        return value;
+    /** The value of a number; not a number if it is written as a word. */
+    private static double number(String word) {
+        return Character.isLetter(word.charAt(word.length() - 1)) ? Double.NaN : Double.parseDouble(word);
     }
 
     /** Adds numbers that a mesh can do without: if they cannot be read, they are not a number. */
     private void addNumbers(ObjStatements statement, ResizableDoubleArray numbers, int count, String problem) {
         double sum = 0;
         for (int i = 0; i < count; i++) {
-            double number = Double.NaN;
-            if (statement.nextWord() && NUMBER.matcher(statement.word()).matches()) {
-                number = coordinate(statement, Double.NaN);
-            }
-            numbers.addElement(number);
-            sum += number;
+            boolean isNumber =
+                    statement.nextWord() && NUMBER.matcher(statement.word()).matches();
+            double number = isNumber ? number(statement.word()) : Double.NaN;
+            numbers.addElement(Double.isFinite(number) ? number : Double.NaN);
+            sum += numbers.getElement(numbers.getNumElements() - 1);
         }
         if (Double.isNaN(sum)) {
             notes.add(name, problem);
-        }
-    }
-
-    private static double coordinate(ObjStatements statement, double otherwise) {
-        try {
-            return coordinate(statement);
-        } catch (ObjMistake notFinite) {
-            return otherwise;
         }
     }
 
@@ -184,7 +175,7 @@ final class MeshFaces {
 
     /** The vertex of a corner, counted from 0; it may still be missing. */
     private int vertex(ObjStatements statement, String index) {
-        long number = number(index);
+        long number = wholeNumber(index);
         if (number == 0) {
             throw statement.unclear();
         }
@@ -202,13 +193,13 @@ final class MeshFaces {
 
     /** A number counted from 1, or backwards from the last so far, as one counted from 0; -1 if there is none. */
     private static int index(String digits, int known) {
-        long number = digits.isEmpty() ? 0 : number(digits);
+        long number = digits.isEmpty() ? 0 : wholeNumber(digits);
         long index = number > 0 ? number - 1 : number < 0 ? known + number : NONE;
         return index < 0 || index > Integer.MAX_VALUE ? NONE : (int) index;
     }
 
     /** The value of digits with a sign; numbers beyond 64 bits become the nearest that fits. */
-    private static long number(String digits) {
+    private static long wholeNumber(String digits) {
         try {
             return Long.parseLong(digits);
         } catch (NumberFormatException tooLong) {
