@@ -26,7 +26,6 @@ import tompkins.animation.FrameSelection;
 import tompkins.animation.FrameSequence;
 import tompkins.animation.RideFilm;
 import tompkins.explain.Explanation;
-import tompkins.file.FileException;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
 import tompkins.image.Fonts;
@@ -224,7 +223,7 @@ final class AnimateCommand extends LongCommand {
     }
 
     private int assemble() throws Exception {
-        FilmAssembly film = assembly();
+        FilmAssembly film = NamedFile.used(() -> new FilmAssembly(new FrameFolder(assembled)));
         if (!film.missing().frames().isEmpty()) {
             err().println(assembled + ": of the frames 0-" + (film.count() - 1) + " some are missing or damaged;"
                     + " animate SCENE --skip-existing --frames LIST takes these:");
@@ -241,14 +240,6 @@ final class AnimateCommand extends LongCommand {
             }
         });
         return 0;
-    }
-
-    private FilmAssembly assembly() {
-        try {
-            return new FilmAssembly(new FrameFolder(assembled));
-        } catch (FileException wrongPlace) {
-            throw new MistakeException(wrongPlace.getMessage());
-        }
     }
 
     private void requireFree() {
@@ -370,19 +361,12 @@ final class AnimateCommand extends LongCommand {
     }
 
     private AnimationFormat format() {
-        try {
-            return OutputOption.namesFolder(commandLine()) ? AnimationFormat.NUMBERED_PNG : AnimationFormat.of(output);
-        } catch (FileException wrongName) {
-            throw new MistakeException(wrongName.getMessage());
-        }
+        return OutputOption.namesFolder(commandLine())
+                ? AnimationFormat.NUMBERED_PNG
+                : NamedFile.used(() -> AnimationFormat.of(output));
     }
 
     private AnimationWriter open(int rate) {
-        try {
-            return format().open(output, rate, frames.force());
-        } catch (FileException wrongPlace) {
-            // not a failure of the disk: the user named the place
-            throw new MistakeException(wrongPlace.getMessage());
-        }
+        return NamedFile.used(() -> format().open(output, rate, frames.force()));
     }
 }

@@ -12,7 +12,6 @@ import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.measure.LessonStudio;
-import tompkins.property.InvalidPropertyException;
 import tompkins.property.MistakeException;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
@@ -71,11 +70,10 @@ final class CheckCommand extends ProgramCommand {
      * their own flights do not meet.
      */
     private void requireWhatIsTaught(Studio studio) {
-        try {
+        StudioReader.used(current, () -> {
             RideFilm.requireChallenges(studio);
             LessonStudio.of(studio).ifPresent(LessonStudio::requireAgreement);
-        } catch (InvalidPropertyException wrong) {
-            throw StudioReader.mistake(current, wrong);
-        }
+            return studio;
+        });
     }
 }

@@ -26,7 +26,6 @@ import tompkins.measure.Measurements;
 import tompkins.measure.Profile;
 import tompkins.measure.RayTable;
 import tompkins.measure.Sketch;
-import tompkins.property.InvalidPropertyException;
 import tompkins.property.MistakeException;
 import tompkins.property.NumberText;
 import tompkins.studio.RenderSettings;
@@ -156,15 +155,10 @@ final class MeasureCommand extends ProgramCommand {
 
     /** What the numbers of a lesson are in its picture, and by its formulas. */
     private Stream<String> lesson(Studio studio) {
-        try {
-            LessonStudio lesson = LessonStudio.of(studio)
-                    .orElseThrow(() -> new MistakeException(scene + ": the scene must have a lesson"));
-            List<List<Fact>> rows =
-                    lesson.results().stream().map(LessonResult::facts).toList();
-            return table(new LessonResult(LessonNumber.DEFAULT, 0, Sketch.EMPTY).facts(), rows);
-        } catch (InvalidPropertyException wrong) {
-            throw StudioReader.mistake(scene, wrong);
-        }
+        LessonStudio lesson = ScenePlan.lesson(studio, scene);
+        List<LessonResult> results = StudioReader.used(scene, lesson::results);
+        List<Fact> headings = new LessonResult(LessonNumber.DEFAULT, 0, Sketch.EMPTY).facts();
+        return table(headings, results.stream().map(LessonResult::facts).toList());
     }
 
     private Stream<String> table(List<Fact> headings, List<List<Fact>> rows) {

@@ -3,7 +3,9 @@ package tompkins.app;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import tompkins.file.FileException;
 import tompkins.file.FileFailure;
+import tompkins.property.MistakeException;
 
 /**
  * Files as the user names them. A name that the locale cannot express is refused, because it would become another one.
@@ -43,6 +45,21 @@ final class NamedFile {
             throw new InvalidPathException(name, "no letters");
         }
         return Path.of("");
+    }
+
+    /** Uses a file or folder. */
+    interface Use<T> {
+
+        T make() throws FileException;
+    }
+
+    /** Uses what the user named. What fails then is no failure of the disk but a mistake: the user named the place. */
+    static <T> T used(Use<T> use) {
+        try {
+            return use.make();
+        } catch (FileException wrongPlace) {
+            throw new MistakeException(wrongPlace.getMessage());
+        }
     }
 
     /** What is wrong with a name. */

@@ -12,7 +12,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.Model.OptionSpec;
 import tompkins.file.FileException;
 import tompkins.file.OutputFolder;
-import tompkins.property.MistakeException;
+import tompkins.file.PendingFile;
 
 /** What the option {@code -o} of the commands means besides a name. */
 final class OutputOption {
@@ -39,7 +39,7 @@ final class OutputOption {
      * written. A folder that cannot be made is a mistake.
      */
     static <T> T inFolder(Path folder, Callable<T> work) throws Exception {
-        OutputFolder output = folder(folder);
+        OutputFolder output = NamedFile.used(() -> OutputFolder.at(folder));
         try {
             return work.call();
         } finally {
@@ -47,28 +47,14 @@ final class OutputOption {
         }
     }
 
-    /** Writes into a stream. */
-    interface Content {
-
-        void write(OutputStream out) throws IOException;
-    }
-
     /** Writes bytes to the standard output, past the letters that are printed there. */
-    static void toPipe(Content content) throws IOException {
+    static void toPipe(PendingFile.Content content) throws IOException {
         try {
             OutputStream out = new BufferedOutputStream(new FileOutputStream(FileDescriptor.out));
-            content.write(out);
+            content.writeTo(out);
             out.flush();
         } catch (IOException lost) {
             throw FileException.cannotWrite("standard output", lost);
-        }
-    }
-
-    private static OutputFolder folder(Path folder) {
-        try {
-            return OutputFolder.at(folder);
-        } catch (FileException wrongPlace) {
-            throw new MistakeException(wrongPlace.getMessage());
         }
     }
 }

@@ -233,6 +233,14 @@ final class Photographer implements AutoCloseable {
         requireWritable(order.target);
     }
 
+    /** Refuses a place where nothing can be saved, or where there is a file that is not to be replaced. */
+    static void requirePlace(Path target, boolean replace) {
+        if (!replace) {
+            requireFree(target);
+        }
+        requireWritable(target);
+    }
+
     /** Refuses the name of a file that exists. */
     static void requireFree(Path target) {
         if (Files.isRegularFile(target)) {
@@ -242,12 +250,10 @@ final class Photographer implements AutoCloseable {
 
     /** Refuses a place where nothing can be saved. */
     static void requireWritable(Path target) {
-        try {
+        NamedFile.used(() -> {
             PhotographFile.requireWritable(target);
-        } catch (FileException wrongPlace) {
-            // not a failure of the disk: the user named the place
-            throw new MistakeException(wrongPlace.getMessage());
-        }
+            return target;
+        });
     }
 
     /** What a photograph says about itself; a scene that is too long for it is a mistake. */
@@ -304,17 +310,15 @@ final class Photographer implements AutoCloseable {
         if (file.equals(OutputOption.PIPE)) {
             return wish == null ? PictureFormat.PNG : wish;
         }
-        try {
-            if (wish == null) {
-                PictureFormat usual = PictureFormat.of(file);
-                Optional<PictureFormat> format =
-                        scene.equals(StudioReader.PIPE) ? Optional.empty() : PhotographFile.format(scene);
-                return format.filter(before -> before.fits(file)).orElse(usual);
+        return NamedFile.used(() -> {
+            if (wish != null) {
+                wish.requireFor(file);
+                return wish;
             }
-            wish.requireFor(file);
-            return wish;
-        } catch (FileException wrongName) {
-            throw new MistakeException(wrongName.getMessage());
-        }
+            PictureFormat usual = PictureFormat.of(file);
+            Optional<PictureFormat> format =
+                    scene.equals(StudioReader.PIPE) ? Optional.empty() : PhotographFile.format(scene);
+            return format.filter(before -> before.fits(file)).orElse(usual);
+        });
     }
 }

@@ -2,11 +2,12 @@ package tompkins.app;
 
 import java.nio.file.Path;
 import tompkins.io.StudioReader;
-import tompkins.property.InvalidPropertyException;
+import tompkins.measure.LessonStudio;
+import tompkins.property.MistakeException;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
-/** Plans the pictures of scene files. */
+/** Plans the pictures and lessons of scene files. */
 final class ScenePlan {
 
     private ScenePlan() {}
@@ -18,10 +19,12 @@ final class ScenePlan {
 
     /** As above; takes over what it can from the plan of another picture, which may be null. */
     static RenderPlan of(Studio studio, RenderPlan before, Path scene) {
-        try {
-            return RenderPlan.of(studio, before);
-        } catch (InvalidPropertyException object) {
-            throw StudioReader.mistake(scene, object);
-        }
+        return StudioReader.used(scene, () -> RenderPlan.of(studio, before));
+    }
+
+    /** What the lesson of a scene file measures; none is a mistake. */
+    static LessonStudio lesson(Studio studio, Path scene) {
+        return StudioReader.used(scene, () -> LessonStudio.of(studio))
+                .orElseThrow(() -> new MistakeException(scene + ": the scene must have a lesson"));
     }
 }

@@ -10,7 +10,6 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import tompkins.file.FileException;
 import tompkins.file.PendingFile;
 import tompkins.image.PhotographFile;
 import tompkins.image.PhotographInfo;
@@ -20,8 +19,6 @@ import tompkins.io.LessonSheet;
 import tompkins.io.StudioReader;
 import tompkins.measure.LessonResult;
 import tompkins.measure.LessonStudio;
-import tompkins.property.InvalidPropertyException;
-import tompkins.property.MistakeException;
 import tompkins.render.PhotographTaker;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
@@ -62,30 +59,18 @@ final class SheetCommand extends ProgramCommand {
     public Integer call() throws IOException, InterruptedException {
         Studio studio = options.read(scene, List.of());
         ScenePlan.of(studio, scene);
-        if (!force) {
-            Photographer.requireFree(output);
-        }
-        Photographer.requireWritable(output);
+        Photographer.requirePlace(output, force);
         Photographer.requireMemory(studio.settings(), Quality.of(studio));
         byte[] page = sheet(studio).html().getBytes(StandardCharsets.UTF_8);
-        try (PendingFile pending = PendingFile.at(output, force)) {
-            pending.write(page);
-            out().println(pending.commit().toRealPath(LinkOption.NOFOLLOW_LINKS));
-        } catch (IOException failure) {
-            throw FileException.cannotWrite(output, failure);
-        }
+        Path place = PendingFile.save(output, force, out -> out.write(page));
+        out().println(place.toRealPath(LinkOption.NOFOLLOW_LINKS));
         return 0;
     }
 
     private LessonSheet sheet(Studio studio) throws IOException, InterruptedException {
-        try {
-            LessonStudio lesson = LessonStudio.of(studio)
-                    .orElseThrow(() -> new MistakeException(scene + ": the scene must have a lesson"));
-            List<LessonResult> results = lesson.results();
-            return new LessonSheet(studio.title(), lesson.lesson(), picture(studio), results);
-        } catch (InvalidPropertyException wrong) {
-            throw StudioReader.mistake(scene, wrong);
-        }
+        LessonStudio lesson = ScenePlan.lesson(studio, scene);
+        List<LessonResult> results = StudioReader.used(scene, lesson::results);
+        return new LessonSheet(studio.title(), lesson.lesson(), picture(studio), results);
     }
 
     /** The picture alone: the scene in it would hold the answers. */

@@ -57,10 +57,7 @@ final class TextOutput {
     /** Refuses a file that exists or cannot be written, before the work begins. */
     void check() {
         if (file != null) {
-            if (!force) {
-                Photographer.requireFree(file);
-            }
-            Photographer.requireWritable(file);
+            Photographer.requirePlace(file, force);
         }
     }
 
@@ -75,16 +72,14 @@ final class TextOutput {
             lines.flatMap(String::lines).forEachOrdered(printed::println);
             return;
         }
-        try (PendingFile pending = force ? PendingFile.replacing(file) : PendingFile.newFile(file)) {
-            try (Writer out = new BufferedWriter(new OutputStreamWriter(pending.open(), StandardCharsets.UTF_8))) {
-                for (Iterator<String> each = lines.iterator(); each.hasNext(); ) {
-                    out.write(each.next());
-                    out.write('\n');
-                }
+        Path place = PendingFile.save(file, force, stream -> {
+            Writer out = new BufferedWriter(new OutputStreamWriter(stream, StandardCharsets.UTF_8));
+            for (Iterator<String> each = lines.iterator(); each.hasNext(); ) {
+                out.write(each.next());
+                out.write('\n');
             }
-            printed.println(pending.commit().toAbsolutePath());
-        } catch (IOException failure) {
-            throw FileException.cannotWrite(file, failure);
-        }
+            out.flush();
+        });
+        printed.println(place.toAbsolutePath());
     }
 }

@@ -76,6 +76,32 @@ public final class PendingFile implements Closeable {
         return replace ? replacing(target) : newFile(target);
     }
 
+    /** Writes into a stream. */
+    @FunctionalInterface
+    public interface Content {
+
+        /** Writes all that there is to write; the stream stays open. */
+        void writeTo(OutputStream out) throws IOException;
+    }
+
+    /**
+     * Writes a file that appears when it is complete.
+     *
+     * @param replace whether it replaces what has its name; otherwise it gets the same with a number if that is taken
+     * @return where it lies
+     * @throws FileException if it cannot be written
+     */
+    public static Path save(Path target, boolean replace, Content content) throws FileException {
+        try (PendingFile pending = at(target, replace)) {
+            try (OutputStream out = pending.open()) {
+                content.writeTo(out);
+            }
+            return pending.commit();
+        } catch (IOException failure) {
+            throw FileException.cannotWrite(target, failure);
+        }
+    }
+
     /**
      * A pending folder that will have the name of {@code target}, or the same with a number if somebody takes that name
      * meanwhile. A link is followed: the empty folder that it points to is replaced.

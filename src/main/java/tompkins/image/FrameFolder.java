@@ -5,7 +5,6 @@ import java.awt.image.BufferedImage;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -101,12 +100,7 @@ public record FrameFolder(Path folder) {
         Path file = file(frame);
         try {
             Files.createDirectories(folder);
-            try (PendingFile pending = PendingFile.replacing(file)) {
-                try (OutputStream out = pending.open()) {
-                    PngFile.write(out, picture.image(), info);
-                }
-                pending.commit();
-            }
+            PendingFile.save(file, true, out -> PngFile.write(out, picture.image(), info));
         } catch (IOException failure) {
             throw FileException.cannotWrite(file, failure);
         }

@@ -39,14 +39,7 @@ public final class PhotographFile {
             Path file, LinearImage image, PictureFormat format, ToneCurve curve, PhotographInfo info, boolean replace)
             throws FileException {
         format.requireFor(file);
-        try (PendingFile pending = PendingFile.at(file, replace)) {
-            try (OutputStream out = pending.open()) {
-                encode(out, image, format, curve, info);
-            }
-            return pending.commit();
-        } catch (IOException e) {
-            throw FileException.cannotWrite(file, e);
-        }
+        return PendingFile.save(file, replace, out -> encode(out, image, format, curve, info));
     }
 
     /**

@@ -2,6 +2,7 @@ package tompkins.io;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Supplier;
 import tompkins.io.JsonValue.JsonList;
 import tompkins.io.JsonValue.JsonNumber;
 import tompkins.io.JsonValue.JsonObject;
@@ -47,13 +48,26 @@ public final class StudioReader {
     }
 
     /**
+     * Uses a scene that was read from a file.
+     *
+     * @throws MistakeException at the place in the file of what is refused, if that shows only now
+     */
+    public static <T> T used(Path file, Supplier<T> use) {
+        try {
+            return use.get();
+        } catch (InvalidPropertyException refused) {
+            throw mistake(file, refused);
+        }
+    }
+
+    /**
      * What is wrong with a part of a scene that was read from a file, if it shows only when the scene is used; with the
      * place of that part in the file.
      *
      * @param refused names the way to the part as its property
      * @throws MistakeException if the file can no longer be read
      */
-    public static MistakeException mistake(Path file, InvalidPropertyException refused) {
+    private static MistakeException mistake(Path file, InvalidPropertyException refused) {
         Problems problems = new Problems(file.toString());
         if (file.equals(PIPE)) {
             // it cannot be read again to find the place

@@ -106,12 +106,7 @@ public final class StudioWriter {
      */
     public static void save(Studio studio, Path file) throws IOException {
         byte[] text = checkedText(studio, file);
-        try (PendingFile pending = PendingFile.replacing(file)) {
-            pending.write(text);
-            pending.commit();
-        } catch (IOException failure) {
-            throw FileException.cannotWrite(file, failure);
-        }
+        PendingFile.save(file, true, out -> out.write(text));
     }
 
     /**
@@ -122,12 +117,7 @@ public final class StudioWriter {
      */
     public static Path saveNew(Studio studio, Path file) throws IOException {
         byte[] text = checkedText(studio, file);
-        try (PendingFile pending = PendingFile.newFile(file)) {
-            pending.write(text);
-            return pending.commit();
-        } catch (IOException failure) {
-            throw FileException.cannotWrite(file, failure);
-        }
+        return PendingFile.save(file, false, out -> out.write(text));
     }
 
     /** The text of a scene file, which can be read again. */

@@ -153,7 +153,8 @@ public final class StudyData {
                 Stream.concat(head.stream(), measurements.stream().map(StudyData::line));
         OutputFolder folder = OutputFolder.at(file.toAbsolutePath().getParent());
         try {
-            replace(file, (String.join("\n", lines.toList()) + "\n").getBytes(StandardCharsets.UTF_8));
+            byte[] text = (String.join("\n", lines.toList()) + "\n").getBytes(StandardCharsets.UTF_8);
+            PendingFile.save(file, true, out -> out.write(text));
         } finally {
             folder.close();
         }
@@ -162,16 +163,6 @@ public final class StudyData {
     private void append(String line) throws IOException {
         try {
             Files.writeString(file, line, StandardOpenOption.APPEND);
-        } catch (IOException failure) {
-            throw FileException.cannotWrite(file, failure);
-        }
-    }
-
-    /** Writes a file as a whole or not at all. */
-    static void replace(Path file, byte[] content) throws IOException {
-        try (PendingFile pending = PendingFile.replacing(file)) {
-            pending.write(content);
-            pending.commit();
         } catch (IOException failure) {
             throw FileException.cannotWrite(file, failure);
         }

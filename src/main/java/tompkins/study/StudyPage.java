@@ -10,7 +10,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
-import tompkins.file.FileException;
 import tompkins.file.PendingFile;
 import tompkins.ray.Ray;
 import tompkins.render.Quality;
@@ -90,16 +89,9 @@ public final class StudyPage {
 
     /** Writes a file and returns where it lies. */
     private Path put(Path file, byte[] content) throws IOException {
-        if (earlier.contains(file)) {
-            StudyData.replace(file, content);
-            return file;
-        }
-        try (PendingFile pending = PendingFile.newFile(file)) {
-            pending.write(content);
-            return pending.commit();
-        } catch (IOException failure) {
-            throw FileException.cannotWrite(file, failure);
-        }
+        boolean replace = earlier.contains(file);
+        Path place = PendingFile.save(file, replace, out -> out.write(content));
+        return replace ? file : place;
     }
 
     /** Adds a study: writes its charts, and puts them and what follows from its figures on the page. */
