@@ -127,11 +127,6 @@ final class AnimateCommand extends LongCommand {
     private SampledOptions options;
 
     @Override
-    Path scene() {
-        return scene;
-    }
-
-    @Override
     public Integer call() throws Exception {
         requireWhatIsNeeded();
         if (assembled != null) {

@@ -30,11 +30,6 @@ final class ExplainCommand extends ProgramCommand {
     private QualityOptions quality;
 
     @Override
-    Path scene() {
-        return scene;
-    }
-
-    @Override
     public Integer call() throws InterruptedException {
         Studio studio = options.read(scene, quality.assignments());
         RenderPlan plan = ScenePlan.of(studio, scene);

@@ -74,11 +74,6 @@ final class MeasureCommand extends ProgramCommand {
     private SceneOptions options;
 
     @Override
-    Path scene() {
-        return scene;
-    }
-
-    @Override
     public Integer call() throws IOException {
         boolean isLesson = what.equals(LESSON);
         MeasureKind kind = isLesson ? null : kind();

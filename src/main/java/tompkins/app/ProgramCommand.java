@@ -2,6 +2,7 @@ package tompkins.app;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.Objects;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -26,8 +27,15 @@ abstract class ProgramCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    /** The scene file with which it works at the moment, or null if there is no file. */
-    abstract Path scene();
+    /** The scene file with which it works at the moment, or null if there is no file: that of its argument SCENE. */
+    Path scene() {
+        return spec.positionalParameters().stream()
+                .filter(argument -> argument.paramLabel().equals("SCENE"))
+                .map(argument -> (Path) argument.getValue())
+                .filter(Objects::nonNull)
+                .findFirst()
+                .orElse(null);
+    }
 
     /** How it was called. */
     final CommandLine commandLine() {

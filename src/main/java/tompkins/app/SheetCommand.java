@@ -51,11 +51,6 @@ final class SheetCommand extends ProgramCommand {
     private SampledOptions options;
 
     @Override
-    Path scene() {
-        return scene;
-    }
-
-    @Override
     public Integer call() throws IOException, InterruptedException {
         Studio studio = options.read(scene, List.of());
         ScenePlan.of(studio, scene);

@@ -124,11 +124,6 @@ final class TompkinsCommand extends ProgramCommand {
         openWindow(problem);
     }
 
-    @Override
-    Path scene() {
-        return scene;
-    }
-
     /** Whether a word looks like the name of a file, and not like that of a command. */
     private static boolean isFileName(String word) {
         return word.contains(".") || word.contains(File.separator);

@@ -74,11 +74,6 @@ final class TraceCommand extends ProgramCommand {
     private SceneOptions options;
 
     @Override
-    Path scene() {
-        return scene;
-    }
-
-    @Override
     public Integer call() throws IOException {
         double[] lens = OptionNumbers.of("--pupil", pupil, PUPIL_EXAMPLE);
         Studio studio = options.read(scene, List.of());
