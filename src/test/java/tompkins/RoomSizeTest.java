@@ -35,8 +35,8 @@ class RoomSizeTest {
                         25_450),
                 arguments("file, image", 4_420),
                 arguments("explain, lesson, measure, animation", 5_560),
-                arguments("io, app", 7_905),
-                arguments("study", 4_545),
+                arguments("io, app", 7_860),
+                arguments("study", 4_550),
                 arguments("ui", 20_640));
     }
 

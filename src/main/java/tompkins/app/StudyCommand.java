@@ -1,7 +1,6 @@
 package tompkins.app;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumMap;
@@ -17,7 +16,6 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import tompkins.image.Fonts;
-import tompkins.io.BundledScenes;
 import tompkins.io.SelfDescription;
 import tompkins.property.MistakeException;
 import tompkins.studio.Studio;
@@ -85,11 +83,6 @@ final class StudyCommand extends LongCommand {
     private ProgressReport report;
 
     @Override
-    Path scene() {
-        return scene;
-    }
-
-    @Override
     public Integer call() throws Exception {
         List<StudyKind> kinds = kinds();
         Studio own = scene == null ? null : option.read(scene, List.of());
@@ -100,7 +93,7 @@ final class StudyCommand extends LongCommand {
             kinds = requireScene(kinds);
         }
         Fonts.require();
-        StudySetup setup = new StudySetup(seed, own, StudyCommand::bundled, bundledNames());
+        StudySetup setup = new StudySetup(seed, own);
         List<StudyKind> fitting = kinds;
         output = output == null ? NamedFile.currentFolder() : output;
         report = ProgressReport.on(err());
@@ -220,19 +213,5 @@ final class StudyCommand extends LongCommand {
         Set<Object> works =
                 Set.copyOf(part.of(trials.stream().map(Trial::work).distinct().toList()));
         return trials.stream().filter(trial -> works.contains(trial.work())).toList();
-    }
-
-    private static List<String> bundledNames() throws IOException {
-        return BundledScenes.all().stream()
-                .map(file -> file.getFileName().toString().replace(".json", ""))
-                .toList();
-    }
-
-    private static Studio bundled(String name) {
-        try {
-            return BundledScenes.studio(name + ".json");
-        } catch (IOException missing) {
-            throw new UncheckedIOException(missing);
-        }
     }
 }

@@ -21,12 +21,12 @@ record AntialiasingStudy(
     /** The study, as thorough as for the documents. */
     static AntialiasingStudy of(StudySetup setup) {
         PromisedErrors promises = new PromisedErrors(
-                setup.studios(setup.names()),
+                setup.studios(),
                 setup.scene() == null ? SparseLight.scenes(setup.seed()) : Map.of(),
                 setup.seed(),
                 48,
                 1024);
-        return new AntialiasingStudy(setup.studios(List.of("fig1a", "fig2a")), promises, setup.seed(), 144, 4096);
+        return new AntialiasingStudy(setup.studios("fig1a", "fig2a"), promises, setup.seed(), 144, 4096);
     }
 
     @Override

@@ -1,6 +1,7 @@
 package tompkins.study;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * The size of a set of errors.
@@ -23,11 +24,9 @@ record ErrorNorm(double rootMeanSquare, double maximum) {
 
     /** The norm of the difference of two sets of values. */
     static ErrorNorm of(double[] values, double[] reference) {
-        double[] errors = new double[values.length];
-        for (int i = 0; i < errors.length; i++) {
-            errors[i] = values[i] - reference[i];
-        }
-        return of(errors);
+        return of(IntStream.range(0, values.length)
+                .mapToDouble(i -> values[i] - reference[i])
+                .toArray());
     }
 
     /** The relative error of the mean of a set of values. */

@@ -171,21 +171,14 @@ final class ScenePixels {
             double[] other = half(12);
             double error = ErrorNorm.of(one, other).rootMeanSquare() / 2;
             if (error <= wantedError || 2 * referenceSamples > MOST_REFERENCE_SAMPLES) {
-                reference = mean(one, other);
+                reference = new double[one.length];
+                Arrays.setAll(reference, i -> (one[i] + other[i]) / 2);
                 floor = error;
             } else {
                 referenceSamples *= 2;
             }
         }
         return reference;
-    }
-
-    private static double[] mean(double[] one, double[] other) {
-        double[] mean = new double[one.length];
-        for (int i = 0; i < mean.length; i++) {
-            mean[i] = (one[i] + other[i]) / 2;
-        }
-        return mean;
     }
 
     private double[] half(long seed) {

@@ -1,6 +1,5 @@
 package tompkins.study;
 
-import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
 
@@ -8,12 +7,12 @@ import java.util.function.Function;
 public enum StudyKind {
 
     /** See {@link ApertureStudy}. */
-    APERTURE(setup -> new ApertureStudy(
-            setup.studios(List.of("fig3a", "fig3b")), SamplingMethod.comparison(setup, SamplingMethod.all()))),
+    APERTURE(setup ->
+            new ApertureStudy(setup.studios("fig3a", "fig3b"), SamplingMethod.comparison(setup, SamplingMethod.all()))),
 
     /** See {@link ExposureStudy}. */
     EXPOSURE(setup -> new ExposureStudy(
-            setup.studios(List.of("rolling-slit")), SamplingMethod.comparison(setup, SamplingMethod.inTime()))),
+            setup.studios("rolling-slit"), SamplingMethod.comparison(setup, SamplingMethod.inTime()))),
 
     /** See {@link AntialiasingStudy}. */
     ANTIALIASING(AntialiasingStudy::of),
@@ -28,7 +27,7 @@ public enum StudyKind {
     DEPTH(setup -> new DepthStudy()),
 
     /** See {@link PreviewStudy}. */
-    PREVIEW(setup -> new PreviewStudy(setup.studios(List.of("fig1a", "fig1b")))),
+    PREVIEW(setup -> new PreviewStudy(setup.studios("fig1a", "fig1b"))),
 
     /** See {@link StabilityStudy}. */
     STABILITY(setup -> new StabilityStudy(setup.seed()));

@@ -1,12 +1,16 @@
 package tompkins.study;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.function.Function;
 import java.util.zip.CRC32;
+import tompkins.io.BundledScenes;
+import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.studio.Studio;
 
@@ -15,21 +19,32 @@ import tompkins.studio.Studio;
  *
  * @param seed of everything that is random
  * @param scene the user's own scene, or null for those that come with the program
- * @param bundled the scenes that come with the program, by name without ending
- * @param names the names of all of them
  */
-public record StudySetup(long seed, Studio scene, Function<String, Studio> bundled, List<String> names) {
+public record StudySetup(long seed, Studio scene) {
 
     /** The name for a scene of the user, whatever the name of its file. */
     private static final String OWN = "scene";
 
-    /** The studios to be measured: the user's own, or else the named ones. */
-    Map<String, Studio> studios(List<String> wanted) {
-        Map<String, Studio> studios = new LinkedHashMap<>();
+    /**
+     * The studios to be measured: the user's own, or else those that come with the program, in the order of their
+     * names.
+     *
+     * @param wanted the names of those of the program, without ending; all if none is named
+     */
+    Map<String, Studio> studios(String... wanted) {
         if (scene != null) {
-            studios.put(OWN, scene);
-        } else {
-            wanted.forEach(name -> studios.put(name, bundled.apply(name)));
+            return Map.of(OWN, scene);
+        }
+        Map<String, Studio> studios = new LinkedHashMap<>();
+        try {
+            for (Path file : BundledScenes.all()) {
+                String name = file.getFileName().toString().replace(".json", "");
+                if (wanted.length == 0 || List.of(wanted).contains(name)) {
+                    studios.put(name, StudioReader.read(file));
+                }
+            }
+        } catch (IOException missing) {
+            throw new UncheckedIOException(missing);
         }
         return studios;
     }
