@@ -32,12 +32,12 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        25_450),
+                        25_490),
                 arguments("file, image", 4_420),
-                arguments("explain, lesson, measure, animation", 5_560),
-                arguments("io, app", 7_860),
+                arguments("explain, lesson, measure, animation", 5_740),
+                arguments("io, app", 7_900),
                 arguments("study", 4_550),
-                arguments("ui", 20_640));
+                arguments("ui", 20_710));
     }
 
     @ParameterizedTest

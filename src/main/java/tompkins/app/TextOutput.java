@@ -13,6 +13,8 @@ import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Option;
 import tompkins.file.FileException;
 import tompkins.file.PendingFile;
+import tompkins.io.StudioWriter;
+import tompkins.studio.Studio;
 
 /** The file into which a command can write text instead of printing it. */
 final class TextOutput {
@@ -57,7 +59,26 @@ final class TextOutput {
     /** Refuses a file that exists or cannot be written, before the work begins. */
     void check() {
         if (file != null) {
-            Photographer.requirePlace(file, force);
+            check(file);
+        }
+    }
+
+    /** Refuses another file that exists or cannot be written. */
+    void check(Path target) {
+        Photographer.requirePlace(target, force);
+    }
+
+    /**
+     * Saves a scene file, which appears only when it is complete; unless it is to be replaced, a file that took its
+     * name meanwhile stays.
+     *
+     * @throws IOException if it cannot be written
+     */
+    void save(Studio studio, Path target) throws IOException {
+        if (force) {
+            StudioWriter.save(studio, target);
+        } else {
+            StudioWriter.saveNew(studio, target);
         }
     }
 

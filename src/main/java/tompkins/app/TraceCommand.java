@@ -11,8 +11,10 @@ import picocli.CommandLine.Parameters;
 import tompkins.io.FactCsv;
 import tompkins.io.FactJson;
 import tompkins.io.FactText;
+import tompkins.measure.RayCone;
 import tompkins.measure.RayHistory;
 import tompkins.measure.RayTable;
+import tompkins.measure.RayTubes;
 import tompkins.measure.Sighting;
 import tompkins.property.MistakeException;
 import tompkins.property.Require;
@@ -34,6 +36,9 @@ final class TraceCommand extends ProgramCommand {
 
     /** Half of the way from the centre of the lens to its right edge. */
     private static final String PUPIL_EXAMPLE = "0.5,0";
+
+    /** The most rays of a cone: more would be a wall. */
+    private static final int MOST_AROUND = 360;
 
     @Parameters(paramLabel = "SCENE", description = "scene file, or saved photograph; - is the standard input")
     private Path scene;
@@ -67,6 +72,20 @@ final class TraceCommand extends ProgramCommand {
             description = "take each N-th column and row of a rectangle; default: all")
     private long every;
 
+    @Option(
+            names = "--draw",
+            paramLabel = "SCENE",
+            description = "also write a scene file in which the rays are objects, to be seen from elsewhere: a rod for"
+                    + " each straight piece of all branches in the scene frame, a ball at each hit")
+    private Path drawn;
+
+    @Option(
+            names = "--cone",
+            paramLabel = "N",
+            description = "with --draw: draw N rays around that of each pixel instead, through the edge of a wide lens,"
+                    + " or around a pinhole's pixel")
+    private Integer cone;
+
     @Mixin
     private TextOutput output;
 
@@ -83,11 +102,37 @@ final class TraceCommand extends ProgramCommand {
                     "--pupil must lie in the unit disc, such as --pupil=" + PUPIL_EXAMPLE + ", was " + pupil);
         }
         MistakeException.inOption("--moment", () -> Require.within("moment", moment, 0.0, 1.0));
+        if (cone != null && drawn == null) {
+            throw new MistakeException("--cone needs --draw, which says where the rays are drawn");
+        }
+        if (cone != null) {
+            MistakeException.inOption("--cone", () -> Require.within("cone", cone, 1, MOST_AROUND));
+        }
         output.check();
+        if (drawn != null) {
+            output.check(drawn);
+        }
         RenderPlan plan = ScenePlan.of(studio, scene);
+        if (drawn != null) {
+            draw(plan, choice, lens);
+        }
         Stream<Sighting> sightings = choice.stream().map(place -> follow(plan, place[0], place[1], lens));
         output.write(out(), lines(sightings, choice.isSingle()));
         return 0;
+    }
+
+    private void draw(RenderPlan plan, PixelChoice choice, double[] lens) throws IOException {
+        List<RayLife> rays = choice.stream()
+                .flatMap(place -> cone == null
+                        ? Stream.ofNullable(
+                                follow(plan, place[0], place[1], lens).life())
+                        : RayCone.around(plan, place[0] + 0.5, place[1] + 0.5, cone, moment).stream())
+                .toList();
+        if (!RayTubes.canDraw(rays)) {
+            throw new MistakeException("--draw: none of these rays enters the scene");
+        }
+        String name = rays.size() == 1 ? "ray of pixel " + pixels.get(0) : rays.size() + " rays";
+        output.save(RayTubes.addedTo(plan.studio(), name, rays), drawn);
     }
 
     private Sighting follow(RenderPlan plan, int column, int row, double[] lens) {

@@ -38,6 +38,7 @@ import tompkins.surface.Surface;
  * @param lastSlowness slowness of light in the scene frame on that last way; 1 if there is none
  * @param lastDopplerFactor frequency of the light that the camera sees divided by that in the scene frame on that last
  *     way, behind all mirrors; no number if there is none
+ * @param segments the straight pieces of all branches in the scene frame, in the order of tracing
  * @param overtaken the light in the same direction of the camera that the camera overtakes, in the rest frame of the
  *     medium around it, if it is faster than light there; the ray is that of light that it meets. Null if there is none
  * @param colour the colour of the sample, before exposure
@@ -53,8 +54,19 @@ public record RayLife(
         Vector3dc lastDirection,
         double lastSlowness,
         double lastDopplerFactor,
+        List<Segment> segments,
         LightInMedium.Seen overtaken,
         Colour colour) {
+
+    /**
+     * A straight piece of a ray in the scene frame.
+     *
+     * @param start the event at which the ray enters the scene, or the hit from which it goes on
+     * @param hit the hit at which it ends; null if it meets nothing more
+     * @param direction unit direction if it meets nothing more; null if it ends at a hit
+     * @param branch 0 on the main branch, 1 on a weaker one that left it, 2 on a weaker one of that, and so on
+     */
+    public record Segment(Event start, Encounter hit, Vector3dc direction, int branch) {}
 
     /**
      * One hit.
@@ -172,6 +184,14 @@ public record RayLife(
         private final RenderPlan plan;
         private final FlashWatch flashes;
         private final List<Encounter> hits = new ArrayList<>();
+        private final List<Segment> segments = new ArrayList<>();
+
+        /** The hits at which the weaker branches begin that are being followed. */
+        private final List<Event> forks = new ArrayList<>();
+
+        /** Where the present piece of the ray begins in the scene frame; null in the camera frame. */
+        private Event corner;
+
         private Event start;
         private Vector3d startDirection;
         private Event crossing;
@@ -191,11 +211,13 @@ public record RayLife(
         @Override
         public void branches() {
             branch++;
+            forks.add(corner);
         }
 
         @Override
         public void returns() {
             branch--;
+            corner = forks.remove(branch);
         }
 
         @Override
@@ -206,8 +228,9 @@ public record RayLife(
 
         @Override
         public void crosses(Ray ray) {
+            corner = plan.inScene(0, start(ray));
             if (branch == 0) {
-                crossing = plan.inScene(0, start(ray));
+                crossing = corner;
                 crossingDirection = new Vector3d(ray.dx, ray.dy, ray.dz);
                 sceneDopplerFactor = ratio(ray);
                 sceneDirectionLength = ray.directionLength;
@@ -223,7 +246,7 @@ public record RayLife(
             Event met = frame == Frame.CAMERA
                     ? traced
                     : plan.inScene(event.frame, new Event(event.x, event.y, event.z, event.time));
-            hits.add(new Encounter(
+            Encounter encounter = new Encounter(
                     primitive.object(),
                     frame,
                     met,
@@ -242,7 +265,12 @@ public record RayLife(
                             point == null ? null : new Vector3d(hit.velocityX, hit.velocityY, hit.velocityZ),
                             hit.coordinates == null ? Double.NaN : hit.coordinates.u(),
                             hit.coordinates == null ? Double.NaN : hit.coordinates.v()),
-                    flashes == null ? List.of() : flashes.at(frame, ray, hit, ray.depth == 0)));
+                    flashes == null ? List.of() : flashes.at(frame, ray, hit, ray.depth == 0));
+            hits.add(encounter);
+            if (frame == Frame.SCENE) {
+                segments.add(new Segment(corner, encounter, null, branch));
+                corner = met;
+            }
         }
 
         private static Event start(Ray ray) {
@@ -260,8 +288,13 @@ public record RayLife(
 
         @Override
         public void leaves(Frame frame, Ray ray) {
-            if (branch == 0 && frame == Frame.SCENE) {
-                lastDirection = new Vector3d(ray.dx, ray.dy, ray.dz);
+            if (frame == Frame.CAMERA) {
+                return;
+            }
+            Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz);
+            segments.add(new Segment(corner, null, direction, branch));
+            if (branch == 0) {
+                lastDirection = direction;
                 lastSlowness = ray.slowness;
                 lastDopplerFactor = ratio(ray);
             }
@@ -279,6 +312,7 @@ public record RayLife(
                     lastDirection,
                     lastSlowness,
                     lastDopplerFactor,
+                    List.copyOf(segments),
                     plan.overtaken(startDirection),
                     colour);
         }

@@ -2,11 +2,15 @@ package tompkins.ui;
 
 import java.awt.Point;
 import java.awt.geom.Point2D;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
+import tompkins.measure.RayTubes;
 import tompkins.studio.StudioPath;
+import tompkins.trace.RayLife;
 import tompkins.ui.measure.MeasureTool;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.photograph.PhotographView;
@@ -51,9 +55,16 @@ final class PictureMenu implements PhotographView.Menu {
             strip.open(TabStrip.Tab.MEASURE);
             measure.begin(place, picture);
         });
+        List<RayLife> ray = Stream.ofNullable(seen.sighting().life()).toList();
+        add(menu, "drawRay", RayTubes.canDraw(ray), () -> drawRay(seen, ray));
         Optional<StudioPath> object = object(seen);
         add(menu, "edit", object.isPresent(), () -> object.ifPresent(editor::open));
         menu.show(view.canvas(), at.x, at.y);
+    }
+
+    private void drawRay(PixelProbe.Reading seen, List<RayLife> ray) {
+        String name = Texts.get("ray.drawn.ray", Texts.get("probe.pixel", seen.column(), seen.row()));
+        model.set(RayTubes.addedTo(model.studio(), name, ray));
     }
 
     private static void add(JPopupMenu menu, String key, boolean possible, Runnable action) {

@@ -95,7 +95,7 @@ final class SidePanel {
         if (besideRest) {
             compare.begin(ComparePanel.Other.AT_REST);
         }
-        ray = new RaySection(model, () -> view.setPin(null), editor);
+        ray = new RaySection(model, () -> view.setPin(null), view::askCone, editor);
         title.component().setName("remarks.title");
         JPanel head = Rows.of("hidemode 3, gap 6", "[grow,fill][pref!]");
         head.add(title.component(), "wmin 0");

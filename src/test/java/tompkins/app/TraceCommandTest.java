@@ -12,6 +12,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.io.StudioReader;
+import tompkins.sceneobject.Group;
+import tompkins.sceneobject.Sphere;
 
 class TraceCommandTest {
 
@@ -341,6 +344,58 @@ class TraceCommandTest {
         // what is at rest has a rest frame, too
         assertThat(numbers(json, "glass", "own", "properTime").get(0)).isCloseTo(-10, within(1e-12));
         assertThat(numbers(json, "glass", "own", "frequencyRatio").get(0)).isEqualTo(1);
+    }
+
+    /** The balls of a drawn ray lie at the hits that are told, to the last of 17 digits. */
+    @Test
+    void raysAreDrawnWhereTheyHit() throws IOException {
+        Path scene = Files.writeString(folder.resolve("ball.json"), """
+                {
+                  "velocity": [0, 0, 0.3],
+                  "settings": { "width": 20, "height": 15 },
+                  "scene": [
+                    { "type": "Sphere", "surface": { "type": "Refractive", "indexRatio": 1.5 } },
+                    { "type": "Plane", "point": [0, 0, 15], "normal": [0, 0, -1] }
+                  ]
+                }
+                """);
+        Path drawn = folder.resolve("drawn.json");
+
+        ProgramRun traced = ProgramRun.of("trace", scene, "--pixel", "11,8", "--json", "--draw", drawn);
+
+        assertThat(traced.code()).as(traced.err()).isZero();
+        Group tubes = (Group) StudioReader.read(drawn).scene().get(2);
+        assertThat(tubes.description()).isEqualTo("ray of pixel 11,8");
+        List<List<Double>> balls = tubes.objects().stream()
+                .filter(Sphere.class::isInstance)
+                .map(ball -> ((Sphere) ball).centre())
+                .map(centre -> List.of(centre.x(), centre.y(), centre.z()))
+                .toList();
+        String[] hits = traced.out().split("\"object\" :");
+        assertThat(balls).hasSize(hits.length - 1).hasSizeGreaterThan(4);
+        for (int i = 0; i < balls.size(); i++) {
+            assertThat(balls.get(i)).isEqualTo(numbers(hits[i + 1], "position"));
+        }
+        ProgramRun again = ProgramRun.of("trace", scene, "--pixel", "11,8", "--draw", drawn);
+        assertThat(again.code()).isEqualTo(2);
+        assertThat(again.err()).contains("there is a file of this name already; --force replaces it");
+        assertThat(ProgramRun.of("trace", scene, "--pixel", "11,8", "--draw", drawn, "--cone", 6, "--force")
+                        .code())
+                .isZero();
+        assertThat(((Group) StudioReader.read(drawn).scene().get(2)).objects()).hasSize(6);
+    }
+
+    @Test
+    void conesNeedAFileAndANumber() {
+        ProgramRun without = ProgramRun.of("trace", ProgramRun.FIG1B, "--pixel", "1,1", "--cone", 6);
+        ProgramRun many = ProgramRun.of(
+                "trace", ProgramRun.FIG1B, "--pixel", "1,1", "--cone", 361, "--draw", folder.resolve("cone.json"));
+
+        assertThat(without.code()).isEqualTo(2);
+        assertThat(without.err()).contains("--cone needs --draw");
+        assertThat(many.code()).isEqualTo(2);
+        assertThat(many.err()).contains("--cone must be a whole number from 1 to 360, was 361");
+        assertThat(folder.resolve("cone.json")).doesNotExist();
     }
 
     /** The numbers behind the last of some keys, each searched behind the one before. */

@@ -3,6 +3,7 @@ package tompkins.ui.photograph;
 import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.geom.Point2D;
+import java.util.List;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
@@ -15,6 +16,7 @@ import tompkins.camera.Camera;
 import tompkins.camera.FocusDistance;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
+import tompkins.trace.RayLife;
 import tompkins.ui.compare.Compared;
 import tompkins.ui.compare.ComparedPicture;
 import tompkins.ui.model.StudioModel;
@@ -200,6 +202,11 @@ public final class PhotographView implements AutoCloseable {
     /** Pins a place of the picture, so that the history of its ray is shown; unpins it if the place is null. */
     public void setPin(Point2D place) {
         pin.set(place, false);
+    }
+
+    /** Follows a cone of rays around that of the pinned pixel; the answer comes on the event thread. */
+    public void askCone(Consumer<List<RayLife>> answer) {
+        pin.askCone(answer);
     }
 
     /** The name of a picture if two are shown; null if the studio's is shown alone. */

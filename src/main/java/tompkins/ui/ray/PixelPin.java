@@ -1,10 +1,12 @@
 package tompkins.ui.ray;
 
 import java.awt.geom.Point2D;
+import java.util.List;
 import java.util.Objects;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
@@ -77,6 +79,14 @@ public final class PixelPin implements AutoCloseable {
     public void readAgain() {
         if (place != null) {
             read();
+        }
+    }
+
+    /** Follows a cone of rays around the pinned one; the answer comes on the event thread. */
+    public void askCone(Consumer<List<RayLife>> answer) {
+        Picture picture = picture();
+        if (place != null && picture != null) {
+            probe.askCone(picture, canvas.shown().placeIn(picture, place), answer);
         }
     }
 

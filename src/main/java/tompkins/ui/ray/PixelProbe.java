@@ -1,10 +1,14 @@
 package tompkins.ui.ray;
 
 import java.awt.geom.Point2D;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import tompkins.camera.FocusDistance;
+import tompkins.camera.SamplePositions;
+import tompkins.measure.RayCone;
 import tompkins.measure.Sighting;
 import tompkins.spacetime.Event;
 import tompkins.studio.Studio;
@@ -29,13 +33,14 @@ public final class PixelProbe implements AutoCloseable {
      */
     public record Reading(int column, int row, Sighting sighting, Map<Frame, SpaceTimeDiagram> diagrams) {}
 
-    private record Question(Picture picture, Point2D place, Consumer<Reading> answer) {}
+    /** How many rays a cone has. */
+    private static final int RAYS_OF_CONE = 12;
 
-    private final NewestFirst<Question> worker;
+    private final NewestFirst<Runnable> worker;
 
     /** A probe; its thread tells {@code failures} about questions that could not be answered. */
     public PixelProbe(Consumer<Throwable> failures) {
-        worker = new NewestFirst<>("tompkins-probe", PixelProbe::answer, (question, error) -> failures.accept(error));
+        worker = new NewestFirst<>("tompkins-probe", Runnable::run, (question, error) -> failures.accept(error));
     }
 
     /**
@@ -43,12 +48,23 @@ public final class PixelProbe implements AutoCloseable {
      * question comes first.
      */
     public void ask(Picture picture, Point2D place, Consumer<Reading> answer) {
-        worker.submit(new Question(picture, place, answer));
+        ask(() -> read(picture.plan(), picture.inPixels(place), place), answer);
     }
 
-    private static void answer(Question question) {
-        Reading reading = read(question.picture.plan(), question.picture.inPixels(question.place), question.place);
-        SwingUtilities.invokeLater(() -> question.answer.accept(reading));
+    /** Follows a cone of rays around that of a place of a picture, in the middle of the exposure; answers as above. */
+    void askCone(Picture picture, Point2D place, Consumer<List<RayLife>> answer) {
+        Point2D middle = picture.inPixels(place);
+        ask(
+                () -> RayCone.around(
+                        picture.plan(), middle.getX(), middle.getY(), RAYS_OF_CONE, SamplePositions.MIDDLE),
+                answer);
+    }
+
+    private <T> void ask(Supplier<T> question, Consumer<T> answer) {
+        worker.submit(() -> {
+            T found = question.get();
+            SwingUtilities.invokeLater(() -> answer.accept(found));
+        });
     }
 
     /** Reads a place of a plan's picture, in pixels, as that of a pixel of the photograph in its own size. */

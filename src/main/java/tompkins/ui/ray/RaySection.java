@@ -15,6 +15,7 @@ import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import tompkins.io.FactText;
 import tompkins.measure.RayHistory;
+import tompkins.measure.RayTubes;
 import tompkins.primitive.Described;
 import tompkins.studio.StudioPath;
 import tompkins.trace.Frame;
@@ -30,6 +31,8 @@ import tompkins.ui.widget.Texts;
 public final class RaySection {
 
     private final StudioModel model;
+    private final Runnable unpin;
+    private final Consumer<Consumer<List<RayLife>>> cones;
     private final Consumer<StudioPath> editor;
     private final StoryPane story = new StoryPane();
     private final DiagramPane diagram = new DiagramPane();
@@ -42,26 +45,38 @@ public final class RaySection {
     private Map<Frame, SpaceTimeDiagram> diagrams = Map.of();
     private Frame frame = Frame.SCENE;
     private final JButton edit = Buttons.of("ray.edit", this::edit);
+    private final JButton drawRay = Buttons.of("ray.draw", this::drawRay);
+    private final JButton drawCone = Buttons.of("ray.cone", this::drawCone);
     private final Section section;
-    private List<RayLife.Encounter> hits = List.of();
+
+    /** The pinned ray, if it has a life. */
+    private List<RayLife> rays = List.of();
+
+    private String pixel;
 
     /**
      * A section.
      *
-     * @param unpin called by its button
+     * @param unpin unpins the pixel
+     * @param cones follows a cone of rays around the pinned one for those whom it is given
      * @param editor opens the editor for an object that the ray hit
      */
-    public RaySection(StudioModel model, Runnable unpin, Consumer<StudioPath> editor) {
+    public RaySection(
+            StudioModel model, Runnable unpin, Consumer<Consumer<List<RayLife>>> cones, Consumer<StudioPath> editor) {
         this.model = model;
+        this.unpin = unpin;
+        this.cones = cones;
         this.editor = editor;
         story.setName("ray.story");
         story.getAccessibleContext().setAccessibleName(Texts.get("ray.title"));
         JButton button = new JButton(Texts.get("ray.unpin"));
         button.setName(Texts.get("ray.unpin"));
         button.addActionListener(event -> unpin.run());
-        JPanel buttons = Rows.of("gap 6", "[][]push");
+        JPanel buttons = Rows.of("gap 6, wrap 2", "[][]push");
         buttons.add(edit);
         buttons.add(button);
+        buttons.add(drawRay);
+        buttons.add(drawCone);
         JPanel content = Rows.column();
         content.add(frames, "wmin 0");
         content.add(diagram, "wmin 0");
@@ -85,13 +100,15 @@ public final class RaySection {
         section.component().setVisible(reading != null);
         // an unpinned ray must not keep its scene in memory
         RayLife life = reading == null ? null : reading.sighting().life();
-        hits = life == null ? List.of() : life.hits();
+        rays = life == null ? List.of() : List.of(life);
         edit.setEnabled(!objects().isEmpty());
+        drawRay.setEnabled(RayTubes.canDraw(rays));
+        drawCone.setEnabled(RayTubes.canDraw(rays));
         diagrams = reading == null ? Map.of() : reading.diagrams();
         frames.setVisible(!diagrams.isEmpty());
         draw(frame);
         if (reading != null) {
-            String pixel = Texts.get("probe.pixel", reading.column(), reading.row());
+            pixel = Texts.get("probe.pixel", reading.column(), reading.row());
             story.show(Stream.concat(
                             Stream.of(
                                     new FactText.Line(
@@ -115,13 +132,34 @@ public final class RaySection {
         Map<StudioPath, String> objects = new LinkedHashMap<>();
         // glass is hit again and again, and finding it in a large scene takes time
         Set<Described> sought = Collections.newSetFromMap(new IdentityHashMap<>());
-        for (RayLife.Encounter hit : hits) {
+        for (RayLife.Encounter hit :
+                rays.stream().flatMap(ray -> ray.hits().stream()).toList()) {
             if (sought.add(hit.object())) {
                 StudioPath.to(model.studio(), hit.object())
                         .ifPresent(path -> objects.put(path, hit.object().description()));
             }
         }
         return objects;
+    }
+
+    private void drawRay() {
+        draw("ray", rays);
+    }
+
+    private void drawCone() {
+        cones.accept(around -> {
+            // a pixel of the picture may have gone meanwhile
+            if (RayTubes.canDraw(around)) {
+                draw("cone", around);
+            }
+        });
+    }
+
+    /** Draws rays in one step that can be undone. Their pixel shows the end of a rod now, and so is no more pinned. */
+    private void draw(String kind, List<RayLife> drawn) {
+        String name = Texts.get("ray.drawn." + kind, pixel);
+        unpin.run();
+        model.set(RayTubes.addedTo(model.studio(), name, drawn));
     }
 
     private void edit() {

@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.AutoClose;
@@ -15,9 +16,11 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
 import tompkins.measure.Sighting;
+import tompkins.sceneobject.Group;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
+import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.Components;
 import tompkins.ui.WindowDriver;
@@ -34,8 +37,11 @@ class RaySectionTest {
     @AutoClose
     private final PixelProbe probe = new PixelProbe(error -> {});
 
+    /** Who waits for a cone of rays. */
+    private Consumer<List<RayLife>> asked;
+
     private final StudioModel model = new StudioModel(STUDIO, null);
-    private final RaySection section = new RaySection(model, () -> {}, path -> {});
+    private final RaySection section = new RaySection(model, () -> {}, taker -> asked = taker, path -> {});
     private final Container content = (Container) section.component();
     private final DiagramPane diagram = Components.find(content, DiagramPane.class, "Space-time diagram");
     private final JToggleButton camera = Components.find(content, JToggleButton.class, "Camera frame");
@@ -74,6 +80,41 @@ class RaySectionTest {
             model.set(STUDIO.withScene(List.of()));
             edit.doClick();
             assertThat(edit.isEnabled()).isFalse();
+        });
+    }
+
+    @Test
+    void whatIsDrawnIsOneStepBack() {
+        JButton draw = Components.find(content, JButton.class, Texts.get("ray.draw"));
+        PixelProbe.Reading reading = reading();
+        WindowDriver.onEventThread(() -> {
+            section.show(reading, null);
+            draw.doClick();
+            assertThat(model.studio().scene()).hasSize(STUDIO.scene().size() + 1);
+            assertThat(model.studio().scene().get(STUDIO.scene().size()).description())
+                    .isEqualTo("ray: Pixel 32, 24");
+            model.undo();
+            assertThat(model.studio()).isEqualTo(STUDIO);
+            section.show(null, null);
+            assertThat(draw.isEnabled()).isFalse();
+        });
+    }
+
+    @Test
+    void aConeIsFollowedForTheScene() {
+        JButton draw = Components.find(content, JButton.class, Texts.get("ray.cone"));
+        CompletableFuture<List<RayLife>> answer = new CompletableFuture<>();
+        probe.askCone(picture(STUDIO), new Point2D.Double(32, 24), answer::complete);
+        List<RayLife> cone = answer.join();
+        PixelProbe.Reading reading = reading();
+        WindowDriver.onEventThread(() -> {
+            section.show(reading, null);
+            draw.doClick();
+            assertThat(model.studio()).isEqualTo(STUDIO);
+            asked.accept(cone);
+            Group drawn = (Group) model.studio().scene().get(STUDIO.scene().size());
+            assertThat(drawn.description()).isEqualTo("cone of rays: Pixel 32, 24");
+            assertThat(drawn.objects()).hasSize(12);
         });
     }
 
