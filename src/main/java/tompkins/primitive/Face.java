@@ -5,7 +5,7 @@ package tompkins.primitive;
  * root of the function is missed: a bound of its second derivative says where there is none, and where there is one at
  * most. Places are relative to the centre of the rotation.
  */
-public abstract sealed class Face permits RoundFace, EllipsoidFace, FlatFace {
+public abstract sealed class Face permits RoundFace, CapFace, EllipsoidFace, FlatFace {
 
     /** Steps towards a root that is alone between two places. */
     private static final int MOST_STEPS = 100;

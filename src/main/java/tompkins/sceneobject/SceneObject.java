@@ -19,6 +19,7 @@ public sealed interface SceneObject extends Described
                 Box,
                 Cylinder,
                 Cone,
+                Lens,
                 CylinderLattice,
                 Silhouette,
                 Group,

@@ -38,6 +38,7 @@ import tompkins.sceneobject.Ellipsoid;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.ImagePointGrid;
+import tompkins.sceneobject.Lens;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Placed;
@@ -251,6 +252,18 @@ public final class RandomStudio {
             }
             case "Cylinder" -> new Cylinder(name, place(), place(), size(), random.nextBoolean(), surface());
             case "Cone" -> new Cone(name, place(), place(), size(), random.nextBoolean(), surface());
+            case "Lens" -> {
+                double radius = size();
+                yield new Lens(
+                        name,
+                        place(),
+                        direction(),
+                        radius,
+                        random.nextBoolean() ? 0 : size(),
+                        pick(sign(), 1.0) / radius,
+                        sign() / radius,
+                        surface());
+            }
             case "CylinderLattice" -> {
                 Vector3d from = place();
                 yield new CylinderLattice(

@@ -192,6 +192,17 @@ class PrimitiveContractTest {
             double along = new Vector3d(place).sub(start).dot(axis) / axis.lengthSquared();
             return along > 0 && along < 1 && distanceFromLine(place, start, axis) < 1.5;
         });
+        Vector3d unit = new Vector3d(axis).normalize();
+        double rise = 2 - Math.sqrt(4 - 1.5 * 1.5);
+        Vector3d centre = new Vector3d(start).fma(0.3 + rise - 2, unit);
+        Vector3d hollow = new Vector3d(start).fma(-0.3 + rise - 2, unit);
+        walkThrough(new Lens("", start, axis, 1.5, 0.6, 0.5, -0.5, TILED), place -> {
+            double along = new Vector3d(place).sub(start).dot(unit);
+            return distanceFromLine(place, start, axis) < 1.5
+                    && place.distance(centre) < 2
+                    && along > -0.3
+                    && place.distance(hollow) > 2;
+        });
         walkThrough(new Cone("", start, end, 2, true, TILED), place -> {
             double along = new Vector3d(place).sub(start).dot(axis) / axis.lengthSquared();
             return along > 0 && along < 1 && distanceFromLine(place, start, axis) < 2 * along;

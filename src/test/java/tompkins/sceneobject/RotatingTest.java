@@ -51,6 +51,9 @@ class RotatingTest {
                 Arguments.of(new Disc("disc", right, new Vector3d(0, 3, 4), 1, DULL), farthestOfTiltedDisc()),
                 // the square is (2 + cos)^2 + (3 sin)^2, greatest for cos 1/4
                 Arguments.of(new Ellipsoid("egg", right, new Vector3d(1, 2, 3), DULL), Math.sqrt(13.5)),
+                // half a ball that bulges outwards, and one that bulges inwards and has its rim outside
+                Arguments.of(new Lens("dome", right, right, 0.5, 0, 2, 0, DULL), 2.5),
+                Arguments.of(new Lens("bowl", right, right, 0.5, 0, 0, 2, DULL), Math.sqrt(4.25)),
                 Arguments.of(new Triangle("triangle", right, UP, new Vector3d(0, 0, -4), DULL), 4));
     }
 

@@ -41,6 +41,13 @@ public final class SampleShapes {
                         true,
                         surface),
                 new Placed(
+                        "lens",
+                        new Lens("lens", new Vector3d(), new Vector3d(1, -2, 2), 0.9, 0.6, 0.8, -0.5, surface),
+                        size,
+                        new Vector3d(1, 0, 2),
+                        70,
+                        new Vector3d(middle)),
+                new Placed(
                         "mesh",
                         new TriangleMesh("octahedron", MeshData.OCTAHEDRON, surface, true),
                         size,

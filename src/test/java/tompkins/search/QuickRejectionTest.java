@@ -13,6 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.fuzz.RandomStudio;
+import tompkins.primitive.CapPrimitive;
 import tompkins.primitive.Primitive;
 import tompkins.primitive.RayStarts;
 import tompkins.ray.Hit;
@@ -147,7 +148,10 @@ class QuickRejectionTest {
         }
     }
 
-    /** Half of all directions lead out of a surface, and from none of them does a convex shape get in the way. */
+    /**
+     * Half of all directions lead out of a surface, and from none of them does a convex shape get in the way; the face
+     * of a lens may be hollow.
+     */
     @Test
     void rayThatLeavesAPrimitiveOutwardsSurelyMissesIt() {
         int outwards = 0;
@@ -165,10 +169,13 @@ class QuickRejectionTest {
                         primitive.distance(Ray.blank().setShadow(hit, away.x, away.y, away.z), Primitive.NO_HIT);
                 if (away.dot(hit.normalX, hit.normalY, hit.normalZ) > 0) {
                     outwards++;
-                    assertThat(primitive.surelyMisses(hit, away.x, away.y, away.z))
+                    boolean misses = primitive.surelyMisses(hit, away.x, away.y, away.z);
+                    assertThat(misses || primitive instanceof CapPrimitive)
                             .as(primitive.description())
                             .isTrue();
-                    assertThat(hitsItself).as(primitive.description()).isEqualTo(Primitive.NO_HIT);
+                    assertThat(misses && hitsItself < Primitive.NO_HIT)
+                            .as(primitive.description())
+                            .isFalse();
                 } else if (hitsItself < Primitive.NO_HIT) {
                     inwards++;
                     assertThat(primitive.surelyMisses(hit, away.x, away.y, away.z))

@@ -22,6 +22,7 @@ import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.Ellipsoid;
 import tompkins.sceneobject.Group;
+import tompkins.sceneobject.Lens;
 import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.PrimitiveCollector;
@@ -59,6 +60,7 @@ class RotatingHitsTest {
                 new Cylinder("rod", a, b, 0.15, true, DULL),
                 new Cylinder("tube", a, b, 0.4, false, DULL),
                 new Cone("cone", a, b, 0.5, true, DULL),
+                new Lens("lens", a, new Vector3d(1, 0.3, 0.2), 0.7, 0.6, 1.2, -0.9, DULL),
                 new Disc("disc", a, new Vector3d(1, 0.3, 0.2), 0.8, DULL),
                 new Disc("wheel", CENTRE, AXIS, 1.2, DULL),
                 new Cylinder("axle", CENTRE, new Vector3d(CENTRE).add(AXIS), 0.5, true, DULL),

@@ -30,6 +30,7 @@ import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.Ellipsoid;
 import tompkins.sceneobject.Group;
+import tompkins.sceneobject.Lens;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Placed;
@@ -344,6 +345,15 @@ public final class VariedStudios {
                         new CutOut(chequers, new Mirror(0.9), Clear.DEFAULT)),
                 new Sphere("glass", new Vector3d(0, 0, 6), 0.5, new Refractive(1.5)),
                 new Ellipsoid("ellipsoid", new Vector3d(0.3, -0.7, 5.5), new Vector3d(0.3, 0.15, 0.2), GREY),
+                new Lens(
+                        "lens",
+                        new Vector3d(0.9, 0.2, 6),
+                        new Vector3d(1, 0, -3),
+                        0.3,
+                        0.05,
+                        2,
+                        -1,
+                        Refractive.DEFAULT),
                 new Sphere("mirror", new Vector3d(-1, -0.5, 7), 0.4, new Mirror(0.9)),
                 new Sphere("filter", new Vector3d(1, -0.6, 7), 0.3, new ColourFilter(new Colour(0.9, 0.5, 0.2))),
                 new Box("box", new Vector3d(0.8, 0.6, 8), new Vector3d(1.4, 1.2, 9), GREY),
