@@ -32,7 +32,7 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        25_850),
+                        25_940),
                 arguments("file, image", 4_420),
                 arguments("explain, lesson, measure, animation", 5_740),
                 arguments("io, app", 7_900),

@@ -12,6 +12,7 @@ import tompkins.ray.RayCounts;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.studio.Studio;
 import tompkins.surface.ColourFilter;
+import tompkins.surface.ComplexRefraction;
 import tompkins.surface.ConfocalLensletArray;
 import tompkins.surface.Continuation;
 import tompkins.surface.GalileoWindow;
@@ -84,6 +85,11 @@ final class Omissions {
 
     private void addLenses(List<String> sentences) {
         Predicate<Surface> isLens = part -> part instanceof ConfocalLensletArray || part instanceof IdealLens;
+        Predicate<Surface> isComplex = part -> part instanceof ComplexRefraction;
+        if (has(inScene, isComplex) || has(beforeLens, isComplex)) {
+            sentences.add("Sheets with a complex ratio of indices turn light and do nothing else to it: no wave optics"
+                    + " stands behind them, no light is delayed, and they mirror no part of what passes.");
+        }
         if (has(inScene, isLens) || has(beforeLens, isLens)) {
             sentences.add("Lenslets and ideal lenses turn light and do nothing else to it: no wave optics stands behind"
                     + " them, and no light is delayed, although a real lens delays what passes its middle.");

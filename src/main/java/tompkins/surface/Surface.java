@@ -14,6 +14,7 @@ public sealed interface Surface
                 ColourFilter,
                 Mirror,
                 Refractive,
+                ComplexRefraction,
                 LorentzWindow,
                 GalileoWindow,
                 ConfocalLensletArray,

@@ -142,6 +142,8 @@ class ExplainCommandTest {
             | 'scene': [{'type': 'Disc'}]
             no wave optics stands behind them | 'cameraFrame': [{'type': 'Disc', 'surface': {'type': 'Tiling', \
             'second': {'type': 'ConfocalLensletArray'}}}] | 'cameraFrame': [WINDOW]
+            they mirror no part of what passes | 'scene': [{'type': 'Disc', 'surface': {'type': 'ComplexRefraction'}}] \
+            | 'scene': [{'type': 'Disc', 'surface': {'type': 'Refractive'}}]
             The focus ignores windows, glass and mirrors | 'cameraFrame': [WINDOW], 'camera': {'apertureRadius': 0.1} \
             | 'cameraFrame': [WINDOW]
             missed by about 75 % of the pixels: these are focused at infinity. | 'camera': {'apertureRadius': 0.1, 'focus': QUARTER} \

@@ -78,6 +78,7 @@ import tompkins.surface.Clear;
 import tompkins.surface.Clock;
 import tompkins.surface.ColourFilter;
 import tompkins.surface.ColouredSurface;
+import tompkins.surface.ComplexRefraction;
 import tompkins.surface.ConfocalLensletArray;
 import tompkins.surface.CutOut;
 import tompkins.surface.GalileoWindow;
@@ -346,6 +347,8 @@ public final class RandomStudio {
             case "Refractive" -> new Refractive(pick(1.0, 1 + 1e-12, 1.5, 0.5, 2.4, size()));
             case "LorentzWindow" -> new LorentzWindow(velocity(), pick(WindowAxes.values()), random.nextDouble());
             case "GalileoWindow" -> new GalileoWindow(velocity(), pick(WindowAxes.values()), random.nextDouble());
+            case "ComplexRefraction" ->
+                new ComplexRefraction(pick(1.0, 1.5, 0.5, size()), pick(0.0, 90.0, 180 * sign()), random.nextDouble());
             case "ConfocalLensletArray" ->
                 new ConfocalLensletArray(
                         pick(1.0, -1.0, 0.3, 3.0), pick(1.0, -2.0, 0.5), sign(), sign(), random.nextDouble());

@@ -8,6 +8,7 @@ import org.joml.Vector3dc;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Event;
 import tompkins.studio.Studio;
+import tompkins.surface.ComplexRefraction;
 import tompkins.surface.ConfocalLensletArray;
 import tompkins.surface.GalileoWindow;
 import tompkins.surface.IdealLens;
@@ -98,6 +99,7 @@ final class CrestCount {
     private static boolean isWindow(Surface surface) {
         return surface instanceof LorentzWindow
                 || surface instanceof GalileoWindow
+                || surface instanceof ComplexRefraction
                 || surface instanceof ConfocalLensletArray
                 || surface instanceof IdealLens;
     }

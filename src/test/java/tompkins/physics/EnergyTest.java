@@ -21,6 +21,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.UniformBackground;
 import tompkins.surface.Clear;
 import tompkins.surface.ColourFilter;
+import tompkins.surface.ComplexRefraction;
 import tompkins.surface.ConfocalLensletArray;
 import tompkins.surface.IdealLens;
 import tompkins.surface.LorentzWindow;
@@ -49,6 +50,7 @@ class EnergyTest {
                 new Refractive(1 + 1e-9),
                 new LorentzWindow(Velocity.of(0.3, 0.2, -0.6), WindowAxes.FRAME, 1),
                 new ConfocalLensletArray(2, -0.5, 0.3, -0.2, 1),
+                new ComplexRefraction(1, 50, 1),
                 new IdealLens(-1.5, 0.4, 0.6, 1),
                 new Mixture(new Mirror(1), Clear.DEFAULT, 0.7),
                 new TwoSided(Clear.DEFAULT, new ConfocalLensletArray(2, 2, 0, 0, 1)),

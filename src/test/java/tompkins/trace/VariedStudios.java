@@ -62,6 +62,7 @@ import tompkins.surface.Clear;
 import tompkins.surface.Clock;
 import tompkins.surface.ColourFilter;
 import tompkins.surface.ColouredSurface;
+import tompkins.surface.ComplexRefraction;
 import tompkins.surface.ConfocalLensletArray;
 import tompkins.surface.CutOut;
 import tompkins.surface.GalileoWindow;
@@ -159,6 +160,9 @@ public final class VariedStudios {
                 Named.of(
                         "lenslets in the scene",
                         moving(with(crowd(), window(2, new ConfocalLensletArray(1.2, -0.8, 0.1, 0, 0.9))))),
+                Named.of(
+                        "complex refraction in the scene",
+                        moving(with(crowd(), window(2, new ComplexRefraction(1.3, 40, 0.9))))),
                 Named.of(
                         "crowd before the lens",
                         Lighting.of(

@@ -1,0 +1,110 @@
+package tompkins.surface;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.primitive.Primitive;
+import tompkins.ray.Ray;
+import tompkins.sceneobject.Disc;
+import tompkins.sceneobject.PrimitiveCollector;
+
+/** The law c' = c/m into a sheet that faces the viewer: its axes are x and y there. */
+class ComplexRefractionTest {
+
+    private static final double ROUNDING = 1e-14;
+
+    private final SplittableRandom random = new SplittableRandom(2009);
+
+    private static Ray beyond(ComplexRefraction surface, Ray ray) {
+        Primitive sheet = PrimitiveCollector.primitivesOf(
+                        new Disc("sheet", new Vector3d(), new Vector3d(0, 0, -1), 10, surface))
+                .get(0);
+        double distance = sheet.distance(ray, Primitive.NO_HIT);
+        return surface.respond(ray, sheet.hit(ray, distance), null).next();
+    }
+
+    /** A ray in a direction that meets the sheet at (1, 2, 0). */
+    private static Ray ray(double dx, double dy, double dz) {
+        return Ray.from(1 - 3 * dx, 2 - 3 * dy, -3 * dz, dx, dy, dz, 7);
+    }
+
+    private Vector3d direction() {
+        Vector3d d = new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(0.05, 1));
+        return d.normalize();
+    }
+
+    /** With the ratio m = r (cos a - i sin a), as complex numbers are divided. */
+    @ParameterizedTest
+    @CsvSource({"1, 90", "1, -30", "1.5, 0", "1.5, 40", "0.6, 200", "1, 180"})
+    void dividesByTheRatio(double size, double degrees) {
+        ComplexRefraction surface = new ComplexRefraction(size, degrees, 0.9);
+        double real = size * Math.cos(Math.toRadians(degrees));
+        double imaginary = -size * Math.sin(Math.toRadians(degrees));
+        int reflected = 0;
+        for (int i = 0; i < 200; i++) {
+            Vector3d d = direction();
+            Ray next = beyond(surface, ray(d.x, d.y, d.z));
+            double x = (d.x * real + d.y * imaginary) / (size * size);
+            double y = (d.y * real - d.x * imaginary) / (size * size);
+            boolean passes = Math.hypot(x, y) < 1;
+            reflected += passes ? 0 : 1;
+            assertThat(next.dx).isCloseTo(passes ? x : d.x, within(ROUNDING));
+            assertThat(next.dy).isCloseTo(passes ? y : d.y, within(ROUNDING));
+            assertThat(next.dz).isCloseTo(passes ? Math.sqrt(1 - x * x - y * y) : -d.z, within(1e-12));
+            assertThat(next.time).isCloseTo(4, within(ROUNDING));
+            assertThat(next.slowness).isEqualTo(1);
+            assertThat(next.throughput).isEqualTo(0.9);
+        }
+        assertThat(reflected).matches(count -> size < 1 ? count > 20 : count == 0);
+    }
+
+    /** What has passed comes back the way it came. */
+    @ParameterizedTest
+    @CsvSource({"1, 90", "1.5, 40", "0.6, 200"})
+    void takesTheSameLightBack(double size, double degrees) {
+        ComplexRefraction surface = new ComplexRefraction(size, degrees, 1);
+        for (int i = 0; i < 200; i++) {
+            Vector3d d = direction();
+            Ray there = beyond(surface, ray(d.x, d.y, d.z));
+            Ray back = beyond(surface, ray(-there.dx, -there.dy, -there.dz));
+            if (there.dz > 0) {
+                assertThat(new Vector3d(back.dx, back.dy, back.dz).add(d).length())
+                        .isLessThan(1e-12);
+            }
+        }
+    }
+
+    /** Two directions beside one say how large a solid angle becomes: by its root the width of a ray grows. */
+    @ParameterizedTest
+    @CsvSource({"1, 90", "1.5, 40", "0.6, 200"})
+    void opensBundlesAsItsDirectionsTell(double size, double degrees) {
+        ComplexRefraction surface = new ComplexRefraction(size, degrees, 1);
+        Vector3d d = new Vector3d(0.3, -0.2, 0.8).normalize();
+        Vector3d one = new Vector3d(0, 1, 0).cross(d).normalize();
+        Vector3d other = one.cross(d, new Vector3d());
+        Vector3d middle = turned(surface, d, one, 0);
+        double step = 1e-6;
+        Vector3d first = turned(surface, d, one, step).sub(middle);
+        Vector3d second = turned(surface, d, other, step).sub(middle);
+        double area = first.cross(second, new Vector3d()).length() / (step * step);
+        assertThat(beyond(surface, ray(d.x, d.y, d.z)).angleFactor).isCloseTo(1 / Math.sqrt(area), within(1e-5));
+    }
+
+    private static Vector3d turned(ComplexRefraction surface, Vector3d d, Vector3d aside, double step) {
+        Vector3d near = new Vector3d(d).fma(step, aside).normalize();
+        Ray next = beyond(surface, ray(near.x, near.y, near.z));
+        return new Vector3d(next.dx, next.dy, next.dz);
+    }
+
+    @Test
+    void withTheRatioOneNothingTurns() {
+        Vector3d d = direction();
+        Ray next = beyond(new ComplexRefraction(1, 0, 1), ray(d.x, d.y, d.z));
+        assertThat(new Vector3d(next.dx, next.dy, next.dz)).isEqualTo(d);
+    }
+}
