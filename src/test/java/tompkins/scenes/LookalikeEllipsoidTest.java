@@ -23,6 +23,7 @@ import tompkins.sceneobject.Ellipsoid;
 import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
@@ -79,6 +80,28 @@ class LookalikeEllipsoidTest {
             Ray inScene = TransformationLaw.LORENTZ.sceneFromCamera(velocity).transform(ray);
             Vector3d found = painted(velocity, hit.coordinates.u(), hit.coordinates.v());
             assertThat(found.distance(inScene.dx, inScene.dy, inScene.dz)).isLessThan(1e-13 * velocity.gamma());
+        }
+    }
+
+    /**
+     * In the Galilean transformation light has the speed 1 for the camera: a sphere around it, painted with what is
+     * seen from the point beta in it, shows the same as the moving pinhole.
+     */
+    @Test
+    void theGalileanLookalikeIsASphere() {
+        Velocity velocity = Velocity.of(0.3, -0.2, 0.7);
+        Primitive sphere = PrimitiveCollector.primitivesOf(new Sphere("", new Vector3d(), 1, Tiling.DEFAULT))
+                .get(0);
+        SplittableRandom random = new SplittableRandom(1638);
+        for (int i = 0; i < 300; i++) {
+            Vector3d d = new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1))
+                    .normalize();
+            Ray ray = Ray.from(0, 0, 0, d.x, d.y, d.z, 0);
+            Hit hit = sphere.hit(ray, sphere.distance(ray, Primitive.NO_HIT));
+            Vector3d seen =
+                    new Vector3d(hit.x, hit.y, hit.z).sub(velocity.components()).normalize();
+            Ray inScene = TransformationLaw.GALILEAN.sceneFromCamera(velocity).transform(ray);
+            assertThat(seen.distance(inScene.dx, inScene.dy, inScene.dz)).isLessThan(1e-14);
         }
     }
 
