@@ -34,7 +34,7 @@ class RoomSizeTest {
                                 + " studio, world, trace, render",
                         25_940),
                 arguments("file, image", 4_420),
-                arguments("explain, lesson, measure, animation", 5_740),
+                arguments("explain, lesson, measure, animation", 5_750),
                 arguments("io, app", 7_900),
                 arguments("study", 4_550),
                 arguments("ui", 20_710));

@@ -1,18 +1,16 @@
 package tompkins.measure;
 
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
-import tompkins.spacetime.Event;
 import tompkins.studio.Studio;
 import tompkins.surface.LuminousSurface;
 import tompkins.trace.Frame;
@@ -21,7 +19,7 @@ import tompkins.trace.RayLife;
 /**
  * Draws rays into the scene: a rod for each straight piece of all branches, and a ball at each hit. They are objects of
  * the scene like others, and rest in it: the ball on something that moves lies where that was hit. What a ray does in
- * the camera frame is not drawn.
+ * the camera frame is not drawn, and near the lens nothing is.
  */
 public final class RayTubes {
 
@@ -34,7 +32,7 @@ public final class RayTubes {
     /** The radius of a ball, in radii of a rod. */
     private static final double BALL = 2;
 
-    /** How far from the camera the first rod begins, in radii, so that it hides little from there. */
+    /** How near the lens nothing is drawn, in radii of a rod, so that little is hidden from there. */
     private static final double GAP = 30;
 
     /** How long rays are drawn that hit nothing at all: as far as new objects stand from the origin. */
@@ -42,9 +40,6 @@ public final class RayTubes {
 
     private final double radius;
     private final double reach;
-
-    /** The events at which rays were hit, where rods meet. */
-    private final Set<Event> corners = new HashSet<>();
 
     private RayTubes(List<RayLife> rays) {
         double[] distances = rays.stream()
@@ -55,7 +50,6 @@ public final class RayTubes {
         boolean unbounded = distances.length == 0;
         radius = THICKNESS * (unbounded ? UNBOUNDED : distances[distances.length / 2]);
         reach = unbounded ? UNBOUNDED : distances[distances.length - 1];
-        rays.forEach(ray -> hits(ray).forEach(hit -> corners.add(hit.event())));
     }
 
     private static Stream<RayLife.Encounter> hits(RayLife ray) {
@@ -102,16 +96,22 @@ public final class RayTubes {
     private List<SceneObject> parts(RayLife ray) {
         List<SceneObject> parts = new ArrayList<>();
         for (RayLife.Segment segment : ray.segments()) {
+            Vector3dc lens = ray.segments().get(0).start().position();
             LuminousSurface surface = segment.branch() == 0 ? STRONGEST : WEAKER;
+            Vector3d start = segment.start().position();
             Vector3d end = end(segment);
-            Vector3d start = start(segment, end);
             String to = segment.hit() == null
                     ? "the background"
                     : segment.hit().object().description();
-            if (!start.equals(end)) {
-                parts.add(new Cylinder("to " + to, start, end, radius, true, surface));
+            double[] shares = awayFrom(lens, start, end);
+            for (int i = 0; i < shares.length; i += 2) {
+                if (shares[i] < shares[i + 1]) {
+                    Vector3d from = shares[i] == 0 ? start : start.lerp(end, shares[i], new Vector3d());
+                    Vector3d until = shares[i + 1] == 1 ? end : start.lerp(end, shares[i + 1], new Vector3d());
+                    parts.add(new Cylinder("to " + to, from, until, radius, true, surface));
+                }
             }
-            if (segment.hit() != null) {
+            if (segment.hit() != null && end.distance(lens) > GAP * radius) {
                 parts.add(new Sphere("hit on " + to, end, BALL * radius, surface));
             }
         }
@@ -119,19 +119,28 @@ public final class RayTubes {
     }
 
     private Vector3d end(RayLife.Segment segment) {
-        if (segment.hit() != null) {
-            return segment.hit().event().position();
-        }
-        return segment.start().position().fma(reach, segment.direction());
+        return segment.hit() == null
+                ? segment.start().position().fma(reach, segment.direction())
+                : segment.hit().event().position();
     }
 
-    /** Where the rod of a piece begins: that of one that comes from the camera leaves some room. */
-    private Vector3d start(RayLife.Segment segment, Vector3d end) {
-        Vector3d start = segment.start().position();
-        if (corners.contains(segment.start())) {
-            return start;
-        }
+    /**
+     * The parts of a straight piece that are not near the lens: where the first and the second begin and end, as shares
+     * of its length. What a mirror sends straight back passes the lens, too.
+     */
+    private double[] awayFrom(Vector3dc lens, Vector3dc start, Vector3dc end) {
         double length = start.distance(end);
-        return length == 0 ? start : start.lerp(end, Math.min(0.5, GAP * radius / length));
+        if (length == 0) {
+            return new double[0];
+        }
+        Vector3d way = end.sub(start, new Vector3d()).div(length);
+        Vector3d toLens = lens.sub(start, new Vector3d());
+        double along = toLens.dot(way);
+        double aside = toLens.fma(-along, way).length();
+        double gap = GAP * radius;
+        double half = aside < gap ? Math.sqrt((gap - aside) * (gap + aside)) : 0;
+        double enters = Math.max(0, Math.min(1, (along - half) / length));
+        double leaves = Math.max(0, Math.min(1, (along + half) / length));
+        return half == 0 ? new double[] {0, 1} : new double[] {0, enters, leaves, 1};
     }
 }
