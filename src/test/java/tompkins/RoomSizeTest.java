@@ -35,7 +35,7 @@ class RoomSizeTest {
                         25_940),
                 arguments("file, image", 4_420),
                 arguments("explain, lesson, measure, animation", 5_750),
-                arguments("io, app", 7_900),
+                arguments("io, app", 7_930),
                 arguments("study", 4_550),
                 arguments("ui", 20_710));
     }
