@@ -45,7 +45,7 @@ public final class Flashes {
     /** A sentence or some for each lamp that flashes, or one for all if none could light what is in the middle. */
     List<String> sentences() {
         List<FlashSight> sights = middle();
-        return hasFlashes() && sights.isEmpty()
+        return plan.hasFlashes() && sights.isEmpty()
                 ? List.of("Lamps flash, but the middle of the picture shows nothing that they could light.")
                 : sights.stream().map(this::sentence).toList();
     }
@@ -61,17 +61,13 @@ public final class Flashes {
         }
         boolean onlyFlashes =
                 lamps.stream().allMatch(light -> !(light instanceof PointLight) || light.flash() instanceof Pulse);
-        if (onlyFlashes && hasFlashes() && tried().noneMatch(FlashSight::isLit)) {
+        if (onlyFlashes && plan.hasFlashes() && tried().noneMatch(FlashSight::isLit)) {
             warnings.add("no flash lights anything in the picture at this opening time"
                     + litTimes()
                             .map(times -> ": something is lit " + fromTo(times))
                             .orElse(""));
         }
         return warnings;
-    }
-
-    private boolean hasFlashes() {
-        return lamps.stream().anyMatch(light -> light.flash() instanceof Pulse);
     }
 
     /**
@@ -93,7 +89,7 @@ public final class Flashes {
 
     /** The flashes at all hits of rays that are spread over the picture. */
     private Stream<FlashSight> tried() {
-        return IntStream.range(0, hasFlashes() ? TRIED * TRIED : 0)
+        return IntStream.range(0, plan.hasFlashes() ? TRIED * TRIED : 0)
                 .mapToObj(i -> RayLife.of(
                         plan,
                         (i % TRIED + 0.5) / TRIED * plan.width(),
@@ -106,7 +102,7 @@ public final class Flashes {
     }
 
     private List<FlashSight> middle() {
-        RayLife life = hasFlashes() ? plan.middleLife() : null;
+        RayLife life = plan.hasFlashes() ? plan.middleLife() : null;
         return life == null || life.end() == null ? List.of() : life.end().flashes();
     }
 

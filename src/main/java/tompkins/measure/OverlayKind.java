@@ -20,6 +20,8 @@ public enum OverlayKind {
     HORIZON,
     /** Doppler factors: circles for what is at rest in the scene, numbers for what moves. */
     DOPPLER,
+    /** Where the first light of flashes is at the moment, on the surfaces that are seen. */
+    WAVE_FRONTS,
     /** The names of objects. */
     LABELS,
     /** The names of the brightest stars. */

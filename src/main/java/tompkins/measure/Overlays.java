@@ -9,6 +9,7 @@ import java.util.function.DoubleFunction;
 import java.util.function.Function;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -24,11 +25,13 @@ import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.trace.Frame;
+import tompkins.trace.RenderPlan;
 import tompkins.world.SeenFrame;
 
 /**
  * Works out what is drawn over a picture, by formulas: for the centre of the lens, in the middle of the exposure, with
- * nothing in the way. It does not use the photograph, so that each checks the other.
+ * nothing in the way. It does not use the photograph, so that each checks the other. Wave fronts alone follow rays, to
+ * the surfaces that are seen.
  */
 public final class Overlays {
 
@@ -52,14 +55,16 @@ public final class Overlays {
 
     private final Projection projection;
     private final SceneShapes shapes;
+    private final RenderPlan plan;
     private final Studio studio;
     private final Map<FrameMotion, SeenFrame> frames = new HashMap<>();
     private final SeenFrame scene;
 
-    /** Overlays of the picture of a projection, with the shapes of its scene. */
-    public Overlays(Projection projection, SceneShapes shapes) {
+    /** Overlays of the picture of a projection, with the shapes of its scene and its plan. */
+    public Overlays(Projection projection, SceneShapes shapes, RenderPlan plan) {
         this.projection = projection;
         this.shapes = shapes;
+        this.plan = plan;
         studio = projection.studio();
         scene = new SeenFrame(studio, null);
     }
@@ -78,6 +83,7 @@ public final class Overlays {
             case CAMERA_GRID -> addGrid(drawing, Frame.CAMERA);
             case HORIZON -> addHorizon(drawing);
             case DOPPLER -> addDopplerFactors(drawing);
+            case WAVE_FRONTS -> addWaveFronts(drawing);
             case LABELS -> shapes.objects().forEach(thing -> addName(drawing, thing));
             case STARS -> addStarNames(drawing);
         }
@@ -159,6 +165,19 @@ public final class Overlays {
         Vector2dc position = seen(thing);
         if (position != null) {
             drawing.labels().add(new OverlayDrawing.Label(thing.name(), null, position));
+        }
+    }
+
+    /** Those of the eye alone, in its own part of the picture. */
+    private void addWaveFronts(OverlayDrawing drawing) {
+        EyeView view = projection.view();
+        Studio alone =
+                studio.withCamera(view.camera()).withSettings(studio.settings().withSize(view.width(), view.height()));
+        for (List<Vector2dc> line : WaveFronts.lines(RenderPlan.of(alone, plan))) {
+            drawing.lines()
+                    .add(line.stream()
+                            .map(point -> (Vector2dc) point.add(view.column(), view.row(), new Vector2d()))
+                            .toList());
         }
     }
 

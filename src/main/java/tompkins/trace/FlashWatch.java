@@ -62,6 +62,29 @@ final class FlashWatch {
         return sights;
     }
 
+    /**
+     * When the light that reaches a hit now left each flash lamp, in its own time; no number where none does, on the
+     * dark side of a surface and in a shadow.
+     *
+     * @param emissions receives the times, in the order of the flash lamps
+     */
+    void findEmissions(Frame frame, Ray ray, Hit hit, double[] emissions) {
+        Lighting lighting = frame == Frame.SCENE ? inScene : inCamera;
+        for (int i = 0, found = 0; i < lamps.size(); i++) {
+            if (lamps.get(i).flash() instanceof Pulse) {
+                emissions[found++] = reaches(lighting, i, ray, hit) ? sight.emission : Double.NaN;
+            }
+        }
+    }
+
+    private boolean reaches(Lighting lighting, int source, Ray ray, Hit hit) {
+        if (!lighting.find(source, hit, sight) || sight.length == 0) {
+            return false;
+        }
+        double alongNormal = sight.x * hit.normalX + sight.y * hit.normalY + sight.z * hit.normalZ;
+        return alongNormal * hit.cosine(ray) < 0 && lighting.isClear(source, hit, sight);
+    }
+
     /** The spans of the flash that began last and of the next, if there is a next: those that are nearer. */
     private List<LitSpan> spans(int source, Pulse flash, double emission, Frame frame, Ray ray, Hit hit) {
         double cycle = Double.isNaN(emission) ? 0 : flash.cycle(emission);

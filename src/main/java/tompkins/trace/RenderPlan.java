@@ -194,7 +194,7 @@ public final class RenderPlan {
     }
 
     /** Whether a lamp flashes. */
-    private boolean hasFlashes() {
+    public boolean hasFlashes() {
         return world.lights().stream().anyMatch(light -> light.flash() instanceof Pulse);
     }
 

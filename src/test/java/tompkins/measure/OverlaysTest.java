@@ -90,7 +90,7 @@ class OverlaysTest {
 
     private static OverlayDrawing draw(Studio studio, OverlayKind kind) {
         RenderPlan plan = RenderPlan.of(studio);
-        return new Overlays(Projection.of(studio), SceneShapes.of(plan.world().frames())).draw(kind);
+        return new Overlays(Projection.of(studio), SceneShapes.of(plan.world().frames()), plan).draw(kind);
     }
 
     /** The points of all lines in the picture, and the middles between them: a line must not leave the curve. */

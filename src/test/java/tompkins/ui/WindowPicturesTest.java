@@ -174,7 +174,9 @@ class WindowPicturesTest {
         driver.completePicture();
         Projection projection = Projection.of(driver.studioOnScreen());
         Overlays overlays = new Overlays(
-                projection, SceneShapes.of(driver.picture().plan().world().frames()));
+                projection,
+                SceneShapes.of(driver.picture().plan().world().frames()),
+                driver.picture().plan());
         List<Vector2dc> outline = overlays.draw(OverlayKind.OUTLINES).lines().get(0);
         Rectangle bounds =
                 WindowDriver.onEventThread(() -> driver.window().view().canvas().pictureBounds());

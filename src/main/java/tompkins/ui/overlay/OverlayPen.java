@@ -37,6 +37,7 @@ final class OverlayPen {
             Map.entry(OverlayKind.AT_REST, new Color(255, 255, 255)),
             Map.entry(OverlayKind.MEASURED, new Color(255, 150, 150)),
             Map.entry(OverlayKind.DOPPLER, new Color(120, 255, 190)),
+            Map.entry(OverlayKind.WAVE_FRONTS, new Color(90, 230, 255)),
             Map.entry(OverlayKind.PLACES, new Color(255, 160, 120)),
             Map.entry(OverlayKind.SCENE_GRID, new Color(150, 205, 255)),
             Map.entry(OverlayKind.CAMERA_GRID, new Color(225, 225, 225)),

@@ -31,8 +31,8 @@ import tompkins.world.InertialFrame;
 
 /**
  * What formulas say about a picture, drawn over it: outlines, axes, places, grids. It follows each picture. If the
- * shutter opens at another time for each place, that takes a while: it is then worked out by a thread of its own, and
- * nothing is drawn until it is there.
+ * shutter opens at another time for each place, or rays are followed, that takes a while: it is then worked out by a
+ * thread of its own, and nothing is drawn until it is there.
  */
 public final class SceneOverlay implements Overlay, AutoCloseable {
 
@@ -144,7 +144,7 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
                 return each;
             }
         }
-        if (!isQuick(plan.studio())) {
+        if (!isQuick(plan, shown)) {
             worker.submit(new Question(plan, shown));
             return null;
         }
@@ -153,8 +153,9 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
         return made;
     }
 
-    private static boolean isQuick(Studio studio) {
-        return new Projection(studio, 1, 1).hasOneTime();
+    private static boolean isQuick(RenderPlan plan, Set<OverlayKind> kinds) {
+        boolean followsRays = kinds.contains(OverlayKind.WAVE_FRONTS) && plan.hasFlashes();
+        return !followsRays && new Projection(plan.studio(), 1, 1).hasOneTime();
     }
 
     private void answer(Question question) {
@@ -183,22 +184,22 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
 
     private static Drawn draw(RenderPlan plan, Set<OverlayKind> kinds, SceneShapes shapes) {
         List<OfEye> eyes = Projection.ofEyes(plan.studio()).stream()
-                .map(projection -> draw(projection, kinds, shapes))
+                .map(projection -> draw(new Overlays(projection, shapes, plan), projection.view(), kinds))
                 .toList();
-        return new Drawn(plan, Set.copyOf(kinds), eyes, note(plan, shapes));
+        return new Drawn(plan, Set.copyOf(kinds), eyes, note(plan, shapes, kinds));
     }
 
-    private static OfEye draw(Projection projection, Set<OverlayKind> kinds, SceneShapes shapes) {
-        Overlays overlays = new Overlays(projection, shapes);
+    private static OfEye draw(Overlays overlays, EyeView view, Set<OverlayKind> kinds) {
         List<OverlayDrawing> drawings = Stream.of(OverlayKind.values())
                 .filter(kinds::contains)
                 .map(overlays::draw)
                 .toList();
-        return new OfEye(projection.view(), drawings);
+        return new OfEye(view, drawings);
     }
 
     /** Says in one line where the drawing may not agree with the picture; empty if it agrees. */
-    private static String note(RenderPlan plan, SceneShapes shapes) {
+    private static String note(RenderPlan plan, SceneShapes shapes, Set<OverlayKind> kinds) {
+        boolean byFormulas = !kinds.equals(Set.of(OverlayKind.WAVE_FRONTS));
         List<String> notes = new ArrayList<>();
         if (plan.studio().camera().hasWideAperture()) {
             notes.add("aperture");
@@ -206,13 +207,13 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
         if (plan.blursInTime()) {
             notes.add("exposure");
         }
-        if (!plan.studio().cameraFrame().isEmpty()) {
+        if (byFormulas && !plan.studio().cameraFrame().isEmpty()) {
             notes.add("beforeLens");
         }
-        if (shapes.turnsRays()) {
+        if (byFormulas && shapes.turnsRays()) {
             notes.add("turned");
         }
-        if (!shapes.complete()) {
+        if (byFormulas && !shapes.complete()) {
             notes.add("many");
         }
         return notes.isEmpty()

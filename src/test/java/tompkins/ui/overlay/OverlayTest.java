@@ -19,8 +19,11 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
+import tompkins.light.PointLight;
+import tompkins.light.Pulse;
 import tompkins.measure.OverlayKind;
 import tompkins.property.Descriptions;
+import tompkins.ray.Colour;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.SceneObject;
@@ -28,6 +31,7 @@ import tompkins.sceneobject.Sphere;
 import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.LensEvent;
+import tompkins.studio.Lighting;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.surface.Mirror;
@@ -167,6 +171,29 @@ class OverlayTest {
         Picture picture =
                 new Picture(slow, RenderPlan.of(slow), image, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE);
 
+        assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isTrue();
+        assertThat(again.await(30, TimeUnit.SECONDS)).isTrue();
+        assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isFalse();
+        overlay.close();
+    }
+
+    /** Only where a lamp flashes do wave fronts need rays, and another thread. */
+    @Test
+    void waveFrontsComeLater() throws InterruptedException {
+        CountDownLatch again = new CountDownLatch(1);
+        SceneOverlay overlay = new SceneOverlay(again::countDown, error -> {
+            throw new AssertionError(error);
+        });
+        overlay.setShown(Set.of(OverlayKind.OUTLINES, OverlayKind.WAVE_FRONTS));
+        Studio dark = Studios.sphere();
+        PointLight lamp = new PointLight(new Vector3d(), Colour.WHITE, Colour.BLACK, 1, new Pulse(0, 1, 0));
+        Studio flash =
+                Lighting.of(dark, List.of(lamp)).withSettings(dark.settings().withSize(WIDTH, HEIGHT));
+
+        assertThat(marked(painted(overlay, dark)).isEmpty()).isFalse();
+        LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
+        Picture picture = new Picture(
+                flash, RenderPlan.of(flash), image, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE);
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isTrue();
         assertThat(again.await(30, TimeUnit.SECONDS)).isTrue();
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isFalse();
