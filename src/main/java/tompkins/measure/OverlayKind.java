@@ -1,5 +1,7 @@
 package tompkins.measure;
 
+import java.util.Set;
+
 /** What can be drawn over a picture. */
 public enum OverlayKind {
     /** The predicted outlines of spheres. */
@@ -25,5 +27,8 @@ public enum OverlayKind {
     /** The names of objects. */
     LABELS,
     /** The names of the brightest stars. */
-    STARS
+    STARS;
+
+    /** Those that show the axes of rods, and edges. */
+    public static final Set<OverlayKind> OF_LINES = Set.of(LINES, AT_REST, MEASURED);
 }

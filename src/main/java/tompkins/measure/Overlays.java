@@ -122,8 +122,21 @@ public final class Overlays {
     }
 
     private void addLine(OverlayDrawing drawing, SceneShapes.Line line, SeenFrame frame) {
-        addCurve(
-                drawing, 0, 1, part -> projection.position(frame, line.start().lerp(line.end(), part, new Vector3d())));
+        addCurve(drawing, 0, 1, part -> {
+            Vector3d point = line.start().lerp(line.end(), part, new Vector3d());
+            return line.turn() == null
+                    ? projection.position(frame, point)
+                    : projection.position(event -> look(frame, line.turn(), point, event));
+        });
+    }
+
+    /** The direction in which a point that turns is seen from an event; null if it is not. */
+    private static Vector3d look(SeenFrame frame, SceneShapes.Turn turn, Vector3dc point, Event lens) {
+        Vector3d middle = turn.foot(point);
+        Event seen = frame.seen(time -> turn.place(point, time), middle, middle.distance(point), lens);
+        return seen == null
+                ? null
+                : frame.look(seen.position().sub(frame.fromCamera(lens).position()));
     }
 
     private void addCurve(OverlayDrawing drawing, double from, double to, DoubleFunction<Vector2dc> curve) {

@@ -13,17 +13,19 @@ import tompkins.primitive.CylinderPrimitive;
 import tompkins.primitive.Described;
 import tompkins.primitive.FlatPrimitive;
 import tompkins.primitive.Primitive;
+import tompkins.primitive.Rotation;
 import tompkins.primitive.SpherePrimitive;
 import tompkins.sceneobject.TriangleMesh;
+import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
 import tompkins.surface.Continuation;
 import tompkins.world.InertialFrame;
 
 /**
  * The shapes of a scene for which overlays are drawn: its first spheres, lines and objects. What turns is an object
- * alone, with the box of all that it comes by.
+ * with the box of all that it comes by.
  *
- * @param spheres spheres
+ * @param spheres spheres, without those that turn about an axis beside their centres
  * @param lines axes of rods, and edges of boxes and of flat pieces; not those of meshes
  * @param objects bounded objects
  * @param complete whether these are all
@@ -53,10 +55,34 @@ public record SceneShapes(
      * A straight line with two ends.
      *
      * @param motion how its frame moves; null for the scene frame
-     * @param start one end in its frame
+     * @param turn how it turns there; null if it rests
+     * @param start one end in its frame, before anything turned
      * @param end the other end
      */
-    public record Line(FrameMotion motion, Vector3dc start, Vector3dc end) {}
+    public record Line(FrameMotion motion, Turn turn, Vector3dc start, Vector3dc end) {}
+
+    /**
+     * How something turns in its frame.
+     *
+     * @param rotation the rotation, in coordinates of its own
+     * @param origin the event of the frame at which these begin
+     */
+    public record Turn(Rotation rotation, Event origin) {
+
+        /** Where a point, given before anything turned, is at a time of the frame. */
+        Vector3d place(Vector3dc point, double time) {
+            Vector3d middle = foot(point);
+            Vector3d aside = point.sub(middle, new Vector3d());
+            return rotation.turned(aside, rotation.angle(time - origin.time())).add(middle);
+        }
+
+        /** The middle of the circle on which a point runs. */
+        Vector3d foot(Vector3dc point) {
+            Vector3d centre = rotation.centre().add(origin.position(), new Vector3d());
+            double along = point.sub(centre, new Vector3d()).dot(rotation.axis());
+            return centre.fma(along, rotation.axis());
+        }
+    }
 
     /**
      * An object.
@@ -71,6 +97,11 @@ public record SceneShapes(
         public Vector3d middle() {
             return bounds.centre();
         }
+    }
+
+    /** Whether some lines turn, which takes longer to draw. */
+    public boolean haveTurningLines() {
+        return lines.stream().anyMatch(line -> line.turn() != null);
     }
 
     /** The shapes of what rests in some frames. */
@@ -99,9 +130,8 @@ public record SceneShapes(
             complete &= first.size() == all.size();
             for (Primitive primitive : first) {
                 turnsRays |= primitive.surface().continuation() == Continuation.TURNED;
-                if (primitive.restFrame().rotation() == null) {
-                    add(frame.motion(), origin, primitive);
-                }
+                Rotation rotation = primitive.restFrame().rotation();
+                add(frame.motion(), rotation == null ? null : new Turn(rotation, frame.origin()), origin, primitive);
                 Bounds bounds = primitive.allBounds();
                 if (bounds != null && bounds.centre().isFinite()) {
                     addBounds(frame.motion(), primitive.object(), bounds.moved(origin), places);
@@ -109,35 +139,38 @@ public record SceneShapes(
             }
         }
 
-        private void add(FrameMotion motion, Vector3d origin, Primitive primitive) {
-            if (primitive instanceof SpherePrimitive sphere && hasRoom(spheres, MOST)) {
-                spheres.add(new Ball(motion, sphere.centre().add(origin), sphere.radius()));
+        private void add(FrameMotion motion, Turn turn, Vector3d origin, Primitive primitive) {
+            if (primitive instanceof SpherePrimitive sphere) {
+                boolean stays = turn == null || turn.rotation.isOnAxis(sphere.centre());
+                if (stays && hasRoom(spheres, MOST)) {
+                    spheres.add(new Ball(motion, sphere.centre().add(origin), sphere.radius()));
+                }
             } else if (primitive instanceof CylinderPrimitive rod) {
-                addLine(motion, origin, rod.start(), rod.end());
+                addLine(motion, turn, origin, rod.start(), rod.end());
             } else if (primitive instanceof BoxPrimitive box) {
-                addEdges(motion, origin, box.corners());
+                addEdges(motion, turn, origin, box.corners());
             } else if (primitive instanceof FlatPrimitive piece && !(piece.object() instanceof TriangleMesh)) {
                 List<Vector3d> corners = piece.corners();
                 for (int i = 0; i < corners.size(); i++) {
-                    addLine(motion, origin, corners.get(i), corners.get((i + 1) % corners.size()));
+                    addLine(motion, turn, origin, corners.get(i), corners.get((i + 1) % corners.size()));
                 }
             }
         }
 
         /** Two corners of a box whose numbers differ by one bit have an edge between them. */
-        private void addEdges(FrameMotion motion, Vector3dc origin, List<Vector3d> corners) {
+        private void addEdges(FrameMotion motion, Turn turn, Vector3dc origin, List<Vector3d> corners) {
             for (int corner = 0; corner < corners.size(); corner++) {
                 for (int bit = 1; bit < corners.size(); bit *= 2) {
                     if ((corner & bit) == 0) {
-                        addLine(motion, origin, corners.get(corner), corners.get(corner | bit));
+                        addLine(motion, turn, origin, corners.get(corner), corners.get(corner | bit));
                     }
                 }
             }
         }
 
-        private void addLine(FrameMotion motion, Vector3dc origin, Vector3dc start, Vector3dc end) {
+        private void addLine(FrameMotion motion, Turn turn, Vector3dc origin, Vector3dc start, Vector3dc end) {
             if (hasRoom(lines, MOST_LINES)) {
-                lines.add(new Line(motion, start.add(origin, new Vector3d()), end.add(origin, new Vector3d())));
+                lines.add(new Line(motion, turn, start.add(origin, new Vector3d()), end.add(origin, new Vector3d())));
             }
         }
 

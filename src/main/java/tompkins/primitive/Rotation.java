@@ -132,6 +132,11 @@ public final class Rotation {
         return new Vector3d(vector).fma(-vector.dot(axis), axis);
     }
 
+    /** Whether a point stays where it is, but for rounding. */
+    public boolean isOnAxis(Vector3dc point) {
+        return isOnAxis(point, centre, axis);
+    }
+
     /** Whether a point lies on an axis through a centre, but for rounding. */
     static boolean isOnAxis(Vector3dc point, Vector3dc centre, Vector3dc axis) {
         double size = point.length() + centre.length();

@@ -1,5 +1,7 @@
 package tompkins.world;
 
+import java.util.function.DoubleFunction;
+import java.util.function.DoubleUnaryOperator;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
@@ -21,6 +23,11 @@ import tompkins.studio.View;
  * and the tangent is (k n, -1) with the k that gives this speed.
  */
 public final class SeenFrame {
+
+    /** A time counts as found if it is off by less than this part of the way. */
+    private static final double SETTLED = 1e-9;
+
+    private static final int MOST_STEPS = 60;
 
     private final TransformationLaw law;
     private final View view;
@@ -97,6 +104,59 @@ public final class SeenFrame {
                         / outwards.worldLine().time()
                 : law == TransformationLaw.GALILEAN ? withLightOfTheCamera(way, way.length()) : way.length();
         return Double.isNaN(earlier) ? null : new Event(point.x(), point.y(), point.z(), lens.time() - earlier);
+    }
+
+    /**
+     * The event, in this frame, at which something is seen that runs there: light leaves its place at the time at which
+     * it is there. Found by the rule of false position, in the form called Illinois (M. Dowell and P. Jarratt 1971).
+     *
+     * @param path where it is at a time, slower than light
+     * @param middle a point
+     * @param reach how far it is from there at most
+     * @return null if no such light reaches the lens
+     */
+    public Event seen(DoubleFunction<Vector3d> path, Vector3dc middle, double reach, Event lensInCamera) {
+        Event around = seen(middle, lensInCamera);
+        if (around == null || reach == 0) {
+            return around;
+        }
+        DoubleUnaryOperator late = time -> {
+            Event light = seen(path.apply(time), lensInCamera);
+            return light == null ? Double.NaN : time - light.time();
+        };
+        double first = bound(late, around.time(), -reach);
+        double last = bound(late, around.time(), reach);
+        double lateFirst = late.applyAsDouble(first);
+        double lateLast = late.applyAsDouble(last);
+        double lateBefore = 0;
+        for (int step = 0; step < MOST_STEPS; step++) {
+            double time = last - lateLast * (last - first) / (lateLast - lateFirst);
+            double lateNow = late.applyAsDouble(time);
+            if (Math.abs(lateNow) <= SETTLED * reach) {
+                return seen(path.apply(time), lensInCamera);
+            }
+            // an end that stays twice counts half, so that it moves, too
+            if (lateNow > 0) {
+                lateFirst /= lateBefore > 0 ? 2 : 1;
+                last = time;
+                lateLast = lateNow;
+            } else {
+                lateLast /= lateBefore < 0 ? 2 : 1;
+                first = time;
+                lateFirst = lateNow;
+            }
+            lateBefore = lateNow;
+        }
+        return null;
+    }
+
+    /** A time so far on one side that what runs is late by then, or early; light of the camera can be slow. */
+    private static double bound(DoubleUnaryOperator late, double time, double side) {
+        double step = side;
+        for (int i = 0; i < MOST_STEPS && !(late.applyAsDouble(time + step) * side > 0); i++) {
+            step *= 2;
+        }
+        return time + step;
     }
 
     /** How much earlier light of the camera left what is now at the end of a way; NaN if none reaches the lens. */

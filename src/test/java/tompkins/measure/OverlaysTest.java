@@ -28,6 +28,7 @@ import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Placed;
+import tompkins.sceneobject.Rotating;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.shutter.AperturePlaneShutter;
@@ -159,6 +160,82 @@ class OverlaysTest {
                             .mapToDouble(step -> step * HALF / 16)
                             .anyMatch(step -> hits(plan, place.x() + step, place.y())
                                     || hits(plan, place.x(), place.y() + step)));
+        }
+    }
+
+    /** A rod that turns like a propeller is seen bent, with its ends at up to 0.8 c; so its axis is drawn. */
+    @ParameterizedTest(name = "{index}")
+    @MethodSource("cameras")
+    void axesOfTurningRodsLieOnThem(Velocity velocity, Camera camera) {
+        for (FrameMotion motion : new FrameMotion[] {null, MOTION}) {
+            Studio empty = studio(velocity, camera);
+            Vector3d centre = point(empty, motion, 310, 250, 9);
+            for (View view : View.values()) {
+                Studio seen = empty.withView(view);
+                List<Vector2dc> places =
+                        places(draw(seen.withScene(List.of(propeller(motion, centre, 0.01))), OverlayKind.LINES), seen);
+                double radius = HALF * Projection.of(empty).pixelAngle(310, 250) * 8 * doppler(empty, 310, 250) / 2;
+                RenderPlan plan = RenderPlan.of(seen.withScene(List.of(propeller(motion, centre, radius))));
+
+                assertThat(places).hasSizeGreaterThan(view == View.SEEN ? 15 : -1);
+                assertThat(places)
+                        .allMatch(place -> IntStream.rangeClosed(-16, 16)
+                                .mapToDouble(step -> step * HALF / 16)
+                                .anyMatch(step -> hits(plan, place.x() + step, place.y())
+                                        || hits(plan, place.x(), place.y() + step)));
+            }
+        }
+    }
+
+    private static SceneObject propeller(FrameMotion motion, Vector3d centre, double radius) {
+        Vector3d arm = new Vector3d(1.2, 0.9, -0.4);
+        Cylinder rod = new Cylinder(
+                "",
+                centre.sub(arm, new Vector3d()),
+                centre.add(arm, new Vector3d()),
+                radius,
+                true,
+                LuminousSurface.DEFAULT);
+        Vector3d axis = new Vector3d(0.3, -0.2, 1);
+        double reach = new Vector3d(axis).normalize().cross(arm).length();
+        return placed(motion, new Rotating("", centre, axis, 0.8 / reach, 40, List.of(rod)));
+    }
+
+    /**
+     * Spokes of a wheel that rolls past at v = 0.8, measured at the moment at which its hub is at the origin of the
+     * camera's time: Kepler's equation E - e sin E = M, e = v² r/R, for the spoke at the angle M from the lowest point.
+     */
+    @Test
+    void measuredSpokesObeyKeplersEquation() {
+        double v = 0.8;
+        double mean = Math.toRadians(120);
+        // the axis points away; the hub moves to the right, the top runs ahead
+        Cylinder spoke = new Cylinder(
+                "",
+                new Vector3d(0, 0, 5),
+                new Vector3d(-Math.sin(mean), -Math.cos(mean), 5),
+                0.01,
+                true,
+                LuminousSurface.DEFAULT);
+        Rotating wheel = new Rotating("", new Vector3d(0, 0, 5), new Vector3d(0, 0, 1), -v, 0, List.of(spoke));
+        Studio studio = Studio.DEFAULT
+                .withCamera(Descriptions.with(ThinLensCamera.DEFAULT, "position", new Vector3d()))
+                .withView(View.MEASURED)
+                .withScene(List.of(new Moving("", Velocity.of(v, 0, 0), new Vector3d(), 0, List.of(wheel))));
+        Projection projection = Projection.of(studio);
+        List<Vector2dc> places = draw(studio, OverlayKind.LINES).lines().get(0);
+
+        assertThat(places).hasSizeGreaterThan(5);
+        for (Vector2dc place : places) {
+            Vector3d look = new Vector3d(projection.direction(place.x(), place.y()));
+            Vector3d point = look.mul(5 / look.z);
+            // x = -(r/gamma) sin E, y = -r cos E
+            double radius = Math.hypot(point.x / 0.6, point.y);
+            double eccentric = Math.atan2(-point.x / 0.6, -point.y);
+            double from = eccentric < 0 ? eccentric + 2 * Math.PI : eccentric;
+            if (radius > 1e-6) {
+                assertThat(from - v * v * radius * Math.sin(from)).isCloseTo(mean, within(1e-6));
+            }
         }
     }
 

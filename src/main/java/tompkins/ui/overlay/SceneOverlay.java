@@ -6,6 +6,7 @@ import java.awt.Rectangle;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
@@ -31,8 +32,8 @@ import tompkins.world.InertialFrame;
 
 /**
  * What formulas say about a picture, drawn over it: outlines, axes, places, grids. It follows each picture. If the
- * shutter opens at another time for each place, or rays are followed, that takes a while: it is then worked out by a
- * thread of its own, and nothing is drawn until it is there.
+ * shutter opens at another time for each place, if rays are followed, or if lines turn, that takes a while: it is then
+ * worked out by a thread of its own, and nothing is drawn until it is there.
  */
 public final class SceneOverlay implements Overlay, AutoCloseable {
 
@@ -144,7 +145,7 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
                 return each;
             }
         }
-        if (!isQuick(plan, shown)) {
+        if (!isQuick(plan, shown, shapes(plan))) {
             worker.submit(new Question(plan, shown));
             return null;
         }
@@ -153,9 +154,10 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
         return made;
     }
 
-    private static boolean isQuick(RenderPlan plan, Set<OverlayKind> kinds) {
+    private static boolean isQuick(RenderPlan plan, Set<OverlayKind> kinds, SceneShapes shapes) {
         boolean followsRays = kinds.contains(OverlayKind.WAVE_FRONTS) && plan.hasFlashes();
-        return !followsRays && new Projection(plan.studio(), 1, 1).hasOneTime();
+        boolean followsTurns = shapes.haveTurningLines() && !Collections.disjoint(kinds, OverlayKind.OF_LINES);
+        return !followsRays && !followsTurns && new Projection(plan.studio(), 1, 1).hasOneTime();
     }
 
     private void answer(Question question) {
