@@ -32,9 +32,9 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        26_120),
+                        26_150),
                 arguments("file, image", 4_420),
-                arguments("explain, lesson, measure, animation", 5_970),
+                arguments("explain, lesson, measure, animation", 6_005),
                 arguments("io, app", 7_930),
                 arguments("study", 4_550),
                 arguments("ui", 20_710));

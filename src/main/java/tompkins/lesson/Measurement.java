@@ -10,4 +10,5 @@ public sealed interface Measurement
                 DifferenceOf,
                 RatioOf,
                 WithNumber,
-                WithShutter {}
+                WithShutter,
+                OnRide {}

@@ -13,6 +13,7 @@ import tompkins.lesson.LensSpread;
 import tompkins.lesson.LessonControl;
 import tompkins.lesson.Measurement;
 import tompkins.lesson.MeasuringPoint;
+import tompkins.lesson.OnRide;
 import tompkins.lesson.PictureEdge;
 import tompkins.lesson.PicturePoint;
 import tompkins.lesson.RatioOf;
@@ -23,6 +24,7 @@ import tompkins.lesson.WithNumber;
 import tompkins.lesson.WithShutter;
 import tompkins.property.InvalidPropertyException;
 import tompkins.spacetime.Event;
+import tompkins.studio.RideMoment;
 import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
@@ -95,6 +97,10 @@ public final class Experiment {
         if (measurement instanceof WithShutter other) {
             Studio changed = studio().withCamera(studio().camera().withShutter(other.shutter()));
             return with(changed).measure(other.measurement(), path + ".measurement");
+        }
+        if (measurement instanceof OnRide ridden) {
+            RideMoment moment = at(path, () -> RideMoment.onRide(studio(), ridden.properTime()));
+            return with(moment.studio()).measure(ridden.measurement(), path + ".measurement");
         }
         return at(path, () -> read(measurement));
     }

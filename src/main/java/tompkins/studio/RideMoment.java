@@ -7,6 +7,8 @@ import org.joml.Vector3dc;
 import tompkins.camera.Camera;
 import tompkins.camera.FieldOfView;
 import tompkins.math.Vectors;
+import tompkins.property.InvalidPropertyException;
+import tompkins.property.Require;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.Rider;
 import tompkins.spacetime.Velocity;
@@ -29,6 +31,27 @@ public record RideMoment(Studio studio, Rider rider, double properTime, double s
     public static RideMoment start(Studio studio) {
         Rider rider = new Rider(LensEvent.inScene(studio), studio.velocity());
         return new RideMoment(studio.withRide(List.of()), rider, 0, 0);
+    }
+
+    /**
+     * A moment of the ride that a studio holds.
+     *
+     * @param properTime time on board since its beginning
+     * @throws InvalidPropertyException if the ride is over by then, gets too fast, or leads too far
+     */
+    public static RideMoment onRide(Studio studio, double properTime) {
+        double whole = studio.ride().stream().mapToDouble(RideLeg::properTime).sum();
+        Require.within("properTime", properTime, 0, whole);
+        RideMoment moment = start(studio);
+        double left = properTime;
+        for (RideLeg leg : studio.ride()) {
+            moment = moment.after(leg, Math.min(left, leg.properTime()));
+            left -= leg.properTime();
+            if (left <= 0) {
+                break;
+            }
+        }
+        return moment;
     }
 
     /** The same moment with another studio, such as one with another view, whose camera is at the same event. */
@@ -57,7 +80,7 @@ public record RideMoment(Studio studio, Rider rider, double properTime, double s
      *
      * @param thrust proper acceleration, to the right, up and forwards in the picture
      * @param time how long, by a clock on board
-     * @throws tompkins.property.InvalidPropertyException if the camera gets too fast, or too far away
+     * @throws InvalidPropertyException if the camera gets too fast, or too far away
      */
     public RideMoment after(Vector3dc thrust, double time) {
         return at(rider.after(inCamera(thrust), time), time);

@@ -14,6 +14,7 @@ import tompkins.lesson.LessonPlan;
 import tompkins.lesson.Measurement;
 import tompkins.lesson.MeasuringPoint;
 import tompkins.lesson.NoLesson;
+import tompkins.lesson.OnRide;
 import tompkins.lesson.PictureEdge;
 import tompkins.lesson.PicturePoint;
 import tompkins.lesson.Prediction;
@@ -75,6 +76,7 @@ final class RandomLesson {
             case "WithNumber" -> new WithNumber("velocity.beta", random.nextDouble(), measurement(depth - 1));
             case "WithShutter" ->
                 new WithShutter(new AperturePlaneShutter(random.nextDouble()), measurement(depth - 1));
+            case "OnRide" -> new OnRide(random.nextDouble(), measurement(depth - 1));
             default -> throw new IllegalStateException("no random " + name + " yet");
         };
     }

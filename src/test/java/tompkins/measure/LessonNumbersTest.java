@@ -65,7 +65,8 @@ class LessonNumbersTest {
                         "16-full-thrust",
                         toDegrees(2 * atan(0.3)),
                         2 * aberrated(toDegrees(atan(0.3)), 0.9),
-                        2 * aberrated(120, 0.9)));
+                        2 * aberrated(120, 0.9)),
+                lesson("18-twins", 3 / doppler(0.8), 3 * doppler(0.8), 6 * gamma(0.8)));
     }
 
     /** A flash at the distance gamma along a wall, gamma v before or after time 0 and 0.5 from the wall, at time 2. */
