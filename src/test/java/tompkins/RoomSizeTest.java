@@ -32,12 +32,12 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        26_150),
+                        26_420),
                 arguments("file, image", 4_420),
-                arguments("explain, lesson, measure, animation", 6_005),
+                arguments("explain, lesson, measure, animation", 6_205),
                 arguments("io, app", 7_930),
                 arguments("study", 4_550),
-                arguments("ui", 20_710));
+                arguments("ui", 21_030));
     }
 
     @ParameterizedTest
