@@ -2,6 +2,7 @@ package tompkins.math;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.property.NumberText;
 
 /** Lengths, unit vectors and bases, safe for vectors of any length. */
 public final class Vectors {
@@ -27,6 +28,14 @@ public final class Vectors {
         double z = vector.z() * power;
         double length = Math.sqrt(x * x + y * y + z * z);
         return new Vector3d(x / length, y / length, z / length);
+    }
+
+    /** The sum of two finite vectors, whose components are added as they are {@linkplain NumberText#sum written}. */
+    public static Vector3d writtenSum(Vector3dc first, Vector3dc second) {
+        return new Vector3d(
+                NumberText.sum(first.x(), second.x()),
+                NumberText.sum(first.y(), second.y()),
+                NumberText.sum(first.z(), second.z()));
     }
 
     /** The length of a finite vector. */

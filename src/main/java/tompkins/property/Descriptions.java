@@ -54,6 +54,15 @@ public final class Descriptions {
                 .orElseThrow(() -> new IllegalArgumentException(type.getName() + " has no component " + name));
     }
 
+    /** The names of the components of a record type that are {@linkplain Meaning#place places}. */
+    public static List<String> places(Class<?> type) {
+        return components(type).stream()
+                .filter(component -> component.isAnnotationPresent(Meaning.class)
+                        && component.getAnnotation(Meaning.class).place())
+                .map(RecordComponent::getName)
+                .toList();
+    }
+
     /** The value of a component. */
     public static Object value(RecordComponent component, Object description) {
         try {

@@ -16,6 +16,11 @@ public @interface Meaning {
     /** The unit of the property, empty where it has none; lengths and times are in scene units (c = 1). */
     String unit() default "";
 
+    /**
+     * Whether the property is a place, which moves with what is described; lengths and differences of places do not.
+     */
+    boolean place() default false;
+
     /** Whether the property is a text that may have several lines. */
     boolean prose() default false;
 }

@@ -92,6 +92,11 @@ public final class NumberText {
                 : value;
     }
 
+    /** The sum of two finite numbers as they are written: 0.1 and 0.2 give 0.3. */
+    public static double sum(double first, double second) {
+        return new BigDecimal(of(first)).add(new BigDecimal(of(second))).doubleValue();
+    }
+
     /** The first digits of a finite number, without a power of ten. */
     public static String plain(double value, int digits) {
         double rounded = rounded(value, digits);

@@ -15,10 +15,10 @@ import tompkins.surface.Surface;
 public record Box(
         @Meaning("Name of the object") String description,
 
-        @Meaning(value = "The corner with the smallest coordinates", unit = "length")
+        @Meaning(value = "The corner with the smallest coordinates", unit = "length", place = true)
         Vector3dc from,
 
-        @Meaning(value = "The corner with the largest coordinates", unit = "length")
+        @Meaning(value = "The corner with the largest coordinates", unit = "length", place = true)
         Vector3dc to,
 
         @Meaning("What it looks like") Surface surface)

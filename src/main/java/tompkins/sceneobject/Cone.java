@@ -17,9 +17,11 @@ import tompkins.surface.Surface;
         "A circular cone; u runs once around, to the right seen from outside with the tip above, v from the base (0) to the tip (1)")
 public record Cone(
         @Meaning("Name of the object") String description,
-        @Meaning(value = "The tip", unit = "length") Vector3dc tip,
 
-        @Meaning(value = "Centre of the base", unit = "length")
+        @Meaning(value = "The tip", unit = "length", place = true)
+        Vector3dc tip,
+
+        @Meaning(value = "Centre of the base", unit = "length", place = true)
         Vector3dc baseCentre,
 
         @Meaning(value = "Radius of the base", unit = "length")

@@ -19,10 +19,10 @@ import tompkins.surface.Surface;
 public record Cylinder(
         @Meaning("Name of the object") String description,
 
-        @Meaning(value = "Centre of one end", unit = "length")
+        @Meaning(value = "Centre of one end", unit = "length", place = true)
         Vector3dc start,
 
-        @Meaning(value = "Centre of the other end", unit = "length")
+        @Meaning(value = "Centre of the other end", unit = "length", place = true)
         Vector3dc end,
 
         @Meaning(value = "Radius", unit = "length") double radius,

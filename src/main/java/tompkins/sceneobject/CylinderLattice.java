@@ -18,10 +18,10 @@ import tompkins.surface.Surface;
 public record CylinderLattice(
         @Meaning("Name of the object") String description,
 
-        @Meaning(value = "The grid point with the smallest coordinates", unit = "length")
+        @Meaning(value = "The grid point with the smallest coordinates", unit = "length", place = true)
         Vector3dc from,
 
-        @Meaning(value = "The grid point with the largest coordinates", unit = "length")
+        @Meaning(value = "The grid point with the largest coordinates", unit = "length", place = true)
         Vector3dc to,
 
         @Meaning("Number of grid points along x, y and z, each 2 or more")

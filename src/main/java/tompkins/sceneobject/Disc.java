@@ -19,7 +19,10 @@ import tompkins.surface.Surface;
         "A flat disc; u and v run from 0 to 1 across the square around it, to the right and up seen from the side of its normal")
 public record Disc(
         @Meaning("Name of the object") String description,
-        @Meaning(value = "Centre", unit = "length") Vector3dc centre,
+
+        @Meaning(value = "Centre", unit = "length", place = true)
+        Vector3dc centre,
+
         @Meaning("Direction of the normal, of any length") Vector3dc normal,
         @Meaning(value = "Radius", unit = "length") double radius,
         @Meaning("What it looks like") Surface surface)

@@ -18,7 +18,9 @@ import tompkins.surface.Surface;
         + " together with its u and v")
 public record Ellipsoid(
         @Meaning("Name of the object") String description,
-        @Meaning(value = "Centre", unit = "length") Vector3dc centre,
+
+        @Meaning(value = "Centre", unit = "length", place = true)
+        Vector3dc centre,
 
         @Meaning(value = "The semi-axes: half its lengths along x, y and z", unit = "length")
         Vector3dc semiAxes,

@@ -1,6 +1,7 @@
 package tompkins.sceneobject;
 
 import java.util.List;
+import org.joml.Vector3dc;
 import tompkins.primitive.Placement;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
@@ -28,6 +29,13 @@ public record Group(
     @Override
     public boolean moves() {
         return objects.stream().anyMatch(SceneObject::moves);
+    }
+
+    @Override
+    public Group shifted(Vector3dc shift) {
+        return new Group(
+                description,
+                objects.stream().map(object -> object.shifted(shift)).toList());
     }
 
     @Override

@@ -1,5 +1,6 @@
 package tompkins.sceneobject;
 
+import org.joml.Vector3dc;
 import tompkins.primitive.Placement;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
@@ -24,6 +25,11 @@ public record Hidden(@Meaning("The object") SceneObject object) implements Scene
     @Override
     public double primitiveCount() {
         return 0;
+    }
+
+    @Override
+    public Hidden shifted(Vector3dc shift) {
+        return new Hidden(object.shifted(shift));
     }
 
     @Override

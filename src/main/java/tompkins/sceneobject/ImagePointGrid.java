@@ -26,7 +26,7 @@ public record ImagePointGrid(
         @Meaning("The object that is copied; its origin goes to each place")
         SceneObject object,
 
-        @Meaning(value = "First corner of the grid, in the camera frame", unit = "length")
+        @Meaning(value = "First corner of the grid, in the camera frame", unit = "length", place = true)
         Vector3dc corner,
 
         @Meaning(value = "From that corner along the rows of the grid", unit = "length")

@@ -20,7 +20,10 @@ public record Moving(
         @Meaning(value = "Velocity in the frame around it", unit = "c")
         Velocity velocity,
 
-        @Meaning(value = "Where the origin of the moving frame is at time 0 of the frame around it", unit = "length")
+        @Meaning(
+                value = "Where the origin of the moving frame is at time 0 of the frame around it",
+                unit = "length",
+                place = true)
         Vector3dc place,
 
         @Meaning(value = "What the clocks in it show when its origin is there", unit = "time")

@@ -16,7 +16,9 @@ import tompkins.surface.Surface;
 @Meaning("A flat piece with four straight sides; u and v run from 0 to 1 along its spans")
 public record Parallelogram(
         @Meaning("Name of the object") String description,
-        @Meaning(value = "One corner", unit = "length") Vector3dc corner,
+
+        @Meaning(value = "One corner", unit = "length", place = true)
+        Vector3dc corner,
 
         @Meaning(value = "From the corner along the first side", unit = "length")
         Vector3dc spanU,

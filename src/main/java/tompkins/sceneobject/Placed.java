@@ -26,7 +26,7 @@ public record Placed(
         @Meaning(value = "Angle of the rotation; about z, 90 degrees take x to y", unit = "degrees")
         double rotationDegrees,
 
-        @Meaning(value = "By how much the object is moved", unit = "length")
+        @Meaning(value = "By how much the object is moved", unit = "length", place = true)
         Vector3dc translation)
         implements SceneObject {
 
@@ -56,8 +56,13 @@ public record Placed(
 
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
+        object.addTo(collector, placement.after(placement()));
+    }
+
+    /** How the object is placed. */
+    public Placement placement() {
         Matrix3d rotation = new Matrix3d().rotation(Math.toRadians(rotationDegrees), Vectors.unit(rotationAxis));
-        object.addTo(collector, placement.after(new Placement(scale, rotation, translation)));
+        return new Placement(scale, rotation, translation);
     }
 
     /** Both motions become one, so that an object that is moved again and again does not grow. */

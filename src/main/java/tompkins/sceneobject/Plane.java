@@ -18,7 +18,7 @@ import tompkins.surface.Surface;
 public record Plane(
         @Meaning("Name of the object") String description,
 
-        @Meaning(value = "A point of the plane, where the coordinates start", unit = "length")
+        @Meaning(value = "A point of the plane, where the coordinates start", unit = "length", place = true)
         Vector3dc point,
 
         @Meaning("Direction of the normal, of any length") Vector3dc normal,

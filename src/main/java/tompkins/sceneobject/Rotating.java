@@ -25,7 +25,7 @@ import tompkins.surface.ColouredSurface;
 public record Rotating(
         @Meaning("Name of what turns") String description,
 
-        @Meaning(value = "A point of the axis", unit = "length")
+        @Meaning(value = "A point of the axis", unit = "length", place = true)
         Vector3dc centre,
 
         @Meaning("Direction of the axis, of any length") Vector3dc axis,
@@ -128,24 +128,45 @@ public record Rotating(
         return angularSpeed != 0;
     }
 
+    /** What turns goes along with its axis. */
+    @Override
+    public Rotating shifted(Vector3dc shift) {
+        List<SceneObject> content =
+                new Group(description, objects).shifted(shift).objects();
+        return new Rotating(description, Vectors.writtenSum(centre, shift), axis, angularSpeed, phaseDegrees, content);
+    }
+
+    /** Whether anything is seen to turn under a law. */
+    public boolean turns(TransformationLaw law) {
+        return angularSpeed != 0 && law != TransformationLaw.NONE;
+    }
+
+    /** How what turns is placed at the angle of time 0. */
+    public Placement atPhase() {
+        Matrix3d turn = new Matrix3d().rotation(Math.toRadians(phaseDegrees), Vectors.unit(axis));
+        return new Placement(1, turn, centre.sub(turn.transform(centre, new Vector3d()), new Vector3d()));
+    }
+
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
-        Vector3d unit = Vectors.unit(axis);
-        if (angularSpeed == 0 || collector.law() == TransformationLaw.NONE) {
-            Matrix3d turn = new Matrix3d().rotation(Math.toRadians(phaseDegrees), unit);
-            Vector3d back = centre.sub(turn.transform(centre, new Vector3d()), new Vector3d());
-            Placement turned = placement.after(new Placement(1, turn, back));
+        if (!turns(collector.law())) {
+            Placement turned = placement.after(atPhase());
             objects.forEach(object -> object.addTo(collector, turned));
             return;
         }
         collector.addTurning(
-                new Rotation(
-                        placement.point(centre),
-                        placement.direction(unit),
-                        angularSpeed / placement.scale(),
-                        phaseDegrees,
-                        collector.zeroTime(),
-                        collector.law() == TransformationLaw.LORENTZ),
+                rotation(placement, collector.zeroTime(), collector.law()),
                 () -> objects.forEach(object -> object.addTo(collector, placement)));
+    }
+
+    /** How it turns where it is placed, in a frame in which the time that is described as 0 is another one. */
+    public Rotation rotation(Placement placement, double zeroTime, TransformationLaw law) {
+        return new Rotation(
+                placement.point(centre),
+                placement.direction(Vectors.unit(axis)),
+                angularSpeed / placement.scale(),
+                phaseDegrees,
+                zeroTime,
+                law == TransformationLaw.LORENTZ);
     }
 }

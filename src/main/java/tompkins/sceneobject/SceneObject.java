@@ -1,10 +1,15 @@
 package tompkins.sceneobject;
 
+import java.util.List;
 import org.joml.AxisAngle4d;
+import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import tompkins.math.RigidMotion;
+import tompkins.math.Vectors;
 import tompkins.primitive.Described;
 import tompkins.primitive.Placement;
+import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 
 /** Something in the scene: a shape, or several of them. Descriptions, immutable, checked when they are made. */
@@ -74,5 +79,18 @@ public sealed interface SceneObject extends Described
                 turns ? new Vector3d(turn.x, turn.y, turn.z) : new Vector3d(0, 1, 0),
                 Math.toDegrees(turn.angle),
                 motion.translation());
+    }
+
+    /**
+     * The same object elsewhere: all its places change by a vector, added as people write numbers. What has no place of
+     * its own is {@link Placed}.
+     */
+    default SceneObject shifted(Vector3dc shift) {
+        List<String> places = Descriptions.places(getClass());
+        return places.isEmpty()
+                ? moved(new RigidMotion(new Quaterniond(), shift))
+                : Descriptions.changed(
+                        this,
+                        (name, value) -> places.contains(name) ? Vectors.writtenSum((Vector3dc) value, shift) : value);
     }
 }

@@ -17,7 +17,7 @@ import tompkins.surface.Surface;
 public record Silhouette(
         @Meaning("Name of the object") String description,
 
-        @Meaning(value = "The corner at the lower left of the picture", unit = "length")
+        @Meaning(value = "The corner at the lower left of the picture", unit = "length", place = true)
         Vector3dc corner,
 
         @Meaning(value = "From that corner to the lower right of the picture", unit = "length")

@@ -14,7 +14,10 @@ import tompkins.surface.Surface;
         "A sphere; u runs once around its vertical axis, from left to right seen from outside, v from the lowest point (0) to the highest (1)")
 public record Sphere(
         @Meaning("Name of the object") String description,
-        @Meaning(value = "Centre", unit = "length") Vector3dc centre,
+
+        @Meaning(value = "Centre", unit = "length", place = true)
+        Vector3dc centre,
+
         @Meaning(value = "Radius", unit = "length") double radius,
         @Meaning("What it looks like") Surface surface)
         implements SceneObject {

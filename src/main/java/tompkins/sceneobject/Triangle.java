@@ -14,9 +14,16 @@ import tompkins.surface.Surface;
 @Meaning("A flat piece with three corners; (u, v) is (0, 0), (1, 0) and (0, 1) at the corners")
 public record Triangle(
         @Meaning("Name of the object") String description,
-        @Meaning(value = "First corner", unit = "length") Vector3dc first,
-        @Meaning(value = "Second corner", unit = "length") Vector3dc second,
-        @Meaning(value = "Third corner", unit = "length") Vector3dc third,
+
+        @Meaning(value = "First corner", unit = "length", place = true)
+        Vector3dc first,
+
+        @Meaning(value = "Second corner", unit = "length", place = true)
+        Vector3dc second,
+
+        @Meaning(value = "Third corner", unit = "length", place = true)
+        Vector3dc third,
+
         @Meaning("What it looks like") Surface surface)
         implements SceneObject {
 

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.Set;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.light.LightSource;
@@ -16,7 +15,6 @@ import tompkins.property.Descriptions;
 import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.PrimitiveCollector;
-import tompkins.sceneobject.Rotating;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.sceneobject.TriangleMesh;
@@ -27,22 +25,6 @@ import tompkins.surface.Tiling;
  * file of a mesh says where its corners are, often around the camera; it is placed ahead.
  */
 final class NewObject {
-
-    /** The components of objects that say where they are, and not how large or how turned. */
-    private static final Set<String> PLACES = Set.of(
-            "centre",
-            "from",
-            "to",
-            "tip",
-            "baseCentre",
-            "start",
-            "end",
-            "corner",
-            "first",
-            "second",
-            "third",
-            "translation",
-            "place");
 
     /** The distance from one object to the next, in widths of the new one. */
     private static final double STEP = 1.25;
@@ -132,7 +114,7 @@ final class NewObject {
             double right = step * (i % 2 == 1 ? (i + 1) / 2 : -i / 2);
             Bounds moved = moved(room.get(), right);
             if (taken.stream().noneMatch(other -> overlap(moved, other))) {
-                return right == 0 ? object : moved(object, right);
+                return right == 0 ? object : object.shifted(new Vector3d(right, 0, 0));
             }
         }
         return object;
@@ -174,20 +156,6 @@ final class NewObject {
                 bounds.maxX() + right,
                 bounds.maxY(),
                 bounds.maxZ());
-    }
-
-    private static SceneObject moved(SceneObject object, double right) {
-        return Descriptions.changed(object, (name, value) -> {
-            if (PLACES.contains(name)) {
-                return new Vector3d((Vector3dc) value).add(right, 0, 0);
-            }
-            // what turns stays at its axis
-            return object instanceof Rotating rotating && name.equals("objects")
-                    ? rotating.objects().stream()
-                            .map(inner -> moved(inner, right))
-                            .toList()
-                    : value;
-        });
     }
 
     private static boolean overlap(Bounds first, Bounds second) {
