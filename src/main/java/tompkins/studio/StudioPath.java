@@ -121,6 +121,11 @@ public record StudioPath(List<Object> steps) {
         return new StudioPath(steps.subList(0, steps.size() - 1));
     }
 
+    /** Whether this leads to a part of another part, or to that itself. */
+    public boolean isWithin(StudioPath other) {
+        return other.steps.size() <= steps.size() && other.steps.equals(steps.subList(0, other.steps.size()));
+    }
+
     /** The last step. */
     public Object last() {
         return steps.get(steps.size() - 1);

@@ -32,6 +32,8 @@ import tompkins.surface.Surface;
  * @param sceneDirectionLength length, in the scene frame, of the direction that has length 1 in the camera frame: the
  *     scene is brighter to the camera by the inverse of its fourth power, which in vacuum is that of the ratio of the
  *     frequencies
+ * @param sceneSlowness time in the scene frame for a unit of length along that ray: 1 for light, and below 0 or above
+ *     it where the scene is measured without light
  * @param hits everything that was hit, in the order of tracing: where a ray splits, first all of its weaker branch
  * @param lastDirection unit direction in the scene frame in which the main branch goes on after all hits and meets
  *     nothing more, or null if it ends at its last hit
@@ -50,6 +52,7 @@ public record RayLife(
         Vector3dc sceneDirection,
         double sceneDopplerFactor,
         double sceneDirectionLength,
+        double sceneSlowness,
         List<Encounter> hits,
         Vector3dc lastDirection,
         double lastSlowness,
@@ -198,6 +201,7 @@ public record RayLife(
         private Vector3d crossingDirection;
         private double sceneDopplerFactor = 1;
         private double sceneDirectionLength = 1;
+        private double sceneSlowness = 1;
         private Vector3d lastDirection;
         private double lastSlowness = 1;
         private double lastDopplerFactor = Double.NaN;
@@ -234,6 +238,7 @@ public record RayLife(
                 crossingDirection = new Vector3d(ray.dx, ray.dy, ray.dz);
                 sceneDopplerFactor = ratio(ray);
                 sceneDirectionLength = ray.directionLength;
+                sceneSlowness = ray.slowness;
             }
         }
 
@@ -308,6 +313,7 @@ public record RayLife(
                     crossingDirection,
                     sceneDopplerFactor,
                     sceneDirectionLength,
+                    sceneSlowness,
                     List.copyOf(hits),
                     lastDirection,
                     lastSlowness,

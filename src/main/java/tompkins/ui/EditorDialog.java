@@ -1,14 +1,15 @@
 package tompkins.ui;
 
 import java.awt.Dimension;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.JDialog;
-import javax.swing.JFrame;
 import javax.swing.JRootPane;
 import tompkins.studio.StudioPath;
 import tompkins.ui.editor.FileContentEditor;
+import tompkins.ui.editor.ObjectMouse;
 import tompkins.ui.editor.SceneEditor;
-import tompkins.ui.model.StudioModel;
+import tompkins.ui.photograph.WindowParts;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Screens;
 import tompkins.ui.widget.Texts;
@@ -16,19 +17,32 @@ import tompkins.ui.widget.Texts;
 /** The editor of the studio in a window beside that of the photograph; made when it is first asked for. */
 final class EditorDialog {
 
-    private final JFrame owner;
-    private final StudioModel model;
+    private final WindowParts window;
     private final FileContentEditor.Choosers choosers;
     private final Consumer<JRootPane> keys;
+    private final ObjectMouse mouse;
     private JDialog dialog;
     private SceneEditor editor;
 
-    /** The editor of a model; {@code keys} binds those of the menus in it, too. */
-    EditorDialog(JFrame owner, StudioModel model, FileContentEditor.Choosers choosers, Consumer<JRootPane> keys) {
-        this.owner = owner;
-        this.model = model;
+    /**
+     * The editor of a window.
+     *
+     * @param keys binds those of the menus in the editor, too
+     * @param isStill whether nothing moves by itself in the window
+     */
+    EditorDialog(
+            WindowParts window,
+            FileContentEditor.Choosers choosers,
+            Consumer<JRootPane> keys,
+            BooleanSupplier isStill) {
+        this.window = window;
         this.choosers = choosers;
         this.keys = keys;
+        mouse = new ObjectMouse(
+                window,
+                () -> isOpen() && window.view().choosesByClick() && isStill.getAsBoolean(),
+                () -> editor.chosen(),
+                part -> editor.choose(part));
     }
 
     /** Shows the editor as it was left. */
@@ -52,15 +66,15 @@ final class EditorDialog {
     }
 
     private void make() {
-        editor = new SceneEditor(model);
-        dialog = new JDialog(owner, Texts.get("tree.title"));
+        editor = new SceneEditor(window.model());
+        dialog = new JDialog(window.frame(), Texts.get("tree.title"));
         dialog.setName("editor");
         dialog.setContentPane(editor.component());
         dialog.getRootPane().putClientProperty(FileContentEditor.CHOOSERS, choosers);
         keys.accept(dialog.getRootPane());
-        Keys.bindEscape(dialog.getRootPane(), () -> dialog.setVisible(false));
+        Keys.bindEscape(dialog.getRootPane(), () -> dialog.setVisible(giveBack()));
         fitToLook();
-        Screens.moveBeside(dialog, owner);
+        Screens.moveBeside(dialog, window.frame());
     }
 
     /** Makes it as large as it needs to be, and not smaller than the user has made it. */
@@ -74,7 +88,13 @@ final class EditorDialog {
         }
     }
 
+    /** Gives back an object that is being dragged; false if none is. */
+    boolean giveBack() {
+        return mouse.giveBack();
+    }
+
     void dispose() {
+        mouse.close();
         if (dialog != null) {
             dialog.dispose();
         }

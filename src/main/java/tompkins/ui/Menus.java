@@ -23,6 +23,7 @@ import tompkins.lesson.Lesson;
 import tompkins.measure.OverlayKind;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
+import tompkins.studio.StudioPath;
 import tompkins.ui.exchange.ClipboardActions;
 import tompkins.ui.exchange.SceneOpener;
 import tompkins.ui.exchange.SceneSaver;
@@ -166,7 +167,7 @@ final class Menus {
 
     private JMenu fileMenu() {
         JMenu menu = menu("menu.file");
-        add(menu, "menu.new", "ctrl N", () -> opener.begin(window::editNewScene));
+        add(menu, "menu.new", "ctrl N", () -> opener.begin(() -> window.edit(StudioPath.ROOT)));
         add(menu, "menu.open", "ctrl O", opener::open);
         JMenu recent = new JMenu(Texts.get("menu.recent"));
         recent.setName("menu.recent");

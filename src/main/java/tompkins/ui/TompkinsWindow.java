@@ -131,7 +131,7 @@ public final class TompkinsWindow {
                 new HelpCommands(frame, opener),
                 this);
         frame.setJMenuBar(menus.bar());
-        editor = new EditorDialog(frame, model, dialogs, menus::bindKeys);
+        editor = new EditorDialog(parts, dialogs, menus::bindKeys, () -> motion.pace() == Pace.HAND);
         view.setMenu(new PictureMenu(model, view, motion, strip, measure, editor));
         late = new DeferredParts(this::bringPanel, menus::setExamples, frame::setIconImages);
         // also while the menus are hidden
@@ -360,10 +360,6 @@ public final class TompkinsWindow {
         editor.open();
     }
 
-    void editNewScene() {
-        editor.open(StudioPath.ROOT);
-    }
-
     void togglePanel() {
         side.toggle();
         frame.revalidate();
@@ -382,7 +378,8 @@ public final class TompkinsWindow {
     }
 
     void leave() {
-        if (!motion.pauseIfMoving()
+        if (!editor.giveBack()
+                && !motion.pauseIfMoving()
                 && !view.endPicking()
                 && !strip.closeIfOpen(TabStrip.Tab.MEASURE)
                 && !fullScreen.leave()) {

@@ -292,12 +292,22 @@ public final class WindowDriver implements AutoCloseable {
 
     /** Drags in steps. */
     void drag(Point from, Point to, int steps) {
-        long before = released.get();
+        beginDrag(from, to, steps);
+        endDrag();
+    }
+
+    /** Drags in steps, and keeps the button down. */
+    void beginDrag(Point from, Point to, int steps) {
         robot.mouseMove(from.x, from.y);
         robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
         for (int i = 1; i <= steps; i++) {
             robot.mouseMove(from.x + (to.x - from.x) * i / steps, from.y + (to.y - from.y) * i / steps);
         }
+    }
+
+    /** Releases the button. */
+    void endDrag() {
+        long before = released.get();
         robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
         settle(before, 1);
     }

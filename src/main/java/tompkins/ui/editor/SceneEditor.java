@@ -124,6 +124,11 @@ public final class SceneEditor extends Part {
         }
     }
 
+    /** The way to the part that is chosen. */
+    public StudioPath chosen() {
+        return line.path();
+    }
+
     private void select(StudioPath path) {
         tree.select(path);
         show(tree.chosenLine());

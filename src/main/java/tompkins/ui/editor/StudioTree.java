@@ -154,16 +154,12 @@ final class StudioTree {
         while (next.isPresent()) {
             nearest = next.get();
             next = children(nearest)
-                    .filter(child -> leadsTo(line(child).path().steps(), path.steps()))
+                    .filter(child -> path.isWithin(line(child).path()))
                     .findFirst();
         }
         TreePath chosen = nearest;
         updating.during(() -> tree.setSelectionPath(chosen));
         tree.scrollPathToVisible(chosen);
-    }
-
-    private static boolean leadsTo(List<Object> first, List<Object> all) {
-        return first.size() <= all.size() && first.equals(all.subList(0, first.size()));
     }
 
     private static DefaultMutableTreeNode node(Object value, StudioPath path, Type type, String label) {

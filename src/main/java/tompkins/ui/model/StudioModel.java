@@ -158,6 +158,17 @@ public final class StudioModel {
         }
     }
 
+    /**
+     * Takes back what a gesture that goes on has changed, as if it had never begun; it must have been the last to
+     * change anything.
+     */
+    public void takeBack(Object gesture) {
+        if (gestures.remove(gesture)) {
+            current = past.pop();
+            tellListeners();
+        }
+    }
+
     /** Takes a studio that was read from a file, as a step that can be undone. */
     public void open(Studio studio, Path file) {
         change(new Step(studio, file, studio, false), null);

@@ -247,6 +247,11 @@ public final class PhotographView implements AutoCloseable {
         listener.picking(false);
     }
 
+    /** Whether a click chooses what is seen, and neither picks, measures nor pins. */
+    public boolean choosesByClick() {
+        return picking == null && measuring == null && menu != null && menu.chooser() != null;
+    }
+
     /** Offers a menu from now on. */
     public void setMenu(Menu offered) {
         menu = offered;
@@ -320,7 +325,7 @@ public final class PhotographView implements AutoCloseable {
                 });
             } else if (measuring != null) {
                 measuring.accept(canvas.shown().placeIn(seen, place), seen);
-            } else if (menu != null && menu.chooser() != null) {
+            } else if (choosesByClick()) {
                 picked.ask(seen, canvas.shown().placeIn(seen, place), menu.chooser());
             } else {
                 pin.set(place, seen != canvas.shown().now());

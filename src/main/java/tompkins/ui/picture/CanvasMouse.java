@@ -21,6 +21,9 @@ public final class CanvasMouse extends MouseAdapter {
     private boolean draggingDivider;
     private boolean dragged;
 
+    /** Whether the press belongs to what is seen, and not to the camera. */
+    private boolean taken;
+
     /** By how much the wheel was turned since the last step; a touchpad makes many small turns for one step. */
     private double turned;
 
@@ -45,9 +48,25 @@ public final class CanvasMouse extends MouseAdapter {
         return dragged;
     }
 
+    /** The present press is for what is seen, until it is given back or over: it does not turn the camera. */
+    public void take() {
+        taken = true;
+    }
+
+    /** The present press is for the camera again. */
+    public void give() {
+        taken = false;
+    }
+
+    /** Whether the present press is for what is seen. */
+    public boolean isTaken() {
+        return taken;
+    }
+
     @Override
     public void mousePressed(MouseEvent event) {
         canvas.requestFocusInWindow();
+        taken = false;
         draggingDivider = isNearDivider(event.getPoint());
         pressed = event.getPoint();
         dragged = false;
@@ -84,7 +103,9 @@ public final class CanvasMouse extends MouseAdapter {
     public void mouseMoved(MouseEvent event) {
         if (!canvas.isPicking()) {
             canvas.setCursor(Cursor.getPredefinedCursor(
-                    isNearDivider(event.getPoint()) ? Cursor.E_RESIZE_CURSOR : Cursor.DEFAULT_CURSOR));
+                    isNearDivider(event.getPoint())
+                            ? Cursor.E_RESIZE_CURSOR
+                            : taken && dragged ? Cursor.MOVE_CURSOR : Cursor.DEFAULT_CURSOR));
         }
         canvas.pointMouse(event.getPoint());
         canvas.tellPointed();
@@ -123,5 +144,6 @@ public final class CanvasMouse extends MouseAdapter {
             }
         }
         draggingDivider = false;
+        taken = false;
     }
 }

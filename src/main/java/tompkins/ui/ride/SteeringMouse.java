@@ -131,7 +131,7 @@ final class SteeringMouse extends MouseAdapter {
 
     @Override
     public void mouseDragged(MouseEvent event) {
-        if (dragged == null || !canvas.hand().isDragging()) {
+        if (dragged == null || !canvas.hand().isDragging() || canvas.hand().isTaken()) {
             return;
         }
         PicturePosition to = place(event.getPoint(), dragged);

@@ -1,0 +1,203 @@
+package tompkins.measure;
+
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.math.Vectors;
+import tompkins.sceneobject.ImagePointGrid;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.SceneObject;
+import tompkins.spacetime.Event;
+import tompkins.spacetime.FrameRoute;
+import tompkins.spacetime.FrameTree;
+import tompkins.studio.ObjectShift;
+import tompkins.studio.Studio;
+import tompkins.studio.StudioPath;
+import tompkins.trace.Frame;
+import tompkins.trace.RayLife;
+import tompkins.trace.RenderPlan;
+
+/**
+ * A point of an object, held where a picture shows it: says where the object must be so that the point is seen at
+ * another place of the picture. In the frame in which it rests, the point moves in the plane through it across the ray
+ * by which it was seen at first. It must be seen directly in its frame, neither in a mirror nor through glass; windows
+ * that move with the camera may stand before it.
+ */
+public final class Grip {
+
+    /** A ray that meets the plane more obliquely than this, by the cosine, brings the point nowhere. */
+    private static final double OBLIQUE = 0.05;
+
+    /** Shifts are rounded to decimals that move the point by less than this, in pixels. */
+    private static final double ROUNDING = 0.1;
+
+    /** A plane that moves along itself, but for this part of the way, stays the same plane to a person. */
+    private static final double ALONG = 0.1;
+
+    /** Events on a ray: where it starts in a frame, and a step along it. */
+    private record Line(Event start, Event step) {}
+
+    private final RenderPlan plan;
+    private final StudioPath path;
+    private final SceneObject object;
+    private final RayLife.Encounter point;
+    private final ObjectShift shift;
+
+    /** From the frame in which the point is seen to the one in which it rests. */
+    private final FrameRoute toRest;
+
+    private final Event held;
+
+    /** Unit normal of the plane; null if no ray can be found again. */
+    private final Vector3dc across;
+
+    /** The decimals of a shift; below 0 for tens, hundreds, and so on. */
+    private final int decimals;
+
+    private Grip(RenderPlan plan, Sighting seen, RayLife.Encounter point, StudioPath path, StudioPath part) {
+        this.plan = plan;
+        this.path = path;
+        this.point = point;
+        Studio studio = plan.studio();
+        object = (SceneObject) path.get(studio);
+        shift = ObjectShift.of(studio, path, part, point.rest().motion());
+        toRest = FrameTree.described(studio.transformation())
+                .route(null, point.rest().motion());
+        held = toRest.transform(point.event());
+        across = Vectors.unit(line(seen.life()).step().position());
+        decimals = decimals(seen.x(), seen.y());
+    }
+
+    /**
+     * Holds what a picture shows at a place.
+     *
+     * @param plan the picture
+     * @param seen what is seen there
+     * @param chosen the way to the object that is to be moved, if what is seen is a part of it; otherwise that moves
+     *     alone
+     * @return empty if nothing is there, if it is not seen directly, or if the camera says where it is
+     */
+    public static Optional<Grip> of(RenderPlan plan, Sighting seen, StudioPath chosen) {
+        if (seen.life() == null) {
+            return Optional.empty();
+        }
+        List<RayLife.Encounter> first = Stream.of(Frame.CAMERA, Frame.SCENE)
+                .flatMap(frame -> seen.life().mainHits().stream()
+                        .filter(hit -> hit.frame() == frame)
+                        .limit(1))
+                .toList();
+        for (RayLife.Encounter hit : first) {
+            Optional<StudioPath> part = way(plan, hit);
+            if (part.isPresent() && part.get().isWithin(chosen) && chosen.get(plan.studio()) instanceof SceneObject) {
+                return of(plan, seen, hit, chosen, part.get());
+            }
+        }
+        return Optional.ofNullable(seen.hit())
+                .filter(first::contains)
+                .flatMap(hit -> way(plan, hit).flatMap(part -> of(plan, seen, hit, part, part)));
+    }
+
+    private static Optional<StudioPath> way(RenderPlan plan, RayLife.Encounter hit) {
+        return StudioPath.to(plan.studio(), hit.object());
+    }
+
+    private static Optional<Grip> of(
+            RenderPlan plan, Sighting seen, RayLife.Encounter hit, StudioPath path, StudioPath part) {
+        return path.get(plan.studio()) instanceof ImagePointGrid
+                ? Optional.empty()
+                : Optional.of(new Grip(plan, seen, hit, path, part));
+    }
+
+    /** The way to the object that moves. */
+    public StudioPath path() {
+        return path;
+    }
+
+    /** The object as it was when it was taken. */
+    public SceneObject object() {
+        return object;
+    }
+
+    /** The ray of a place, in the frame in which the point rests; null if none comes so far. */
+    private Line line(RayLife life) {
+        if (life == null || point.frame() == Frame.SCENE && life.sceneStart() == null) {
+            return null;
+        }
+        return point.frame() == Frame.CAMERA
+                ? new Line(life.cameraStart(), step(life.cameraDirection(), 1))
+                : new Line(
+                        toRest.transform(life.sceneStart()),
+                        toRest.difference(step(life.sceneDirection(), life.sceneSlowness())));
+    }
+
+    private static Event step(Vector3dc direction, double slowness) {
+        return new Event(direction.x(), direction.y(), direction.z(), -slowness);
+    }
+
+    /** Where and when the ray of a place meets the plane; null if it does not. */
+    private Event wanted(double x, double y) {
+        Line line = line(RayLife.of(plan, x, y, 0, 0));
+        if (line == null) {
+            return null;
+        }
+        Vector3d step = line.step().position();
+        double slope = step.dot(across);
+        double steps = held.minus(line.start()).position().dot(across) / slope;
+        return slope > OBLIQUE * step.length() && steps > 0
+                ? new Event(
+                        line.start().x() + steps * step.x,
+                        line.start().y() + steps * step.y,
+                        line.start().z() + steps * step.z,
+                        line.start().time() + steps * line.step().time())
+                : null;
+    }
+
+    private int decimals(double x, double y) {
+        double pixel = Stream.of(wanted(x + 1, y), wanted(x, y + 1))
+                .filter(event -> event != null)
+                .mapToDouble(event -> event.minus(held).position().length())
+                .min()
+                .orElse(0);
+        double finest = ROUNDING * pixel / shift.longestWay();
+        return finest > 0 ? (int) Math.ceil(-Math.log10(finest)) : Integer.MAX_VALUE;
+    }
+
+    /**
+     * The object where its point is seen at another place of the picture, in pixels; empty if the ray of that place
+     * does not lead there.
+     */
+    public Optional<SceneObject> at(double x, double y) {
+        Event wanted = wanted(x, y);
+        if (wanted == null) {
+            return Optional.empty();
+        }
+        Vector3d by = shift.bringing(
+                held, point.rest().velocity(), point.rest().event().time(), wanted);
+        return by.isFinite()
+                ? Optional.of(object.shifted(new Vector3d(rounded(by.x), rounded(by.y), rounded(by.z))))
+                : Optional.empty();
+    }
+
+    private double rounded(double value) {
+        return decimals == Integer.MAX_VALUE
+                ? value
+                : BigDecimal.valueOf(value)
+                        .setScale(decimals, RoundingMode.HALF_EVEN)
+                        .doubleValue();
+    }
+
+    /** Whether the picture does not tell the object from what it was: a plane without a pattern, moved along itself. */
+    public boolean leavesAlike(SceneObject moved) {
+        if (!(object instanceof Plane before)
+                || !(moved instanceof Plane after)
+                || before.surface().usesCoordinates()) {
+            return false;
+        }
+        Vector3d way = after.point().sub(before.point(), new Vector3d());
+        return Math.abs(way.dot(Vectors.unit(before.normal()))) < ALONG * way.length();
+    }
+}
