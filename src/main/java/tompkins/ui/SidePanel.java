@@ -103,7 +103,7 @@ final class SidePanel {
         panel.add(head, "wmin 0, gapleft 6");
         panel.add(remarks.component(), "wmin 0, gapleft 6, gapbottom 4");
         panel.add(slider, "wmin 0, gapleft 6, gapbottom 4");
-        add("section.velocity", new VelocityPanel(model).component(), true);
+        add("section.velocity", below(new VelocityPanel(model).component(), LawPanel.quickColours(model)), true);
         add(
                 "section.camera",
                 below(new CameraPanel(model, () -> shown).component(), new StereoPanel(model).component()),

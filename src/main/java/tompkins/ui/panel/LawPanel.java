@@ -45,7 +45,7 @@ public final class LawPanel extends Part {
 
     private static <L extends Enum<L>> JPanel quick(
             StudioModel model, List<L> laws, Function<Studio, L> reading, BiFunction<Studio, L, Studio> change) {
-        JPanel row = Rows.of("gap 2", "[]".repeat(laws.size()));
+        JPanel row = Rows.of("gap 2", "[grow,fill]".repeat(laws.size()));
         add(row, model, laws, LawPanel::quick, reading, change);
         return row;
     }
@@ -73,7 +73,7 @@ public final class LawPanel extends Part {
                 }
             });
             group.add(button);
-            panel.add(button);
+            panel.add(button, "wmin 0");
             Runnable update = () -> button.setSelected(reading.apply(model.studio()) == law);
             model.addListener(update);
             update.run();
