@@ -14,6 +14,7 @@ import tompkins.camera.ThinLensCamera;
 import tompkins.light.LightSource;
 import tompkins.property.Descriptions;
 import tompkins.sceneobject.Hidden;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.SceneObject;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
@@ -240,15 +241,18 @@ public final class SceneEditor extends Part {
         StudioTree.Line entry = entry();
         int place = entry == null ? list().size() : (Integer) entry.path().last() + 1;
         List<?> before = list();
-        Object added = NewObject.of(type, before);
+        Object made = NewObject.of(type, before);
+        // what moves may have left the picture, or be hidden
+        Object added =
+                path.equals(SCENE) && made instanceof Moving moving ? InPicture.brought(model.studio(), moving) : made;
         List<Object> longer = new ArrayList<>(ListEdits.inserted(before, place, added));
         if (isFirstObject(path)) {
             NewObject.floorBeneath(added).ifPresent(longer::add);
         }
         if (note.attempt(() -> model.set(path.with(model.studio(), longer)))) {
-            StudioPath made = path.then(place);
+            StudioPath element = path.then(place);
             // a mesh comes in a place
-            select(type.isInstance(added) ? made : made.then("object"));
+            select(type.isInstance(added) ? element : element.then("object"));
             if (added instanceof LightSource && !before.isEmpty()) {
                 note.setText(Texts.get("tree.moreLight", before.size()));
             } else if (path.equals(SCENE) && !InPicture.shows(model.studio(), (SceneObject) added)) {
