@@ -216,6 +216,17 @@ public final class Motion {
         if (!text.isEmpty()) {
             Font font = UIManager.getFont("Label.font").deriveFont(Font.BOLD);
             PictureLabel.paint(g, font, text, free, PictureLabel.Corner.TOP_MIDDLE);
+            paintNews(g, font, free);
+        }
+    }
+
+    /** In a line of its own, where it can be read from the back row. */
+    private void paintNews(Graphics2D g, Font font, Rectangle free) {
+        String news = pilot.task().news();
+        if (!news.isEmpty()) {
+            int first = PictureLabel.height(g, font);
+            Rectangle below = new Rectangle(free.x, free.y + first, free.width, free.height - first);
+            PictureLabel.paint(g, font, news, below, PictureLabel.Corner.TOP_MIDDLE);
         }
     }
 
@@ -224,11 +235,7 @@ public final class Motion {
         RideMoment moment = pilot.moment();
         return moment == null || ride == null || !ride.isShown()
                 ? ""
-                : state() + Captions.of(moment, pilot.isRiding()) + rate() + news();
-    }
-
-    private String news() {
-        return pilot.task().news().isEmpty() ? "" : " \u00b7 " + pilot.task().news();
+                : state() + Captions.of(moment, pilot.isRiding()) + rate();
     }
 
     private String rate() {
