@@ -2,6 +2,7 @@ package tompkins.physics;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -25,9 +26,12 @@ import tompkins.render.RenderJob;
 import tompkins.render.RenderListener;
 import tompkins.render.Renderer;
 import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Parallelogram;
+import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.RenderSettings;
@@ -35,6 +39,7 @@ import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.studio.View;
+import tompkins.surface.IdealLens;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.Mirror;
 import tompkins.surface.Surface;
@@ -299,6 +304,54 @@ class StarLightTest {
         Vector3d inFront = inScene(look, -beta);
         double factor = law == ColourLaw.UNCHANGED ? 1 : dopplerFactor(inFront, beta);
         expect(studio, LIGHT * factor * factor, 40.3, 11.8);
+    }
+
+    /**
+     * In a convex mirror of radius R, at the distance d = R, angles from the axis appear 1 + 2d/R = 3 times as small,
+     * near it. The spot of a star is that of a flat mirror, so that its light is right in the mean over its places in a
+     * pixel, but not in each of them.
+     */
+    @Test
+    void aConvexMirrorHasLessLightInTheMean() {
+        Sphere mirror = new Sphere("mirror", new Vector3d(0, 0, 2), 1, new Mirror(1));
+        int places = 12;
+        double flux = 0;
+        for (int place = 0; place < places * places; place++) {
+            double x = 32 + (place % places + 0.5) / places;
+            double y = 24 + (place / places + 0.5) / places;
+            Vector3d look = look(x, y, 64, 2);
+            Vector3d star = new Vector3d(3 * look.x, 3 * look.y, -1).normalize();
+            Studio studio = Descriptions.with(studio(look, 0, 64, 1, 2), "background", sky(star))
+                    .withCameraFrame(List.of(mirror));
+            flux += Spot.of(studio).flux() / LIGHT;
+        }
+        assertThat(flux / (places * places)).isCloseTo(1.0 / 9, withinPercentage(2));
+    }
+
+    /** A lens at the distance d before the pinhole, of focal length f, shows angles near its axis as 1/(1 - d/f). */
+    @ParameterizedTest
+    @CsvSource({"4, 1", "4, 4", "-2, 1", "-0.5, 4", "1.25, 1", "1.25, 16"})
+    void aLensChangesTheLightByItsMagnification(double focalLength, int samples) {
+        Disc lens = new Disc(
+                "lens", new Vector3d(0, 0, 1), new Vector3d(0, 0, -1), 1, new IdealLens(focalLength, 0.5, 0.5, 1));
+        Vector3d look = look(40.3, 11.8, 64, 2);
+        double growth = 1 - 1 / focalLength;
+        Vector3d star = new Vector3d(growth * look.x, growth * look.y, 1).normalize();
+        Studio studio = Descriptions.with(studio(look, 0, 64, samples, 2), "background", sky(star))
+                .withCameraFrame(List.of(lens));
+        expect(studio, LIGHT / (growth * growth), 40.3, 11.8);
+    }
+
+    /** A camera with a wide aperture gets no more light of a star: the picture is the mean over the lens. */
+    @ParameterizedTest
+    @CsvSource({"0, 16", "0.9, 16"})
+    void aWideApertureKeepsTheLight(double beta, int samples) {
+        Studio studio = studio(look(30.3, 23.8, 64, 60), beta, 64, samples, 60);
+        Camera open = Descriptions.with(
+                Descriptions.with(studio.camera(), "apertureRadius", 0.05),
+                "focus",
+                new Plane("focus", new Vector3d(0, 0, 1000), new Vector3d(0, 0, -1), Photograph.RED));
+        expect(studio.withCamera(open), LIGHT, 30.3, 23.8);
     }
 
     /** While the speed is dragged a star moves by parts of pixels; a glimpse must show all of it in each picture. */
