@@ -24,7 +24,7 @@ import tompkins.surface.Surface;
 public record Lens(
         @Meaning("Name of the object") String description,
 
-        @Meaning(value = "The middle of its rim", unit = "length")
+        @Meaning(value = "The middle of its rim", unit = "length", place = true)
         Vector3dc centre,
 
         @Meaning("Direction of its axis, from the back to the front, of any length")

@@ -103,10 +103,10 @@ final class SidePanel {
         panel.add(head, "wmin 0, gapleft 6");
         panel.add(remarks.component(), "wmin 0, gapleft 6, gapbottom 4");
         panel.add(slider, "wmin 0, gapleft 6, gapbottom 4");
-        add("section.velocity", below(new VelocityPanel(model).component(), LawPanel.quickColours(model)), true);
+        add("section.velocity", below(new VelocityPanel(model).component(), LawPanel.quickColours(model), 0), true);
         add(
                 "section.camera",
-                below(new CameraPanel(model, () -> shown).component(), new StereoPanel(model).component()),
+                below(new CameraPanel(model, () -> shown).component(), new StereoPanel(model).component(), 8),
                 false);
         JComponent shutters = add("section.shutter", shutter.component(), true);
         add("section.shutterDetails", shutter.details(), false);
@@ -116,7 +116,8 @@ final class SidePanel {
                 "section.transformation",
                 below(
                         LawPanel.ofTransformation(model).component(),
-                        LawPanel.ofView(model).component()),
+                        LawPanel.ofView(model).component(),
+                        8),
                 false);
         add("section.colours", LawPanel.ofColours(model).component(), false);
         add("section.window", new WindowPanel(model).component(), false);
@@ -143,11 +144,11 @@ final class SidePanel {
         }
     }
 
-    /** Two choices of one section, told apart by a gap. */
-    private static JComponent below(JComponent first, JComponent second) {
+    /** Two choices of one section, told apart by a gap of some pixels. */
+    private static JComponent below(JComponent first, JComponent second, int gap) {
         JPanel both = Rows.column();
         both.add(first, "wmin 0");
-        both.add(second, "wmin 0, gaptop 8");
+        both.add(second, "wmin 0, gaptop " + gap);
         return both;
     }
 

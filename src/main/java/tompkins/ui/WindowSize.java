@@ -17,7 +17,7 @@ final class WindowSize {
     /** Sizes of the window at first, in sizes of its type. */
     private static final double WIDTH = 84;
 
-    private static final double HEIGHT = 60;
+    private static final double HEIGHT = 63;
     private static final double MINIMUM_WIDTH = 40;
     private static final double MINIMUM_HEIGHT = 24;
     private static final String MAXIMISED = "maximised";

@@ -221,7 +221,7 @@ class LayoutTest {
             Container column = (Container) panelOf(sidePanel()).getViewport().getView();
             int menusStatusAndFrame = 23 + 46 + 30;
             int twoMoreLinesOfRemarks = 28;
-            assertThat(height(column)).isLessThan(Look.pixels(60) - menusStatusAndFrame - twoMoreLinesOfRemarks);
+            assertThat(height(column)).isLessThan(Look.pixels(63) - menusStatusAndFrame - twoMoreLinesOfRemarks);
         });
     }
 
