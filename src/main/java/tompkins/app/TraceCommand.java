@@ -84,7 +84,7 @@ final class TraceCommand extends ProgramCommand {
             paramLabel = "N",
             description = "with --draw: draw N rays around that of each pixel instead, through the edge of a wide lens,"
                     + " or around a pinhole's pixel")
-    private Integer cone;
+    private Long cone;
 
     @Mixin
     private TextOutput output;
@@ -126,7 +126,7 @@ final class TraceCommand extends ProgramCommand {
                 .flatMap(place -> cone == null
                         ? Stream.ofNullable(
                                 follow(plan, place[0], place[1], lens).life())
-                        : RayCone.around(plan, place[0] + 0.5, place[1] + 0.5, cone, moment).stream())
+                        : RayCone.around(plan, place[0] + 0.5, place[1] + 0.5, cone.intValue(), moment).stream())
                 .toList();
         if (!RayTubes.canDraw(rays)) {
             throw new MistakeException("--draw: none of these rays enters the scene");
