@@ -33,8 +33,10 @@ import tompkins.ui.widget.Texts;
 @NeedsDisplay
 class ChoiceRowsTest {
 
-    /** Scales of the speed, kinds of comparison, transformations, views, laws of colour, frames of the diagram. */
-    private static final int ROWS = 6;
+    /**
+     * Scales of the speed, colours, kinds of comparison, transformations, views, laws of colour, frames of the diagram.
+     */
+    private static final int ROWS = 7;
 
     @TempDir
     private Path folder;
