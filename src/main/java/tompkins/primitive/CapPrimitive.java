@@ -171,9 +171,7 @@ public final class CapPrimitive extends Primitive {
     /** That of its edge, or that of the whole sphere if the cap holds the point of it that is farthest. */
     @Override
     double reachFrom(Vector3dc from, Vector3dc turningAxis) {
-        Vector3d right = Vectors.firstAxis(axis);
-        Vector3d up = axis.cross(right, new Vector3d()).mul(radius);
-        double ofEdge = Rotation.reachOfEllipse(edge.sub(from, new Vector3d()), right.mul(radius), up, turningAxis);
+        double ofEdge = Rotation.reachOfCircle(edge.sub(from, new Vector3d()), axis, radius, turningAxis);
         if (curvature == 0) {
             return ofEdge;
         }

@@ -150,12 +150,10 @@ public final class ConePrimitive extends Primitive {
 
     @Override
     double reachFrom(Vector3dc from, Vector3dc turningAxis) {
-        Vector3d right = Vectors.firstAxis(axis);
-        Vector3d up = axis.cross(right, new Vector3d()).mul(baseRadius);
         Vector3d base = new Vector3d(tip).fma(height, axis).sub(from);
         return Math.max(
                 Rotation.reachOfPoints(List.of(tip), from, turningAxis),
-                Rotation.reachOfEllipse(base, right.mul(baseRadius), up, turningAxis));
+                Rotation.reachOfCircle(base, axis, baseRadius, turningAxis));
     }
 
     @Override

@@ -329,12 +329,9 @@ public final class CylinderPrimitive extends Primitive {
     @Override
     double reachFrom(Vector3dc from, Vector3dc axis) {
         Vector3d along = Vectors.unit(new Vector3d(axisX, axisY, axisZ));
-        Vector3d right = Vectors.firstAxis(along);
-        Vector3d up = along.cross(right, new Vector3d()).mul(radius);
-        right.mul(radius);
         return Math.max(
-                Rotation.reachOfEllipse(start().sub(from), right, up, axis),
-                Rotation.reachOfEllipse(end().sub(from), right, up, axis));
+                Rotation.reachOfCircle(start().sub(from), along, radius, axis),
+                Rotation.reachOfCircle(end().sub(from), along, radius, axis));
     }
 
     @Override

@@ -148,6 +148,13 @@ public final class Rotation {
         return acrossAxis(line, axis).length() <= ROUNDING * line.length();
     }
 
+    /** The largest distance from an axis of the points of a circle: its middle as below, and a unit normal. */
+    static double reachOfCircle(Vector3dc middle, Vector3dc normal, double radius, Vector3dc axis) {
+        Vector3d right = Vectors.firstAxis(normal);
+        Vector3d up = normal.cross(right, new Vector3d()).mul(radius);
+        return reachOfEllipse(middle, right.mul(radius), up, axis);
+    }
+
     /**
      * The largest distance from an axis of the points of an ellipse: its middle, relative to a point of the axis, and
      * two conjugate half diameters. The square of it is a wave of the first and the second order of the angle around

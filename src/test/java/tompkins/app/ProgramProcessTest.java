@@ -105,7 +105,7 @@ class ProgramProcessTest extends ShellTest {
         String render = "tompkins render sky.json --seconds 3";
         ProgramRun run = shell(render + " & " + render + " & wait; ls *.png");
 
-        assertThat(run.out().lines().skip(2)).containsExactly("sky-2.png", "sky.png");
+        assertThat(run.out().lines().skip(2)).as(run.err()).containsExactly("sky-2.png", "sky.png");
         assertThat(PhotographFile.readScene(folder.resolve("sky-2.png"))).isPresent();
     }
 
