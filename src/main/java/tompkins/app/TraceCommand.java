@@ -107,6 +107,10 @@ final class TraceCommand extends ProgramCommand {
         }
         if (cone != null) {
             MistakeException.inOption("--cone", () -> Require.within("cone", cone, 1, MOST_AROUND));
+            if (lens[0] != 0 || lens[1] != 0) {
+                throw new MistakeException(
+                        "--cone takes rays through the edge of the lens: leave --pupil out, was " + pupil);
+            }
         }
         output.check();
         if (drawn != null) {

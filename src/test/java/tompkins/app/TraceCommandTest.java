@@ -392,9 +392,22 @@ class TraceCommandTest {
                 "trace", ProgramRun.FIG1B, "--pixel", "1,1", "--cone", 361, "--draw", folder.resolve("cone.json"));
 
         assertThat(without.code()).isEqualTo(2);
+        ProgramRun aside = ProgramRun.of(
+                "trace",
+                ProgramRun.FIG1B,
+                "--pixel",
+                "1,1",
+                "--cone",
+                6,
+                "--pupil=0.5,0",
+                "--draw",
+                folder.resolve("cone.json"));
+        assertThat(aside.code()).isEqualTo(2);
         assertThat(without.err()).contains("--cone needs --draw");
         assertThat(many.code()).isEqualTo(2);
         assertThat(many.err()).contains("--cone must be a whole number from 1 to 360, was 361");
+        assertThat(aside.err())
+                .contains("--cone takes rays through the edge of the lens: leave --pupil out, was 0.5,0");
         assertThat(folder.resolve("cone.json")).doesNotExist();
     }
 
