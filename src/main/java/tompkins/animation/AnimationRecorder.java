@@ -14,6 +14,7 @@ import tompkins.property.OneLine;
 import tompkins.render.PhotographTaker;
 import tompkins.render.Progress;
 import tompkins.render.RenderJob;
+import tompkins.render.RenderReport;
 import tompkins.studio.Studio;
 
 /**
@@ -106,8 +107,9 @@ public record AnimationRecorder(
                 Studio moment = film.studio(frame);
                 RenderJob photograph = taker.take(moment, progress, (double) i / count, 1.0 / count);
                 store.add(frame, painted(photograph, moment, frame), info(frame, moment));
-                warnings.add(frame, photograph.report().warnings());
-                listener.reached(frame, PictureState.DONE, photograph.report());
+                RenderReport report = photograph.report();
+                warnings.add(frame, report.warnings());
+                listener.reached(frame, PictureState.DONE, report);
             }
         }
         return warnings;

@@ -125,7 +125,6 @@ final class Photographer implements AutoCloseable {
     void take(Order order, BooleanSupplier mayReplace) throws IOException, InterruptedException {
         Studio studio = order.studio;
         Path target = order.target;
-        PictureFormat format = order.format;
         boolean isPiped = target.equals(OutputOption.PIPE);
         if (isPiped) {
             requireMemory(studio.settings(), order.quality);
@@ -140,14 +139,15 @@ final class Photographer implements AutoCloseable {
         progress.clear();
         ToneCurve curve = studio.settings().toneCurve();
         if (isPiped) {
-            OutputOption.toPipe(out -> PhotographFile.encode(out, job.image(), format, curve, info));
+            OutputOption.toPipe(out -> PhotographFile.encode(out, job.image(), order.format, curve, info));
         }
         Path place = isPiped
                 ? target
-                : PhotographFile.write(target, job.image(), format, curve, info, mayReplace.getAsBoolean());
+                : PhotographFile.write(target, job.image(), order.format, curve, info, mayReplace.getAsBoolean());
         new Explanation(plan).warnings().forEach(warning -> err.println("warning: " + warning));
-        report(place, job.report(), studio.view());
-        tell(PictureState.DONE, place, job.report());
+        RenderReport report = job.report();
+        report(place, report, studio.view());
+        tell(PictureState.DONE, place, report);
         tellFilesToKeep(studio, err);
     }
 
