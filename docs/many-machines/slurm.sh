@@ -2,7 +2,9 @@
 # Takes the frames of a film in an array of Slurm jobs, into a folder that all nodes share.
 #
 #     job=$(sbatch --parsable slurm.sh scene.json --from 0 --to 0.99)
-#     sbatch --dependency=afterok:$job --wrap 'tompkins animate --assemble frames -o film.mp4'
+#     sbatch --dependency=afterok:$job --kill-on-invalid-dep=yes --wrap 'tompkins animate --assemble frames -o film.mp4'
+#
+# The second job makes the film when all tasks of the first have done their part; it is cancelled if one fails for good.
 #
 #SBATCH --array=0-7
 #SBATCH --cpus-per-task=1
@@ -16,6 +18,6 @@ tompkins animate "$@" --part "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" \
 if [ "$code" = 1 ] && [ "${SLURM_RESTART_COUNT:-0}" -lt 3 ]; then
     # a failure of the machine, which another may not have; Slurm stops this script when it begins again
     scontrol requeue "${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID"
-    sleep "${REQUEUE_SECONDS:-30}"
+    sleep 30
 fi
 exit "$code"
