@@ -53,6 +53,7 @@ final class FoldingPanel {
     SidePanel panel() {
         if (panel == null) {
             panel = maker.get();
+            panel.setWhenWidthChanges(() -> fit(panel.width()));
             if (shown != null) {
                 panel.show(shown);
             }
@@ -134,7 +135,14 @@ final class FoldingPanel {
 
     /** Sets the sizes that do not follow the look by themselves. */
     void fitToLook() {
-        int width = panel == null ? SidePanel.leastWidth() : panel.width();
+        if (panel == null) {
+            fit(SidePanel.leastWidth());
+        } else {
+            panel.fitToLook();
+        }
+    }
+
+    private void fit(int width) {
         room.setPreferredSize(new Dimension(width, 0));
         room.setBorder(BorderFactory.createMatteBorder(0, 1, 0, 0, UIManager.getColor("Tompkins.line")));
         room.revalidate();

@@ -50,6 +50,9 @@ final class SidePanel {
 
     private static final double WIDTH = 25;
 
+    /** Its width on a projector. */
+    private static final double SLIM = 18;
+
     /** Where the place of the pinned ray begins, as a share of the height. */
     private static final double RAY_BEGINS = 0.45;
 
@@ -61,6 +64,8 @@ final class SidePanel {
     private final JScrollPane rayScroll = scroll("ray", rayPanel);
 
     private final JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, scroll, rayScroll);
+    private final VelocityPanel velocity;
+    private final JPanel quickColours;
     private final ShutterPanel shutter;
     private final LensPanel lens;
     private final Note title = Note.ofLines(1);
@@ -69,8 +74,16 @@ final class SidePanel {
     private final FoldedText remarks = new FoldedText("remarks");
     private final List<JComponent> sections = new ArrayList<>();
 
-    /** Brings back what a lesson folds away. */
+    /** Brings back what a lesson, or a projector, leaves out. */
     private final JToggleButton all = new JToggleButton();
+
+    private final StudioModel model;
+    private final JComponent speed;
+    private final JComponent shutters;
+    private Runnable whenWidthChanges = () -> {};
+
+    /** Whether whole sections are shown, which a slim panel has no room for. */
+    private boolean full = true;
 
     private Picture shown;
 
@@ -89,6 +102,9 @@ final class SidePanel {
             boolean besideRest,
             Consumer<String> teller,
             Consumer<StudioPath> editor) {
+        this.model = model;
+        velocity = new VelocityPanel(model);
+        quickColours = LawPanel.quickColours(model);
         shutter = new ShutterPanel(model);
         lens = new LensPanel(model, picking -> pick(model, view, teller, picking));
         ComparePanel compare = new ComparePanel(model, view::compare, view.canvas()::setOtherAlone, view::keepPicture);
@@ -103,12 +119,12 @@ final class SidePanel {
         panel.add(head, "wmin 0, gapleft 6");
         panel.add(remarks.component(), "wmin 0, gapleft 6, gapbottom 4");
         panel.add(slider, "wmin 0, gapleft 6, gapbottom 4");
-        add("section.velocity", below(new VelocityPanel(model).component(), LawPanel.quickColours(model), 0), true);
+        speed = add("section.velocity", below(velocity.component(), quickColours, 0), true);
         add(
                 "section.camera",
                 below(new CameraPanel(model, () -> shown).component(), new StereoPanel(model).component(), 8),
                 false);
-        JComponent shutters = add("section.shutter", shutter.component(), true);
+        shutters = add("section.shutter", shutter.component(), true);
         add("section.shutterDetails", shutter.details(), false);
         add("section.lens", lens.component(), false);
         add("section.compare", compare.component(), besideRest);
@@ -123,12 +139,12 @@ final class SidePanel {
         add("section.window", new WindowPanel(model).component(), false);
         add("section.quality", new QualityPanel(model).component(), false);
         add("section.plan", plan.component(), false);
-        Naming.name(all, "lesson.allControls");
-        all.addActionListener(event -> showSections(model, shutters));
+        Naming.name(all, "panel.all");
+        all.addActionListener(event -> showSections());
         panel.add(all, "growx 0, alignx left, gapleft 6, gaptop 6");
         Runnable update = () -> {
             show(model);
-            showSections(model, shutters);
+            showSections();
         };
         model.addListener(update);
         update.run();
@@ -188,14 +204,36 @@ final class SidePanel {
         return section;
     }
 
-    /** In a lesson only what that is about, unless all is wanted. */
-    private void showSections(StudioModel model, JComponent shutters) {
-        boolean few = model.studio().lesson() instanceof Lesson && !all.isSelected();
+    /** In a lesson what that is about, on a projector speed and opening time; the rest if all is wanted. */
+    private void showSections() {
+        Lesson lesson = model.studio().lesson() instanceof Lesson its ? its : null;
+        boolean few = !all.isSelected() && (lesson != null || Look.isSlim());
+        boolean brief = few && lesson == null;
         sections.forEach(section -> section.setVisible(!few));
-        shutters.setVisible(
-                !few || LessonStudio.comparesShutters((Lesson) model.studio().lesson()));
-        all.setVisible(model.studio().lesson() instanceof Lesson);
-        all.setText(Texts.get(all.isSelected() ? "lesson.fewControls" : "lesson.allControls"));
+        speed.setVisible(!few || brief);
+        velocity.setBrief(brief);
+        quickColours.setVisible(!brief);
+        boolean comparesShutters = lesson != null && LessonStudio.comparesShutters(lesson);
+        shutters.setVisible(!few || brief || comparesShutters);
+        shutter.setBrief(brief);
+        all.setVisible(lesson != null || Look.isSlim());
+        all.setText(Texts.get(all.isSelected() ? "panel.few" : "panel.all"));
+        boolean before = full;
+        full = !few || comparesShutters;
+        if (full != before) {
+            whenWidthChanges.run();
+        }
+    }
+
+    /** Shows what belongs to the look, in the room that it needs. */
+    void fitToLook() {
+        showSections();
+        whenWidthChanges.run();
+    }
+
+    /** Tells from now on that {@link #width} may be another. */
+    void setWhenWidthChanges(Runnable listener) {
+        whenWidthChanges = listener;
     }
 
     private void pick(StudioModel model, PhotographView view, Consumer<String> teller, boolean picking) {
@@ -219,13 +257,13 @@ final class SidePanel {
 
     /** The least width of the panel. */
     static int leastWidth() {
-        return Look.pixels(WIDTH);
+        return Look.pixels(Look.isSlim() ? SLIM : WIDTH);
     }
 
-    /** The width that it needs: that of its texts, at least that of a narrow panel. */
+    /** The width that it needs: that of its texts, at least that of a narrow panel, or of a slim one. */
     int width() {
         int texts = panel.getMinimumSize().width + scroll.getVerticalScrollBar().getPreferredSize().width;
-        return Math.max(leastWidth(), texts);
+        return Math.max(full ? Look.pixels(WIDTH) : leastWidth(), texts);
     }
 
     JComponent component() {

@@ -17,6 +17,7 @@ import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JList;
+import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -56,6 +57,7 @@ import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Pace;
 import tompkins.ui.ride.RidePanel;
 import tompkins.ui.ride.RidePilot;
+import tompkins.ui.widget.Column;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
@@ -135,6 +137,11 @@ class LayoutTest {
                 .setSelectedItem(ComparePanel.Other.OTHER_SHUTTER);
         JViewport viewport = panelOf(side).getViewport();
         Container column = (Container) viewport.getView();
+        Components.layOut(column, side.width() - BAR);
+        Components.layOut(column, side.width() - BAR);
+        assertThat(LayoutProblems.in(column)).as("what is seen at first").isEmpty();
+        Components.find(column, JToggleButton.class, Texts.get("panel.all")).setSelected(true);
+        side.fitToLook();
         Components.all(column)
                 .filter(JToggleButton.class::isInstance)
                 .map(JToggleButton.class::cast)
@@ -152,6 +159,31 @@ class LayoutTest {
         }
         JComboBox<?> models = Components.find(column, JComboBox.class, Texts.get("shutter.name"));
         checkList(models);
+    }
+
+    /** On a projector of 1366 x 768 the picture has almost three quarters of the width. */
+    @Test
+    void aProjectorHasASlimPanel() {
+        WindowDriver.onEventThread(() -> {
+            use(Look.PROJECTOR, 1, Locale.ENGLISH);
+            SidePanel side = sidePanel();
+            assertThat(side.width()).isLessThan(1366 * 28 / 100);
+            Container column = (Container) panelOf(side).getViewport().getView();
+            Components.layOut(column, side.width() - BAR);
+            assertThat(column.getPreferredSize().height).as("without scrolling").isLessThan(600);
+            assertThat(Stream.of("Speed", "Opening time", "Exposure time", "Direction x")
+                            .filter(name -> isSeen(Components.find(column, JTextField.class, name))))
+                    .containsExactly("Speed", "Opening time");
+            Components.find(column, JToggleButton.class, Texts.get("panel.all")).doClick();
+            assertThat(isSeen(Components.find(column, JTextField.class, "Direction x")))
+                    .isTrue();
+            assertThat(side.width()).isGreaterThan(1366 * 28 / 100);
+        });
+    }
+
+    /** Whether neither it nor what it lies in, up to the column, is hidden. */
+    private static boolean isSeen(Component component) {
+        return component.isVisible() && (component instanceof Column || isSeen(component.getParent()));
     }
 
     private static JScrollPane panelOf(SidePanel side) {
@@ -321,7 +353,12 @@ class LayoutTest {
             use(look, size, locale);
             JMenuItem undo = new JMenuItem("Undo");
             undo.setAccelerator(KeyStroke.getKeyStroke("ctrl Z"));
-            JComponent keys = new KeyTable(List.of(undo)).component();
+            JMenuItem above = new JMenuItem("From above");
+            above.setAccelerator(KeyStroke.getKeyStroke("ctrl M"));
+            JMenu map = new JMenu("Map");
+            map.add(above);
+            new JMenu("View").add(map);
+            JComponent keys = new KeyTable(List.of(undo, above)).component();
             keys.setSize(keys.getPreferredSize());
             Components.layOut(keys);
             assertThat(LayoutProblems.in(keys)).isEmpty();
@@ -338,7 +375,10 @@ class LayoutTest {
                         .values());
             }
             assertThat(lines)
-                    .contains(List.of(Texts.get("help.menus")), List.of("Ctrl+Z", "Undo"))
+                    .contains(
+                            List.of(Texts.get("help.menus")),
+                            List.of("Ctrl+Z", "Undo"),
+                            List.of("Ctrl+M", "Map: From above"))
                     .contains(List.of("Sphere"), List.of("Arrow keys", "Turn it by 5 degrees"));
         });
     }

@@ -3,6 +3,7 @@ package tompkins.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Container;
+import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.MouseEvent;
@@ -21,6 +22,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.FocusDistance;
 import tompkins.light.ColourLaw;
 import tompkins.render.Quality;
@@ -298,6 +301,37 @@ class PhotographViewTest {
             assertThat(canvas.pictureAt(new Point(68, 20))).isNull();
             assertThat(canvas.shownAt(new Point(68, 20))).isNull();
         });
+    }
+
+    /** A picture of 4:3, of which at least half is seen, in the larger of two arrangements; two have a gap of 8. */
+    @ParameterizedTest
+    @CsvSource({
+        // beside each other in 48 x 64: as high as the room
+        "104, 64, -18, 0, 85, 64, 56, 0",
+        // one above the other in 64 x 30: as wide as the room
+        "64, 68, 0, -9, 64, 48, 0, 38",
+        // one above the other in 48 x 36, which it fits; in 20 x 80 it would be cut by more than half
+        "48, 80, 0, 0, 48, 36, 0, 44"
+    })
+    void sideBySidePicturesUseTheRoom(int width, int height, int x, int y, int wide, int high, int right, int down) {
+        WindowDriver.onEventThread(() -> {
+            model.set(Studios.sphere().withVelocity(Velocity.of(0, 0, 0.5)));
+            view.canvas().setSize(width, height);
+            compareWithRest();
+            view.canvas().setComparison(Comparison.BESIDE, "at rest");
+        });
+        WindowDriver.await("both pictures", () -> view.size().equals(new Dimension(wide, high)) && isComplete(other()));
+        PictureCanvas canvas = view.canvas();
+        WindowDriver.onEventThread(() -> {
+            assertThat(canvas.pictureBounds()).isEqualTo(new Rectangle(x, y, wide, high));
+            assertThat(canvas.boundsAt(new Point(right + 5, down + 5)))
+                    .isEqualTo(new Rectangle(right + x, down + y, wide, high));
+            assertThat(canvas.shownAt(new Point(right + 5, down + 5))).isSameAs(other());
+        });
+    }
+
+    private static boolean isComplete(Picture picture) {
+        return picture != null && picture.complete();
     }
 
     private Picture other() {

@@ -9,8 +9,10 @@ import java.util.List;
 import java.util.stream.IntStream;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import tompkins.ui.widget.Part;
@@ -26,12 +28,22 @@ public final class KeyTable extends Part {
         List<String> lines = new ArrayList<>();
         lines.add(Texts.get("help.menus"));
         for (JMenuItem item : items) {
-            lines.add(text(item.getAccelerator()) + "\t" + item.getText().replace("\u2026", ""));
+            lines.add(text(item.getAccelerator()) + "\t" + menu(item)
+                    + item.getText().replace("\u2026", ""));
         }
         Texts.get("help.keys").lines().forEach(lines::add);
         int middle = middle(lines);
         panel.add(column(lines.subList(0, middle)), "aligny top");
         panel.add(column(lines.subList(middle, lines.size())), "aligny top");
+    }
+
+    /** The menu in a menu that holds an item, whose name it needs to be understood; empty if none does. */
+    private static String menu(JMenuItem item) {
+        return item.getParent() instanceof JPopupMenu popup
+                        && popup.getInvoker() instanceof JMenu menu
+                        && !menu.isTopLevelMenu()
+                ? menu.getText() + ": "
+                : "";
     }
 
     /** The key in words, such as {@code Ctrl+Shift+S}. */

@@ -109,16 +109,16 @@ public final class MeasureMarks implements Overlay {
         return new Point2D.Double(bounds.getCenterX(), bounds.getY());
     }
 
-    /** Writes beside a point, inside what is seen, and lower where something is written already. */
+    /** Writes above a point, so that its line crosses no words, and higher where something is written already. */
     private static void write(Graphics2D g, String text, Point2D point, Rectangle visible, List<Rectangle2D> written) {
         Font font = UIManager.getFont("small.font");
         FontMetrics metrics = g.getFontMetrics(font);
         int height = metrics.getHeight();
         double x = Math.min(point.getX() + OUTER, visible.getMaxX() - metrics.stringWidth(text) - OUTER);
         Rectangle2D room = new Rectangle2D.Double(
-                Math.max(x, visible.x), point.getY() - INNER - metrics.getAscent(), metrics.stringWidth(text), height);
+                Math.max(x, visible.x), point.getY() - OUTER - height, metrics.stringWidth(text), height);
         while (written.stream().anyMatch(room::intersects)) {
-            room.setRect(room.getX(), room.getY() + height, room.getWidth(), height);
+            room.setRect(room.getX(), room.getY() - height, room.getWidth(), height);
         }
         written.add(room);
         Mark.paintText(g, font, text, room.getX(), room.getY() + metrics.getAscent(), COLOUR);

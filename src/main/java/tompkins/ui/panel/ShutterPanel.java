@@ -14,6 +14,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.ListCellRenderer;
 import javax.swing.UIManager;
+import net.miginfocom.swing.MigLayout;
 import tompkins.property.Descriptions;
 import tompkins.property.Require;
 import tompkins.shutter.Shutter;
@@ -89,6 +90,16 @@ public final class ShutterPanel extends Part {
         panel.add(new MessageRoom(2, note, place).component(), "wmin 0");
         model.addListener(this::update);
         update();
+    }
+
+    /** Shows the opening time alone, or all of the shutter. */
+    public void setBrief(boolean brief) {
+        models.setVisible(!brief);
+        timing.setBrief(brief);
+        // the name above slider and field, where there is little room beside them
+        MigLayout rows = (MigLayout) timeRow.getLayout();
+        rows.setComponentConstraints(timeRow.getComponent(0), brief ? "span" : "");
+        rows.setComponentConstraints(timeRow.getComponent(1), (brief ? "span 2, " : "") + "growx, wmin 40");
     }
 
     /** NaN if the shutter has none. */

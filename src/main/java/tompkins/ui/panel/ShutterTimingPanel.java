@@ -1,6 +1,8 @@
 package tompkins.ui.panel;
 
 import java.awt.Component;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.BiFunction;
 import java.util.function.ToDoubleFunction;
 import javax.swing.JComboBox;
@@ -37,9 +39,11 @@ final class ShutterTimingPanel extends Part {
     private final JPanel controls = Rows.panel();
     private final JComboBox<SweepDirection> directions = new JComboBox<>(SweepDirection.values());
     private final JLabel directionName = new JLabel(Texts.get("shutter.rolls"));
+    private final List<Component> exposureRow = new ArrayList<>();
     private final Updating updating = new Updating();
     private final Note hidden = new Note("");
     private final Note refused = new Note("");
+    private boolean brief;
 
     ShutterTimingPanel(StudioModel model, SceneSize size) {
         super(Rows.column());
@@ -79,7 +83,9 @@ final class ShutterTimingPanel extends Part {
         NumberRow exposure =
                 row(problems, "exposureTime", "shutter.exposureTip", Camera::exposureTime, Camera::withExposureTime);
         exposure.setIcon(TimingIcon.exposure());
+        int first = rows.getComponentCount();
         exposure.addTo(rows);
+        exposureRow.addAll(List.of(rows.getComponents()).subList(first, rows.getComponentCount()));
         rows.add(directionName);
         rows.add(directions, "span 2, growx, wmin 0");
     }
@@ -112,6 +118,13 @@ final class ShutterTimingPanel extends Part {
         return model.studio().withCamera(camera);
     }
 
+    /** Leaves out what {@link #addTo} adds, or shows it. */
+    void setBrief(boolean isBrief) {
+        brief = isBrief;
+        exposureRow.forEach(part -> part.setVisible(!brief));
+        update();
+    }
+
     /** Shows what the studio says now. */
     void update() {
         boolean offered = camera().shutter().hasOpeningTime();
@@ -130,7 +143,7 @@ final class ShutterTimingPanel extends Part {
         }
         updating.during(() -> directions.setSelectedItem(rolling().direction()));
         // without a sweep it says nothing
-        directions.setVisible(rolling().rolls());
-        directionName.setVisible(rolling().rolls());
+        directions.setVisible(!brief && rolling().rolls());
+        directionName.setVisible(directions.isVisible());
     }
 }

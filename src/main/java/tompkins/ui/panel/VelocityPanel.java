@@ -44,6 +44,7 @@ public final class VelocityPanel extends Part {
     private final VectorFields direction;
     private final Note numbers = new Note("");
     private final Note warning = new Note("");
+    private final JPanel more = Rows.column();
     private SpeedScale scale = SpeedScale.BETA;
 
     /** A panel for the camera's velocity in the studio of a model, which follows its changes. */
@@ -60,12 +61,18 @@ public final class VelocityPanel extends Part {
         speedRow.add(slider.slider(), "wmin 40");
         speedRow.add(speed.field(), "growx");
         panel.add(speedRow);
-        panel.add(scaleSwitch());
-        panel.add(directionRow());
-        panel.add(buttons());
+        more.add(scaleSwitch());
+        more.add(directionRow());
+        more.add(buttons());
+        panel.add(more);
         panel.add(new MessageRoom(3, note, warning, numbers).component(), "wmin 0");
         model.addListener(this::update);
         update();
+    }
+
+    /** Shows the speed alone, or the direction and the scales, too. */
+    public void setBrief(boolean brief) {
+        more.setVisible(!brief);
     }
 
     private JComponent scaleSwitch() {

@@ -1,6 +1,5 @@
 package tompkins.ui.picture;
 
-import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.geom.Point2D;
@@ -55,8 +54,7 @@ public final class CanvasZoom {
 
     /** The width of a pixel of the photograph in pixels of the screen when it fits into its room. */
     private double fittingScale(Picture picture) {
-        Dimension room = canvas.arrangement().room().getSize();
-        return (double) Room.fitting(picture.ownWidth(), picture.ownHeight(), room).width / picture.ownWidth();
+        return (double) canvas.arrangement().fitted().width / picture.ownWidth();
     }
 
     private void change(Zoom next) {

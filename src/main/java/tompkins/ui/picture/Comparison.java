@@ -6,7 +6,7 @@ public enum Comparison {
     NONE,
     /** The picture to the left of a divider, the other one to the right. */
     SPLIT,
-    /** Both whole, the other one to the right. */
+    /** Both, as large as the window allows: the other one to the right, or below. */
     BESIDE,
     /** By how much the two differ. */
     DIFFERENCE

@@ -89,10 +89,17 @@ final class KeyPointer {
                 ? pixel
                 : new Point(picture.ownWidth() / 2, picture.ownHeight() / 2);
         Point next = new Point(from.x + right, from.y + down);
-        pixel = picture.holds(next) ? next : from;
+        pixel = picture.holds(next) && canReach(next) ? next : from;
         canvas.zoom().show(place());
         canvas.tellPointed();
         canvas.repaint();
+    }
+
+    /** Whether a pixel is on the canvas, or is brought there; of a picture that fills its room the edges are not. */
+    private boolean canReach(Point next) {
+        PictureArrangement seen = canvas.arrangement();
+        return seen.zoom() != null
+                || seen.room().contains(seen.pointOf(new Point2D.Double(next.x + 0.5, next.y + 0.5)));
     }
 
     /** Points at the middle of the picture, if it points nowhere. */

@@ -6,6 +6,8 @@ import java.awt.Rectangle;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
+import tompkins.camera.StereoLayout;
+import tompkins.camera.ThinLensCamera;
 
 /**
  * Where on the canvas each picture is, in pixels of the screen.
@@ -16,7 +18,7 @@ import java.util.List;
  * @param divider where the two are split, from 0 at the left edge of the picture to 1
  * @param zoom how the picture is enlarged; null if it fits into its room
  * @param canvas the size of the canvas
- * @param gap the distance between two pictures beside each other
+ * @param gap the distance between two whole pictures
  */
 record PictureArrangement(
         ScreenPicture shown,
@@ -32,19 +34,20 @@ record PictureArrangement(
         Picture picture = shown.now();
         Dimension room = room().getSize();
         if (picture == null) {
-            return new Rectangle(room);
+            return room();
         }
         if (zoom != null) {
             return zoom.place(picture.ownWidth(), picture.ownHeight(), room);
         }
-        Dimension size = Room.fitting(picture.ownWidth(), picture.ownHeight(), room);
+        Dimension size = fitted();
         return new Rectangle((room.width - size.width) / 2, (room.height - size.height) / 2, size.width, size.height);
     }
 
     /** Where the other picture lies, of the same size. */
     Rectangle otherBounds() {
         Rectangle bounds = bounds();
-        bounds.x += otherRoom().x;
+        Rectangle room = otherRoom();
+        bounds.translate(room.x, room.y);
         return bounds;
     }
 
@@ -112,14 +115,40 @@ record PictureArrangement(
 
     /** The part of the canvas that the picture may cover. */
     Rectangle room() {
-        int width = isBeside() ? Math.max(1, (canvas.width - gap) / 2) : canvas.width;
-        return new Rectangle(0, 0, width, canvas.height);
+        return new Rectangle(space().size());
+    }
+
+    /** The room for each picture: of two, beside each other or one above the other, whichever makes them larger. */
+    Room space() {
+        if (!isBeside()) {
+            return new Room(canvas, zoom != null, false);
+        }
+        Room left = space(Math.max(1, (canvas.width - gap) / 2), canvas.height);
+        Room upper = space(canvas.width, Math.max(1, (canvas.height - gap) / 2));
+        return shown.now() != null && shown(upper).height > shown(left).height ? upper : left;
+    }
+
+    /** A panorama is whole, and so are the pictures of two eyes. */
+    private Room space(int width, int height) {
+        boolean whole = shown.now() == null
+                || !(shown.now().studio().camera() instanceof ThinLensCamera lens)
+                || lens.stereo().layout() != StereoLayout.NONE;
+        return new Room(new Dimension(width, height), zoom != null, !whole);
+    }
+
+    private Dimension shown(Room room) {
+        return room.shown(shown.now().ownWidth(), shown.now().ownHeight());
+    }
+
+    /** The size of the picture when it is not enlarged. */
+    Dimension fitted() {
+        return shown(space());
     }
 
     /** The part of the canvas that the other picture may cover. */
     Rectangle otherRoom() {
         Rectangle room = room();
-        room.x = canvas.width - room.width;
+        room.setLocation(canvas.width - room.width, canvas.height - room.height);
         return room;
     }
 

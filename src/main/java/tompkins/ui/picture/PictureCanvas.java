@@ -2,7 +2,6 @@ package tompkins.ui.picture;
 
 import java.awt.Cursor;
 import java.awt.Dimension;
-import java.awt.Font;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.GraphicsConfiguration;
@@ -16,6 +15,7 @@ import java.util.function.Function;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 import tompkins.studio.Studio;
+import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
 /**
@@ -96,6 +96,10 @@ public final class PictureCanvas extends JPanel {
     public void show(ScreenPicture pictures) {
         Picture before = pointedPicture();
         shown = pictures;
+        if (comparison == Comparison.BESIDE) {
+            // one of other proportions may have its room elsewhere
+            tellSize();
+        }
         paintImmediately(0, 0, getWidth(), getHeight());
         Picture now = pointedPicture();
         if (before != null && now != null && before.plan() != now.plan()) {
@@ -236,9 +240,7 @@ public final class PictureCanvas extends JPanel {
     }
 
     private PicturePainter painter() {
-        Font font =
-                getFont() == null ? UIManager.getFont("Label.font") : getFont().deriveFont(Font.BOLD);
-        return new PicturePainter(arrangement(), otherName, captions, font, scale());
+        return new PicturePainter(arrangement(), otherName, captions, Look.captions(), scale());
     }
 
     /** Pixels of the screen for each unit of the canvas. */
@@ -271,7 +273,7 @@ public final class PictureCanvas extends JPanel {
     private void tellSize() {
         if (getWidth() > 0 && getHeight() > 0) {
             // a picture that is shown alone for a moment keeps its pixels
-            resized.accept(new Room(arrangement(false).room().getSize(), zoom.now() != null));
+            resized.accept(arrangement(false).space());
         }
     }
 

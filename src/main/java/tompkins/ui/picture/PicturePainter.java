@@ -121,12 +121,17 @@ record PicturePainter(
 
     /** Marks a place of the photograph, in both pictures if they are beside each other. */
     void paintPin(Graphics2D g, Point2D place) {
-        Rectangle bounds = seen.bounds();
-        Mark.paintPin(g, x(place, bounds), y(place, bounds));
+        paintPin(g, place, seen.bounds(), seen.room());
         if (seen.isBeside() && seen.shown().otherImage() != null) {
-            Rectangle there = seen.otherBounds();
-            Mark.paintPin(g, x(place, there), y(place, there));
+            paintPin(g, place, seen.otherBounds(), seen.otherRoom());
         }
+    }
+
+    private void paintPin(Graphics2D graphics, Point2D place, Rectangle bounds, Rectangle room) {
+        Graphics2D g = (Graphics2D) graphics.create();
+        g.clip(inUnits(room));
+        Mark.paintPin(g, x(place, bounds), y(place, bounds));
+        g.dispose();
     }
 
     /** Marks the place of the photograph at which the keys point. */

@@ -5,7 +5,6 @@ import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.geom.Point2D;
 import java.util.Optional;
-import javax.swing.UIManager;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import tompkins.animation.Animation;
@@ -29,6 +28,7 @@ import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.EntryField;
+import tompkins.ui.widget.Look;
 import tompkins.ui.widget.TabStrip;
 import tompkins.ui.widget.Texts;
 
@@ -214,7 +214,7 @@ public final class Motion {
     private void paintLine(Graphics2D g, Rectangle free) {
         String text = line();
         if (!text.isEmpty()) {
-            Font font = UIManager.getFont("Label.font").deriveFont(Font.BOLD);
+            Font font = Look.captions();
             PictureLabel.paint(g, font, text, free, PictureLabel.Corner.TOP_MIDDLE);
             paintNews(g, font, free);
         }

@@ -19,7 +19,7 @@ public enum Look {
     LIGHT(false, 1),
     /** For dark rooms. */
     DARK(true, 1),
-    /** For the back row: large type and high contrast. */
+    /** For the back row: large type, high contrast, and few controls beside a large picture. */
     PROJECTOR(false, 1.45f);
 
     /** The key of the look that all windows have; empty while there is none, or one with larger type. */
@@ -78,6 +78,17 @@ public enum Look {
         }
         return defaults.stringPropertyNames().stream()
                 .collect(Collectors.toMap(Function.identity(), defaults::getProperty));
+    }
+
+    /** The type of what is written over a picture, which is larger on a projector. */
+    public static Font captions() {
+        Font font = UIManager.getFont("Tompkins.captionFont");
+        return font == null ? UIManager.getFont("Label.font").deriveFont(Font.BOLD) : font;
+    }
+
+    /** Whether the panel shows only what is changed in front of a class. */
+    public static boolean isSlim() {
+        return UIManager.getBoolean("Tompkins.slimPanel");
     }
 
     /** A length on the screen that grows with the type of the look: a multiple of the size of the type, in pixels. */

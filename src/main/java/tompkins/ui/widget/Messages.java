@@ -7,6 +7,7 @@ import javax.swing.JComponent;
 import javax.swing.JOptionPane;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
+import javax.swing.UIManager;
 import tompkins.property.OneLine;
 
 /** Messages that must not be overlooked. */
@@ -34,7 +35,7 @@ public final class Messages {
 
     /** How wide what {@link #tell(Component, String, JComponent)} shows can be on the screen of a component. */
     public static int width(Component parent) {
-        return Screens.room(parent).width - Look.pixels(FRAME_WIDTH);
+        return Screens.room(parent).width - Look.pixels(FRAME_WIDTH) - UIManager.getInt("ScrollBar.width");
     }
 
     /** Shows a message that is laid out already, with a scroll bar if the screen is too low for it. */

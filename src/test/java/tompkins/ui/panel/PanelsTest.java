@@ -185,7 +185,7 @@ class PanelsTest {
         model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.6)));
         assertThat(Components.notes(panel))
                 .containsExactly(
-                        "Lorentz factor \u03b3 = 1.25, rapidity \u03b7 = 0.6931\nVelocity \u03b2 = (0, 0, 0.6)");
+                        "Lorentz factor \u03b3\u00a0=\u00a01.25, rapidity\u00a0\u03b7\u00a0=\u00a00.6931\nVelocity \u03b2 = (0, 0, 0.6)");
         model.set(model.studio().withTransformation(TransformationLaw.GALILEAN));
         assertThat(Components.notes(panel)).containsExactly("Velocity \u03b2 = (0, 0, 0.6)");
         model.set(model.studio().withTransformation(TransformationLaw.NONE));
@@ -246,7 +246,7 @@ class PanelsTest {
         model.set(model.studio().withVelocity(Velocity.of(SpeedScale.ONE_MINUS_BETA, 1e-9, new Vector3d(0, 3, -4))));
         assertThat(Components.notes(panel))
                 .contains(
-                        "Lorentz factor \u03b3 = 22360, rapidity \u03b7 = 10.71\nVelocity \u03b2 = (1-1e-9) \u00b7 (0, 0.6, -0.8)");
+                        "Lorentz factor \u03b3\u00a0=\u00a022360, rapidity\u00a0\u03b7\u00a0=\u00a010.71\nVelocity \u03b2 = (1-1e-9) \u00b7 (0, 0.6, -0.8)");
     }
 
     @Test

@@ -185,6 +185,6 @@ class PictureCanvasTest {
         for (PropertyChangeListener listener : canvas.getPropertyChangeListeners("graphicsConfiguration")) {
             listener.propertyChange(moved);
         }
-        assertThat(sizes).containsExactly(new Room(new Dimension(WIDTH / 2, HEIGHT / 2), false));
+        assertThat(sizes).containsExactly(new Room(new Dimension(WIDTH / 2, HEIGHT / 2), false, false));
     }
 }

@@ -44,7 +44,7 @@ class ScreenPicturesTest {
     @Test
     void aPictureOfOtherProportionsIsNotCompared() throws InterruptedException {
         try (ScreenPictures screen = new ScreenPictures(events::add, events::add)) {
-            screen.setRoom(new Room(new Dimension(100, 100), false));
+            screen.setRoom(new Room(new Dimension(100, 100), false, false));
             screen.setNow(grey(64, 48));
             screen.setOther(grey(32, 24));
             ScreenPicture shown = await(picture -> picture.other() != null);
@@ -64,7 +64,7 @@ class ScreenPicturesTest {
     void noPictureIsShownBeforeItsSizeIsKnown() throws InterruptedException {
         try (ScreenPictures screen = new ScreenPictures(events::add, events::add)) {
             screen.setNow(grey(64, 48));
-            screen.setRoom(new Room(new Dimension(32, 100), false));
+            screen.setRoom(new Room(new Dimension(32, 100), false, false));
             ScreenPicture shown = (ScreenPicture) nextEvent();
             assertThat(shown.nowImage().getWidth()).isEqualTo(32);
             assertThat(events).isEmpty();
@@ -77,7 +77,7 @@ class ScreenPicturesTest {
         Studio studio = Studios.sphere();
         Studio large = studio.withSettings(studio.settings().withSize(1920, 1080));
         try (ScreenPictures screen = new ScreenPictures(events::add, events::add)) {
-            screen.setRoom(new Room(new Dimension(997, 700), false));
+            screen.setRoom(new Room(new Dimension(997, 700), false, false));
             screen.setNow(picture(large, 997, 561));
             screen.setOther(picture(large, 501, 282));
             ScreenPicture shown = await(picture -> picture.other() != null);
@@ -120,7 +120,7 @@ class ScreenPicturesTest {
         RenderPlan plan = RenderPlan.of(Studios.sphere());
         try (Renderer renderer = new Renderer(1);
                 ScreenPictures screen = new ScreenPictures(events::add, events::add)) {
-            screen.setRoom(new Room(new Dimension(100, 100), false));
+            screen.setRoom(new Room(new Dimension(100, 100), false, false));
             screen.setNow(picture(plan, null));
             assertThat(nextEvent()).isInstanceOf(NullPointerException.class);
             Picture good = picture(plan, renderer.render(plan).image());
