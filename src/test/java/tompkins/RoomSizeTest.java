@@ -34,10 +34,10 @@ class RoomSizeTest {
                                 + " studio, world, trace, render",
                         26_420),
                 arguments("file, image", 4_420),
-                arguments("explain, lesson, measure, animation", 6_205),
+                arguments("explain, lesson, measure, animation", 6_305),
                 arguments("io, app", 7_930),
                 arguments("study", 4_550),
-                arguments("ui", 21_262));
+                arguments("ui", 21_322));
     }
 
     @ParameterizedTest

@@ -87,7 +87,12 @@ public record PointLight(
     }
 
     @Override
-    public RestingLight seenFrom(Vector3dc origin) {
-        return new PointLight(position.sub(origin, new Vector3d()), colour, highlightColour, highlightExponent, flash);
+    public PointLight seenFrom(Vector3dc origin) {
+        return shifted(origin.negate(new Vector3d()));
+    }
+
+    /** The same light elsewhere: farther by a vector. */
+    public PointLight shifted(Vector3dc by) {
+        return new PointLight(position.add(by, new Vector3d()), colour, highlightColour, highlightExponent, flash);
     }
 }

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.light.PointLight;
 import tompkins.math.Vectors;
 import tompkins.sceneobject.ImagePointGrid;
 import tompkins.sceneobject.Plane;
@@ -22,10 +23,10 @@ import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
 
 /**
- * A point of an object, held where a picture shows it: says where the object must be so that the point is seen at
- * another place of the picture. In the frame in which it rests, the point moves in the plane through it across the ray
- * by which it was seen at first. It must be seen directly in its frame, neither in a mirror nor through glass; windows
- * that move with the camera may stand before it.
+ * A point of an object, or a lamp, held where a picture shows it: says where the object must be so that the point is
+ * seen at another place of the picture. In the frame in which it rests, the point moves in the plane through it across
+ * the ray by which it was seen at first. It must be seen directly in its frame, neither in a mirror nor through glass;
+ * windows that move with the camera may stand before it.
  */
 public final class Grip {
 
@@ -43,14 +44,19 @@ public final class Grip {
 
     private final RenderPlan plan;
     private final StudioPath path;
-    private final SceneObject object;
-    private final RayLife.Encounter point;
+    private final Object object;
+    private final Frame frame;
     private final ObjectShift shift;
 
     /** From the frame in which the point is seen to the one in which it rests. */
     private final FrameRoute toRest;
 
     private final Event held;
+
+    /** How the point turns about an axis that rests; null if it does not turn. */
+    private final Vector3dc velocity;
+
+    private final double ownTime;
 
     /** Unit normal of the plane; null if no ray can be found again. */
     private final Vector3dc across;
@@ -61,15 +67,32 @@ public final class Grip {
     private Grip(RenderPlan plan, Sighting seen, RayLife.Encounter point, StudioPath path, StudioPath part) {
         this.plan = plan;
         this.path = path;
-        this.point = point;
+        frame = point.frame();
         Studio studio = plan.studio();
-        object = (SceneObject) path.get(studio);
+        object = path.get(studio);
         shift = ObjectShift.of(studio, path, part, point.rest().motion());
         toRest = FrameTree.described(studio.transformation())
                 .route(null, point.rest().motion());
         held = toRest.transform(point.event());
+        velocity = point.rest().velocity();
+        ownTime = point.rest().event().time();
         across = Vectors.unit(line(seen.life()).step().position());
         decimals = decimals(seen.x(), seen.y());
+    }
+
+    private Grip(RenderPlan plan, SeenLamp lamp, RayLife ray) {
+        this.plan = plan;
+        path = lamp.path();
+        frame = Frame.SCENE;
+        Studio studio = plan.studio();
+        object = path.get(studio);
+        shift = ObjectShift.of(studio, path, path, lamp.motion());
+        toRest = FrameTree.described(studio.transformation()).route(null, lamp.motion());
+        held = new Event(lamp.point().x(), lamp.point().y(), lamp.point().z(), 0);
+        velocity = null;
+        ownTime = 0;
+        across = Vectors.unit(line(ray).step().position());
+        decimals = decimals(lamp.place().x(), lamp.place().y());
     }
 
     /**
@@ -101,6 +124,14 @@ public final class Grip {
                 .flatMap(hit -> way(plan, hit).flatMap(part -> of(plan, seen, hit, part, part)));
     }
 
+    /** Holds a lamp; empty if what moves with the camera hides it. */
+    public static Optional<Grip> of(RenderPlan plan, SeenLamp lamp) {
+        return Optional.ofNullable(
+                        RayLife.of(plan, lamp.place().x(), lamp.place().y(), 0, 0))
+                .filter(ray -> ray.sceneStart() != null)
+                .map(ray -> new Grip(plan, lamp, ray));
+    }
+
     private static Optional<StudioPath> way(RenderPlan plan, RayLife.Encounter hit) {
         return StudioPath.to(plan.studio(), hit.object());
     }
@@ -112,22 +143,17 @@ public final class Grip {
                 : Optional.of(new Grip(plan, seen, hit, path, part));
     }
 
-    /** The way to the object that moves. */
+    /** The way to the object or lamp that moves. */
     public StudioPath path() {
         return path;
     }
 
-    /** The object as it was when it was taken. */
-    public SceneObject object() {
-        return object;
-    }
-
     /** The ray of a place, in the frame in which the point rests; null if none comes so far. */
     private Line line(RayLife life) {
-        if (life == null || point.frame() == Frame.SCENE && life.sceneStart() == null) {
+        if (life == null || frame == Frame.SCENE && life.sceneStart() == null) {
             return null;
         }
-        return point.frame() == Frame.CAMERA
+        return frame == Frame.CAMERA
                 ? new Line(life.cameraStart(), step(life.cameraDirection(), 1))
                 : new Line(
                         toRest.transform(life.sceneStart()),
@@ -167,19 +193,22 @@ public final class Grip {
     }
 
     /**
-     * The object where its point is seen at another place of the picture, in pixels; empty if the ray of that place
-     * does not lead there.
+     * The object or lamp where its point is seen at another place of the picture, in pixels; empty if the ray of that
+     * place does not lead there.
      */
-    public Optional<SceneObject> at(double x, double y) {
+    public Optional<Object> at(double x, double y) {
         Event wanted = wanted(x, y);
         if (wanted == null) {
             return Optional.empty();
         }
-        Vector3d by = shift.bringing(
-                held, point.rest().velocity(), point.rest().event().time(), wanted);
+        Vector3d by = shift.bringing(held, velocity, ownTime, wanted);
         return by.isFinite()
-                ? Optional.of(object.shifted(new Vector3d(rounded(by.x), rounded(by.y), rounded(by.z))))
+                ? Optional.of(shifted(new Vector3d(rounded(by.x), rounded(by.y), rounded(by.z))))
                 : Optional.empty();
+    }
+
+    private Object shifted(Vector3dc by) {
+        return object instanceof PointLight lamp ? lamp.shifted(by) : ((SceneObject) object).shifted(by);
     }
 
     private double rounded(double value) {
@@ -191,7 +220,7 @@ public final class Grip {
     }
 
     /** Whether the picture does not tell the object from what it was: a plane without a pattern, moved along itself. */
-    public boolean leavesAlike(SceneObject moved) {
+    public boolean leavesAlike(Object moved) {
         if (!(object instanceof Plane before)
                 || !(moved instanceof Plane after)
                 || before.surface().usesCoordinates()) {

@@ -3,6 +3,7 @@ package tompkins.studio;
 import org.joml.Matrix3d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.light.MovingLights;
 import tompkins.primitive.Placement;
 import tompkins.primitive.Rotation;
 import tompkins.sceneobject.Moving;
@@ -44,7 +45,7 @@ public final class ObjectShift {
     /**
      * The shift of an object of a studio.
      *
-     * @param object the way to the object
+     * @param object the way to the object, or to a lamp
      * @param part the way to the part of it that has the point; it may be the object itself
      * @param rest the frame in which the part rests, or the axis about which it turns; null for the scene frame, and
      *     for that of the camera
@@ -64,6 +65,8 @@ public final class ObjectShift {
             } else if (whole instanceof Moving moving
                     && i < outside
                     && !moving.velocity().isRest()) {
+                frames++;
+            } else if (whole instanceof MovingLights lamps && !lamps.velocity().isRest()) {
                 frames++;
             } else if (whole instanceof Rotating rotating && rotating.turns(law)) {
                 rotation = rotating.rotation(placement, 0, law);

@@ -75,6 +75,9 @@ final class EditorDialog {
         Keys.bindEscape(dialog.getRootPane(), () -> dialog.setVisible(giveBack()));
         fitToLook();
         Screens.moveBeside(dialog, window.frame());
+        // lamps are marked while it is there
+        dialog.getRootPane()
+                .addHierarchyListener(event -> window.view().canvas().repaint());
     }
 
     /** Makes it as large as it needs to be, and not smaller than the user has made it. */

@@ -4,11 +4,11 @@ import java.awt.Point;
 import java.awt.geom.Point2D;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 import tompkins.measure.RayTubes;
+import tompkins.measure.SeenLamp;
 import tompkins.studio.StudioPath;
 import tompkins.trace.RayLife;
 import tompkins.ui.measure.MeasureTool;
@@ -81,7 +81,15 @@ final class PictureMenu implements PhotographView.Menu {
     }
 
     @Override
-    public Consumer<PixelProbe.Reading> chooser() {
-        return editor.isOpen() ? seen -> object(seen).ifPresent(editor::open) : null;
+    public boolean chooses() {
+        return editor.isOpen();
+    }
+
+    @Override
+    public void choose(PixelProbe.Reading seen, Picture picture) {
+        SeenLamp.near(picture.plan(), seen.sighting().x(), seen.sighting().y())
+                .map(SeenLamp::path)
+                .or(() -> object(seen))
+                .ifPresent(editor::open);
     }
 }

@@ -15,7 +15,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.camera.PanoramicCamera;
+import tompkins.light.AmbientLight;
+import tompkins.light.LightSource;
+import tompkins.light.MovingLights;
+import tompkins.light.PointLight;
 import tompkins.property.Descriptions;
+import tompkins.ray.Colour;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.ImagePointGrid;
 import tompkins.sceneobject.Moving;
@@ -164,12 +169,59 @@ class GripTest {
         Grip grip = grip(studio, x, y, path(chosen));
         assertThat(grip.path()).hasToString(chosen);
         for (double[] way : new double[][] {{40, 0}, {-60, 35}, {25, -70}}) {
-            SceneObject moved = grip.at(x + way[0], y + way[1]).orElseThrow();
+            Object moved = grip.at(x + way[0], y + way[1]).orElseThrow();
             RenderPlan after = RenderPlan.of(grip.path().with(studio, moved));
             assertThat(paint(after, x + way[0], y + way[1]))
                     .as("%s to %s, %s", moved, way[0], way[1])
                     .matches(paint -> isSame(before, paint, x, y), "the paint of the held point");
         }
+    }
+
+    static Stream<Arguments> lamps() {
+        Sphere small = ball(0.2, 0.1, 10, 0.2);
+        PointLight lamp = new PointLight(small.centre(), Colour.WHITE, Colour.WHITE, 40);
+        Vector3d place = new Vector3d(5, 2, -3);
+        Velocity inner = Velocity.of(-0.6, 0, 0.1);
+        Studio boat =
+                studio(FAST, moving(ACROSS, new Vector3d(1, 0, 0), moving(inner, new Vector3d(0.1, 0, 0), small)));
+        MovingLights boatLamp = new MovingLights(
+                ACROSS,
+                new Vector3d(1, 0, 0),
+                List.of(new MovingLights(inner, new Vector3d(0.1, 0, 0), List.of(lamp))));
+        Studio ship = studio(FAST, moving(ACROSS, place, small));
+        MovingLights shipLamp = new MovingLights(ACROSS, place, List.of(lamp));
+        Studio parked = studio(FAST, moving(Velocity.REST, new Vector3d(0.2, 0, 0), small));
+        MovingLights parkedLamp = new MovingLights(Velocity.REST, new Vector3d(0.2, 0, 0), List.of(lamp));
+        return Stream.of(
+                arguments("at rest", studio(FAST, small), lamp, "lights[1]"),
+                arguments("moving", ship, shipLamp, "lights[1].objects[0]"),
+                arguments("in what moves in what moves", boat, boatLamp, "lights[1].objects[0].objects[0]"),
+                arguments("in what rests", parked, parkedLamp, "lights[1].objects[0]"));
+    }
+
+    private static Moving moving(Velocity velocity, Vector3d place, SceneObject object) {
+        return new Moving("ship", velocity, place, 0, List.of(object));
+    }
+
+    /** A lamp is seen where a ball in its place is, and goes where the pointer goes. */
+    @ParameterizedTest(name = "{0}")
+    @MethodSource
+    void lamps(String name, Studio withBall, LightSource light, String path) {
+        double[] middle = whereTheBallIs(RenderPlan.of(withBall));
+        Studio studio =
+                Descriptions.with(withBall.withScene(List.of()), "lights", List.of(AmbientLight.DEFAULT, light));
+        RenderPlan plan = RenderPlan.of(studio);
+        SeenLamp lamp = SeenLamp.near(plan, middle[0], middle[1]).orElseThrow();
+        assertThat(lamp.path()).hasToString(path);
+        assertThat(lamp.place().distance(middle[0], middle[1])).isLessThan(4);
+        assertThat(SeenLamp.near(plan, middle[0] + 20, middle[1])).isEmpty();
+        double x = lamp.place().x() - 40;
+        double y = lamp.place().y() + 30;
+        Grip grip = Grip.of(plan, lamp).orElseThrow();
+        Studio moved = grip.path().with(studio, grip.at(x, y).orElseThrow());
+        List<SeenLamp> seen = SeenLamp.of(RenderPlan.of(moved));
+        assertThat(seen).hasSize(1);
+        assertThat(seen.get(0).place().distance(x, y)).isLessThan(0.2);
     }
 
     /** The middle of the pixels in which the ball is seen. */
@@ -225,9 +277,9 @@ class GripTest {
         Sphere behind = ball(0, 0, -10, 1);
         Studio mirrored = studio(Velocity.REST, mirror, behind);
         assertThat(isFree(mirrored, 320, 240, NOTHING)).as("a mirrored ball").isTrue();
-        assertThat(grip(mirrored, 320, 240, path("scene[0]")).object())
+        assertThat(grip(mirrored, 320, 240, path("scene[0]")).path())
                 .as("the mirror itself, if it is chosen")
-                .isEqualTo(mirror);
+                .isEqualTo(path("scene[0]"));
         Studio grid = studio(Velocity.REST, ImagePointGrid.DEFAULT);
         assertThat(isFree(grid, 320, 240, path("scene[0]"))).as("a grid").isTrue();
     }

@@ -26,6 +26,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.io.StudioWriter;
+import tompkins.light.AmbientLight;
+import tompkins.light.PointLight;
+import tompkins.property.Descriptions;
+import tompkins.ray.Colour;
 import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
@@ -147,6 +151,42 @@ class ObjectMouseTest {
                 .isFalse();
         driver.key(KeyEvent.VK_Y, KeyEvent.VK_CONTROL);
         assertThat(centre().x()).isCloseTo(90 * 9 * pixel, within(0.6 * 9 * pixel));
+    }
+
+    /** A lamp is marked where its light comes from, 5 before the lens; it is chosen there, and moves like an object. */
+    @Test
+    void aLampIsChosenAndDragged() {
+        Vector3d place = new Vector3d(-100 * 5 * pixel, 0, 5);
+        PointLight lamp = new PointLight(place, Colour.WHITE, Colour.WHITE, 40);
+        WindowDriver.onEventThread(() ->
+                driver.window().model().set(Descriptions.with(opened, "lights", List.of(AmbientLight.DEFAULT, lamp))));
+        driver.completePicture();
+        assertThat(WindowDriver.<Boolean>onEventThread(this::isMarked))
+                .as("while the editor is closed")
+                .isFalse();
+        edit("scene[0]");
+        WindowDriver.await("the mark", this::isMarked);
+        driver.click(at(-98, 2));
+        WindowDriver.await("the choice", () -> chosen().startsWith("Point light"));
+        driver.drag(at(-100, 0), at(-70, 30), 6);
+        WindowDriver.await(
+                "the lamp",
+                () -> Math.abs(lampAt().x() / lampAt().z() / pixel + 70) < 0.6
+                        && Math.abs(lampAt().y() / lampAt().z() / pixel + 30) < 0.6);
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(lampAt()).isEqualTo(place);
+    }
+
+    private Vector3dc lampAt() {
+        return ((PointLight) now().lights().get(1)).position();
+    }
+
+    /** For the event thread. */
+    private boolean isMarked() {
+        BufferedImage image = new BufferedImage(canvas.getWidth(), canvas.getHeight(), BufferedImage.TYPE_INT_RGB);
+        canvas.paint(image.createGraphics());
+        return IntStream.of(image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth()))
+                .anyMatch(colour -> (colour & 0xffffff) == 0xffe060);
     }
 
     /** The first number of the form's vector. */

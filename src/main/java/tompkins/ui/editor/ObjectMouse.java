@@ -1,6 +1,5 @@
 package tompkins.ui.editor;
 
-import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -12,22 +11,24 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
-import javax.swing.UIManager;
 import tompkins.image.PictureLabel;
 import tompkins.measure.Grip;
+import tompkins.measure.SeenLamp;
 import tompkins.property.InvalidPropertyException;
-import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
+import tompkins.trace.RenderPlan;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.photograph.WindowParts;
+import tompkins.ui.picture.Mark;
 import tompkins.ui.picture.NewestFirst;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
 /**
- * Moves objects with the mouse, in the picture: the point that is held stays under the pointer. A drag is one step of
- * the history. Where the sky is taken it turns the camera, as it does without the editor.
+ * Moves objects and lamps with the mouse, in the picture: the point that is held stays under the pointer. A drag is one
+ * step of the history. Where the sky is taken it turns the camera, as it does without the editor. Lamps are marked.
  */
 public final class ObjectMouse extends MouseAdapter implements AutoCloseable {
 
@@ -46,18 +47,6 @@ public final class ObjectMouse extends MouseAdapter implements AutoCloseable {
 
     /** The drag that goes on; null if none does. */
     private ObjectDrag drag;
-
-    private Picture picture;
-    private Rectangle bounds;
-
-    /** Where the pointer was last; null before it has moved. */
-    private Point2D pointer;
-
-    /** The studio as it is unless somebody else changes it. */
-    private Studio held;
-
-    private boolean begun;
-    private boolean released;
 
     /** What is said in the picture for a while; empty if nothing is. */
     private String said = "";
@@ -88,13 +77,19 @@ public final class ObjectMouse extends MouseAdapter implements AutoCloseable {
         fading.setRepeats(false);
         canvas.addMouseListener(this);
         canvas.addMouseMotionListener(this);
-        canvas.addOverlay((g, shown, all, visible, free) -> paint(g, free));
+        canvas.addOverlay((g, shown, all, visible, free) -> paint(g, shown.plan(), all, free));
     }
 
-    private void paint(Graphics2D g, Rectangle free) {
+    private void paint(Graphics2D g, RenderPlan shown, Rectangle all, Rectangle free) {
+        if (wanted.getAsBoolean()) {
+            SeenLamp.of(shown)
+                    .forEach(lamp -> Mark.paintLamp(
+                            g,
+                            all.x + lamp.place().x() * all.width / shown.width(),
+                            all.y + lamp.place().y() * all.height / shown.height()));
+        }
         if (!said.isEmpty()) {
-            Font font = UIManager.getFont("Label.font").deriveFont(Font.BOLD);
-            PictureLabel.paint(g, font, said, free, PictureLabel.Corner.TOP_MIDDLE);
+            PictureLabel.paint(g, Look.captions(), said, free, PictureLabel.Corner.TOP_MIDDLE);
         }
     }
 
@@ -102,7 +97,7 @@ public final class ObjectMouse extends MouseAdapter implements AutoCloseable {
     public void mousePressed(MouseEvent event) {
         end();
         Point point = event.getPoint();
-        picture = canvas.shownAt(point);
+        Picture picture = canvas.shownAt(point);
         boolean takes = SwingUtilities.isLeftMouseButton(event)
                 && !event.isShiftDown()
                 && picture != null
@@ -110,32 +105,17 @@ public final class ObjectMouse extends MouseAdapter implements AutoCloseable {
                 && canvas.hand().isFreeAt(point)
                 && wanted.getAsBoolean();
         if (takes) {
-            bounds = canvas.boundsAt(point);
-            held = model.studio();
-            pointer = null;
-            begun = false;
-            released = false;
-            drag = new ObjectDrag(held, picture.plan(), place(point), chosen.get());
+            drag = new ObjectDrag(model.studio(), picture.plan(), canvas.boundsAt(point), point, chosen.get());
             canvas.hand().take();
             // so that it is known what is held when the hand begins to move
-            worker.submit(new Question(drag, place(point)));
+            worker.submit(new Question(drag, drag.from()));
         }
-    }
-
-    /** The place of the picture at a point of the canvas, in its pixels; beside the picture, at its edge. */
-    private Point2D place(Point point) {
-        int width = picture.plan().width();
-        int height = picture.plan().height();
-        double x = (point.x + 0.5 - bounds.x) / bounds.width * width;
-        double y = (point.y + 0.5 - bounds.y) / bounds.height * height;
-        return new Point2D.Double(Math.max(0, Math.min(width, x)), Math.max(0, Math.min(height, y)));
     }
 
     @Override
     public void mouseDragged(MouseEvent event) {
         if (drag != null && canvas.hand().isDragging()) {
-            pointer = place(event.getPoint());
-            worker.submit(new Question(drag, pointer));
+            worker.submit(new Question(drag, drag.moveTo(event.getPoint())));
         }
     }
 
@@ -144,36 +124,37 @@ public final class ObjectMouse extends MouseAdapter implements AutoCloseable {
         ObjectDrag.Answer answer = question.drag.to(question.place);
         SwingUtilities.invokeLater(() -> {
             // it may have been given back meanwhile, or have been a click
-            if (answer.drag() == drag && pointer != null) {
+            if (answer.drag() == drag && drag.hasMoved()) {
                 show(answer);
             }
         });
     }
 
     private void show(ObjectDrag.Answer answer) {
-        if (model.studio() != held) {
+        if (model.studio() != drag.held) {
             // somebody else has changed it since
             end();
             return;
         }
         answer.grip().ifPresent(grip -> move(grip, answer));
+        boolean over = drag.endsWith(answer);
         if (!answer.refusal().isEmpty()) {
             refuse(answer.refusal());
         }
-        if (released && answer.place() == pointer) {
+        if (over) {
             end();
         }
     }
 
     private void move(Grip grip, ObjectDrag.Answer answer) {
-        if (!begun) {
-            begun = true;
+        if (!drag.begun) {
+            drag.begun = true;
             chooser.accept(grip.path());
         }
         answer.moved().ifPresent(object -> {
             try {
                 model.adjust(grip.path().with(model.studio(), object), drag);
-                held = model.studio();
+                drag.held = model.studio();
             } catch (InvalidPropertyException tooFar) {
                 window.view().fail(tooFar);
             }
@@ -201,8 +182,9 @@ public final class ObjectMouse extends MouseAdapter implements AutoCloseable {
 
     @Override
     public void mouseReleased(MouseEvent event) {
-        released = true;
-        if (pointer == null) {
+        if (drag != null && drag.hasMoved()) {
+            drag.released = true;
+        } else {
             end();
         }
     }
@@ -216,10 +198,10 @@ public final class ObjectMouse extends MouseAdapter implements AutoCloseable {
 
     /** Gives back what is held; false if nothing is. */
     public boolean giveBack() {
-        if (drag == null || pointer == null) {
+        if (drag == null || !drag.hasMoved()) {
             return false;
         }
-        if (model.studio() == held) {
+        if (model.studio() == drag.held) {
             model.takeBack(drag);
         }
         end();

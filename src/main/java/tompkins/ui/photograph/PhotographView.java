@@ -68,8 +68,11 @@ public final class PhotographView implements AutoCloseable {
         /** Shows the menu for a place of a picture, at a point of the canvas. */
         void show(PixelProbe.Reading seen, Picture picture, Point2D place, Point at);
 
-        /** Who takes what is clicked on; null if a click pins it. */
-        Consumer<PixelProbe.Reading> chooser();
+        /** Whether a click chooses what is seen; otherwise it pins it. */
+        boolean chooses();
+
+        /** Chooses what is seen at a place of a picture. */
+        void choose(PixelProbe.Reading seen, Picture picture);
     }
 
     private final StudioModel model;
@@ -249,7 +252,7 @@ public final class PhotographView implements AutoCloseable {
 
     /** Whether a click chooses what is seen, and neither picks, measures nor pins. */
     public boolean choosesByClick() {
-        return picking == null && measuring == null && menu != null && menu.chooser() != null;
+        return picking == null && measuring == null && menu != null && menu.chooses();
     }
 
     /** Offers a menu from now on. */
@@ -326,7 +329,7 @@ public final class PhotographView implements AutoCloseable {
             } else if (measuring != null) {
                 measuring.accept(canvas.shown().placeIn(seen, place), seen);
             } else if (choosesByClick()) {
-                picked.ask(seen, canvas.shown().placeIn(seen, place), menu.chooser());
+                picked.ask(seen, canvas.shown().placeIn(seen, place), reading -> menu.choose(reading, seen));
             } else {
                 pin.set(place, seen != canvas.shown().now());
             }

@@ -17,6 +17,12 @@ public final class Mark {
     private static final double INNER = 5;
     private static final double OUTER = 14;
 
+    /** How far the rays of a lamp reach, how many there are, and their colour. */
+    private static final double LAMP = 11;
+
+    private static final int RAYS = 8;
+    private static final Color LIGHT = new Color(255, 224, 96);
+
     /** How wide the black edge of a text is, and how often the text is drawn for it. */
     private static final double EDGE = 1.5;
 
@@ -32,6 +38,18 @@ public final class Mark {
             lines.append(new Line2D.Double(x, y + INNER * side, x, y + OUTER * side), false);
         }
         paint(g, lines);
+    }
+
+    /** A small sun where the light of a lamp comes from. */
+    public static void paintLamp(Graphics2D g, double x, double y) {
+        Path2D lines = new Path2D.Double(Drawing.circle(x, y, INNER));
+        for (int ray = 0; ray < RAYS; ray++) {
+            double right = Math.cos(2 * Math.PI * ray / RAYS);
+            double down = Math.sin(2 * Math.PI * ray / RAYS);
+            lines.append(
+                    new Line2D.Double(x + RADIUS * right, y + RADIUS * down, x + LAMP * right, y + LAMP * down), false);
+        }
+        paintLines(g, lines, LIGHT, false);
     }
 
     /** A ring around the place at which the keys point. */
