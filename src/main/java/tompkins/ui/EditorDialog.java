@@ -11,11 +11,15 @@ import tompkins.ui.editor.ObjectMouse;
 import tompkins.ui.editor.SceneEditor;
 import tompkins.ui.photograph.WindowParts;
 import tompkins.ui.widget.Keys;
+import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Screens;
 import tompkins.ui.widget.Texts;
 
 /** The editor of the studio in a window beside that of the photograph; made when it is first asked for. */
 final class EditorDialog {
+
+    /** On a screen that is narrower, in sizes of the type, it must be narrow to leave enough of the picture. */
+    private static final double WIDE_SCREEN = 120;
 
     private final WindowParts window;
     private final FileContentEditor.Choosers choosers;
@@ -84,7 +88,7 @@ final class EditorDialog {
     void fitToLook() {
         if (dialog != null) {
             Dimension made = dialog.getSize();
-            editor.fitToLook();
+            editor.fitToLook(Screens.room(window.frame()).width < Look.pixels(WIDE_SCREEN));
             dialog.pack();
             dialog.setSize(Math.max(made.width, dialog.getWidth()), Math.max(made.height, dialog.getHeight()));
             Screens.keepOnScreen(dialog);

@@ -292,13 +292,18 @@ class LayoutTest {
         for (int row = 0; row < tree.getRowCount(); row++) {
             tree.expandRow(row);
         }
-        sceneEditor.fitToLook();
-        editor.setSize(editor.getPreferredSize());
-        Components.layOut(editor);
-        assertThat(LayoutProblems.in(editor)).isEmpty();
-        assertThat(tree.getPreferredSize().width)
-                .as("tree")
-                .isLessThanOrEqualTo(tree.getParent().getWidth());
+        for (boolean tall : new boolean[] {true, false}) {
+            sceneEditor.fitToLook(tall);
+            editor.setSize(editor.getPreferredSize());
+            Components.layOut(editor);
+            assertThat(LayoutProblems.in(editor)).as("tall: " + tall).isEmpty();
+            assertThat(tree.getPreferredSize().width)
+                    .as("tree")
+                    .isLessThanOrEqualTo(tree.getParent().getWidth());
+            if (locale.equals(Locale.ENGLISH)) {
+                assertThat(editor.getWidth() < Look.pixels(33)).isEqualTo(tall);
+            }
+        }
     }
 
     /** Also of a colour of a surface of a surface. */

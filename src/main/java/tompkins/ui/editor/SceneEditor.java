@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
@@ -46,6 +45,7 @@ public final class SceneEditor extends Part {
     private final JButton up = button("up", list -> ListEdits.moved(list, place(), place() - 1), -1);
     private final JButton down = button("down", list -> ListEdits.moved(list, place(), place() + 1), 1);
     private final JButton remove = Buttons.of("tree.remove", this::remove);
+    private final JPanel buttons = new JPanel(buttons(false));
     private StudioTree.Line line;
     private FamilyEditor form;
     private Studio shown;
@@ -56,15 +56,19 @@ public final class SceneEditor extends Part {
                 new MigLayout("novisualpadding, insets 10, fill, wrap 1, gap 0 8", "[grow,fill]", "[grow,fill][]")));
         this.model = model;
         panel.add(parts.component());
-        panel.add(buttons());
+        for (JButton each : List.of(add, duplicate, hide, up, down, remove)) {
+            buttons.add(each);
+        }
+        panel.add(buttons);
         Keys.bindFocused(tree.component(), KeyStroke.getKeyStroke("DELETE"), remove::doClick);
         model.addListener(this::update);
         update();
     }
 
-    /** Sets the sizes that do not follow the look by themselves. */
-    public void fitToLook() {
-        parts.fitToLook();
+    /** Sets the sizes that do not follow the look by themselves; {@code tall} makes it narrow and high. */
+    public void fitToLook(boolean tall) {
+        parts.fitToLook(tall);
+        buttons.setLayout(buttons(tall));
     }
 
     private JButton button(String key, UnaryOperator<List<?>> change, int step) {
@@ -77,12 +81,8 @@ public final class SceneEditor extends Part {
         changeList(list -> ListEdits.removed(list, place()), 0);
     }
 
-    private JComponent buttons() {
-        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, gap 4"));
-        for (JButton each : List.of(add, duplicate, hide, up, down, remove)) {
-            row.add(each);
-        }
-        return row;
+    private static MigLayout buttons(boolean tall) {
+        return new MigLayout("novisualpadding, insets 0, gap 4" + (tall ? ", wrap 3" : ""), tall ? "[fill,sg]" : "");
     }
 
     private void update() {

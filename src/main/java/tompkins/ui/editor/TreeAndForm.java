@@ -11,7 +11,10 @@ import javax.swing.ScrollPaneConstants;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
-/** The tree and the form of the editor beside each other: the tree gets the room that it needs, the form the rest. */
+/**
+ * The tree and the form of the editor: beside each other, where the tree gets the room that it needs and the form the
+ * rest; or one above the other, so that the editor covers less of the picture.
+ */
 final class TreeAndForm {
 
     /** Sizes, in sizes of the type. */
@@ -20,6 +23,8 @@ final class TreeAndForm {
     private static final double LEAST_FORM_WIDTH = 26;
     private static final double FORM_WIDTH = 30;
     private static final double HEIGHT = 37;
+    private static final double UPPER = 14;
+    private static final double LOWER = 23;
 
     private final JComponent tree;
     private final JScrollPane trees;
@@ -35,7 +40,7 @@ final class TreeAndForm {
         split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, trees, forms);
         split.setResizeWeight(0.4);
         split.getAccessibleContext().setAccessibleName(Texts.get("tree.split"));
-        fitToLook();
+        fitToLook(false);
         tree.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent event) {
@@ -48,11 +53,16 @@ final class TreeAndForm {
         return split;
     }
 
-    /** Sets the sizes that do not follow the look by themselves. */
-    void fitToLook() {
+    /** Sets the sizes that do not follow the look by themselves; {@code tall} puts the form below the tree. */
+    void fitToLook(boolean tall) {
+        split.setOrientation(tall ? JSplitPane.VERTICAL_SPLIT : JSplitPane.HORIZONTAL_SPLIT);
         forms.setMinimumSize(new Dimension(Look.pixels(LEAST_FORM_WIDTH), 0));
-        forms.setPreferredSize(new Dimension(Look.pixels(FORM_WIDTH), Look.pixels(HEIGHT)));
-        trees.setPreferredSize(new Dimension(Math.max(treeWidth(), Look.pixels(TREE_WIDTH)), 0));
+        forms.setPreferredSize(
+                new Dimension(Look.pixels(tall ? LEAST_FORM_WIDTH : FORM_WIDTH), Look.pixels(tall ? LOWER : HEIGHT)));
+        trees.setPreferredSize(
+                tall
+                        ? new Dimension(0, Look.pixels(UPPER))
+                        : new Dimension(Math.max(treeWidth(), Look.pixels(TREE_WIDTH)), 0));
         split.resetToPreferredSizes();
     }
 
@@ -67,7 +77,7 @@ final class TreeAndForm {
     private void makeRoomForTree() {
         int most = split.getWidth() - split.getDividerSize() - forms.getMinimumSize().width;
         int wanted = Math.min(treeWidth(), most);
-        if (wanted > split.getDividerLocation()) {
+        if (split.getOrientation() == JSplitPane.HORIZONTAL_SPLIT && wanted > split.getDividerLocation()) {
             split.setDividerLocation(wanted);
         }
     }
