@@ -37,7 +37,7 @@ class RoomSizeTest {
                 arguments("explain, lesson, measure, animation", 6_305),
                 arguments("io, app", 7_930),
                 arguments("study", 4_550),
-                arguments("ui", 21_336));
+                arguments("ui", 21_358));
     }
 
     @ParameterizedTest

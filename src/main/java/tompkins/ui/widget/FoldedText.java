@@ -2,14 +2,19 @@ package tompkins.ui.widget;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Dimension;
+import java.awt.FontMetrics;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
 import javax.swing.JComponent;
 import javax.swing.JToggleButton;
 import javax.swing.JViewport;
+import javax.swing.plaf.basic.BasicGraphicsUtils;
 
 /** A text of which a few lines are seen, and with a button all of it. */
 public final class FoldedText extends Part {
 
     private static final int LINES = 2;
+    private static final String ELLIPSIS = " \u2026";
 
     private final Note note = new Note("");
     private final JToggleButton more = new JToggleButton();
@@ -86,6 +91,23 @@ public final class FoldedText extends Part {
         @Override
         public Dimension getMinimumSize() {
             return new Dimension(0, getPreferredSize().height);
+        }
+
+        /** Ends the last line with an ellipsis where more follows. */
+        @Override
+        protected void paintChildren(Graphics graphics) {
+            super.paintChildren(graphics);
+            JComponent text = note.component();
+            if (getHeight() < text.getPreferredSize().height) {
+                FontMetrics font = text.getFontMetrics(text.getFont());
+                int left = getWidth() - font.stringWidth(ELLIPSIS);
+                graphics.setColor(panel.getBackground());
+                graphics.fillRect(left, getHeight() - font.getHeight(), getWidth() - left, font.getHeight());
+                graphics.setColor(text.getForeground());
+                graphics.setFont(text.getFont());
+                BasicGraphicsUtils.drawString(
+                        text, (Graphics2D) graphics, ELLIPSIS, left, getHeight() - font.getDescent());
+            }
         }
     }
 }
