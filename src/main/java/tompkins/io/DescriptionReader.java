@@ -204,6 +204,7 @@ final class DescriptionReader {
         keys.addAll(DescriptionTypes.keys(type));
         boolean clear = Refusal.noteUnknownKeys(problems, object, path, keys);
         List<RecordComponent> components = Descriptions.components(type);
+        List<Object> present = Descriptions.values(standard);
         Object[] arguments = new Object[components.size()];
         Set<String> replaced = new HashSet<>();
         for (int i = 0; i < components.size(); i++) {
@@ -211,11 +212,10 @@ final class DescriptionReader {
             String key = component.getName();
             Member member = object.members().get(key);
             if (member != null) {
-                Object present = Descriptions.value(component, standard);
-                arguments[i] = read(component.getGenericType(), member.value(), inner(path, key), present);
+                arguments[i] = read(component.getGenericType(), member.value(), inner(path, key), present.get(i));
             }
             if (arguments[i] == null) {
-                arguments[i] = Descriptions.value(component, standard);
+                arguments[i] = present.get(i);
                 if (member != null) {
                     replaced.add(key);
                 }

@@ -26,6 +26,14 @@ final class DescriptionTypes {
             Lesson.class,
             PicturePoint.class);
 
+    private static final ClassValue<List<String>> MEMBER_NAMES =
+            Descriptions.kept(family -> Descriptions.members(family).stream()
+                    .<String>map(Descriptions::name)
+                    .toList());
+
+    private static final ClassValue<List<String>> KEYS = Descriptions.kept(type ->
+            Descriptions.components(type).stream().map(RecordComponent::getName).toList());
+
     private DescriptionTypes() {}
 
     /** Whether a type is a family, whose members have a key {@code type} in scene files. */
@@ -35,9 +43,7 @@ final class DescriptionTypes {
 
     /** The names of the records of a family. */
     static List<String> memberNames(Class<?> family) {
-        return Descriptions.members(family).stream()
-                .<String>map(Descriptions::name)
-                .toList();
+        return MEMBER_NAMES.get(family);
     }
 
     /** The record of a family that is meant where none is named. */
@@ -47,9 +53,7 @@ final class DescriptionTypes {
 
     /** The keys of a record. */
     static List<String> keys(Class<?> type) {
-        return Descriptions.components(type).stream()
-                .map(RecordComponent::getName)
-                .toList();
+        return KEYS.get(type);
     }
 
     /** The name of a constant in scene files: lower case, with hyphens. */

@@ -66,11 +66,12 @@ final class DescriptionWriter {
         if (named) {
             members.put(DescriptionReader.TYPE, Descriptions.name(record.getClass()));
         }
-        Object standard = Descriptions.standard(record.getClass());
-        for (RecordComponent component : Descriptions.components(record.getClass())) {
-            Object value = Descriptions.value(component, record);
-            if (!value.equals(Descriptions.value(component, standard))) {
-                members.put(component.getName(), tree(component.getGenericType(), value));
+        List<Object> usual = Descriptions.values(Descriptions.standard(record.getClass()));
+        List<RecordComponent> components = Descriptions.components(record.getClass());
+        for (int i = 0; i < usual.size(); i++) {
+            Object value = Descriptions.value(components.get(i), record);
+            if (!value.equals(usual.get(i))) {
+                members.put(components.get(i).getName(), tree(components.get(i).getGenericType(), value));
             }
         }
         return members;

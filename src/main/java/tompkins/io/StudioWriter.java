@@ -52,8 +52,11 @@ public final class StudioWriter {
             held.merge(content.name(), lengthInside(content), Long::sum);
             return false;
         };
-        long length = text(studio, notingLarge(content -> named.add(content.name()), none))
-                        .length()
+        Map<String, Object> members = members(studio, notingLarge(content -> named.add(content.name()), none));
+        if (held.isEmpty()) {
+            return List.copyOf(named);
+        }
+        long length = text(members).length()
                 + held.values().stream().mapToLong(Long::longValue).sum();
         while (length > PhotographInfo.LONGEST_SCENE && !held.isEmpty()) {
             String largest = Collections.max(held.entrySet(), Map.Entry.comparingByValue())
@@ -67,7 +70,7 @@ public final class StudioWriter {
     /** What the meshes of a studio say in their files that is not shown. */
     public static List<String> notes(Studio studio) {
         Set<String> notes = new LinkedHashSet<>();
-        text(studio, content -> {
+        members(studio, content -> {
             if (content instanceof MeshData mesh) {
                 notes.addAll(mesh.detail().notes());
             }
@@ -184,10 +187,19 @@ public final class StudioWriter {
     }
 
     private static String text(Studio studio, Predicate<FileContent> embedded) {
+        return text(members(studio, embedded));
+    }
+
+    private static String text(Map<String, Object> members) {
+        return JsonLayout.text(members) + "\n";
+    }
+
+    /** The keys of a scene file, and their values. */
+    private static Map<String, Object> members(Studio studio, Predicate<FileContent> embedded) {
         Map<String, Object> members = new LinkedHashMap<>();
         members.put(StudioReader.VERSION_KEY, StudioReader.VERSION);
         Object tree = new DescriptionWriter(embedded).tree(Studio.class, studio);
         ((Map<?, ?>) tree).forEach((key, value) -> members.put((String) key, value));
-        return JsonLayout.text(members) + "\n";
+        return members;
     }
 }

@@ -1,5 +1,6 @@
 package tompkins.property;
 
+import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
@@ -8,6 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import java.util.function.Function;
 import java.util.stream.Stream;
 
 /**
@@ -16,15 +18,32 @@ import java.util.stream.Stream;
  */
 public final class Descriptions {
 
-    /** Asking a class for its components takes microseconds, and scenes have many objects. */
-    private static final ClassValue<List<RecordComponent>> COMPONENTS = new ClassValue<>() {
-        @Override
-        protected List<RecordComponent> computeValue(Class<?> type) {
-            return List.of(type.getRecordComponents());
-        }
-    };
+    private static final ClassValue<List<RecordComponent>> COMPONENTS =
+            kept(type -> List.of(type.getRecordComponents()));
+
+    private static final ClassValue<Constructor<?>> CONSTRUCTOR = kept(Descriptions::constructor);
+
+    private static final ClassValue<Standard> STANDARD = kept(Descriptions::readStandard);
+
+    private static final ClassValue<List<Class<?>>> MEMBERS = kept(Descriptions::readMembers);
+
+    /** The usual description of a type, null if there is none, and the values of its components. */
+    private record Standard(Object description, List<Object> values) {}
 
     private Descriptions() {}
+
+    /**
+     * What is asked of a type once and then kept: each question to a class takes microseconds, many more in a program
+     * that has just been started, and scenes have many objects.
+     */
+    public static <T> ClassValue<T> kept(Function<Class<?>, T> answer) {
+        return new ClassValue<>() {
+            @Override
+            protected T computeValue(Class<?> type) {
+                return answer.apply(type);
+            }
+        };
+    }
 
     /** What scene files call a record type. */
     public static String name(Class<?> type) {
@@ -72,22 +91,41 @@ public final class Descriptions {
         }
     }
 
+    /** The values of all components, in their order. */
+    public static List<Object> values(Object description) {
+        Standard standard = STANDARD.get(description.getClass());
+        return description == standard.description ? standard.values : readValues(description);
+    }
+
+    private static List<Object> readValues(Object description) {
+        return components(description.getClass()).stream()
+                .map(component -> value(component, description))
+                .toList();
+    }
+
     /**
      * A record from the values of its components.
      *
      * @throws InvalidPropertyException if the record does not accept them
      */
     public static <R> R make(Class<R> type, Object... values) {
-        Class<?>[] types =
-                components(type).stream().map(RecordComponent::getType).toArray(Class<?>[]::new);
         try {
-            return type.getConstructor(types).newInstance(values);
+            return type.cast(CONSTRUCTOR.get(type).newInstance(values));
         } catch (InvocationTargetException refused) {
             if (refused.getCause() instanceof RuntimeException exception) {
                 throw exception;
             }
             throw new IllegalStateException(type + " cannot be made", refused);
         } catch (ReflectiveOperationException hidden) {
+            throw new IllegalStateException(type + " cannot be made", hidden);
+        }
+    }
+
+    private static Constructor<?> constructor(Class<?> type) {
+        try {
+            return type.getConstructor(
+                    components(type).stream().map(RecordComponent::getType).toArray(Class<?>[]::new));
+        } catch (NoSuchMethodException hidden) {
             throw new IllegalStateException(type + " cannot be made", hidden);
         }
     }
@@ -120,10 +158,19 @@ public final class Descriptions {
 
     /** The constant {@code DEFAULT} of a record type, from which a new description starts. */
     public static Object standard(Class<?> type) {
+        Object standard = STANDARD.get(type).description;
+        if (standard == null) {
+            throw new IllegalStateException(type + " has no DEFAULT");
+        }
+        return standard;
+    }
+
+    private static Standard readStandard(Class<?> type) {
         try {
-            return type.getField("DEFAULT").get(null);
+            Object standard = type.getField("DEFAULT").get(null);
+            return new Standard(standard, readValues(standard));
         } catch (ReflectiveOperationException missing) {
-            throw new IllegalStateException(type + " has no DEFAULT", missing);
+            return new Standard(null, List.of());
         }
     }
 
@@ -135,6 +182,10 @@ public final class Descriptions {
 
     /** The records of a sealed family, in the order in which it names them; the type itself if it is a record. */
     public static List<Class<?>> members(Class<?> family) {
+        return MEMBERS.get(family);
+    }
+
+    private static List<Class<?>> readMembers(Class<?> family) {
         return family.isRecord()
                 ? List.of(family)
                 : Arrays.stream(family.getPermittedSubclasses())

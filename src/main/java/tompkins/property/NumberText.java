@@ -12,6 +12,10 @@ import java.util.regex.Pattern;
 public final class NumberText {
 
     private static final int FEWEST_DIGITS = 2;
+
+    /** No two decimal numbers of so many digits are read as the same bits, if these are not denormalized. */
+    private static final int UNIQUE_DIGITS = 15;
+
     private static final double SMALLEST_PLAIN = 1e-6;
     private static final double LARGEST_PLAIN = 1e9;
 
@@ -70,10 +74,12 @@ public final class NumberText {
      * {@link Double#toString} of Java 17 gives some numbers more digits than they need, such as 2e23.
      */
     private static BigDecimal shortest(double value) {
+        BigDecimal written = new BigDecimal(Double.toString(value)).stripTrailingZeros();
+        if (written.precision() <= UNIQUE_DIGITS && Math.abs(value) >= Double.MIN_NORMAL) {
+            return written;
+        }
         BigDecimal exact = new BigDecimal(value);
-        int digits = Math.max(
-                FEWEST_DIGITS,
-                new BigDecimal(Double.toString(value)).stripTrailingZeros().precision());
+        int digits = Math.max(FEWEST_DIGITS, written.precision());
         BigDecimal shortest = nearest(exact, digits);
         while (digits > FEWEST_DIGITS && nearest(exact, digits - 1).doubleValue() == value) {
             shortest = nearest(exact, --digits);
