@@ -7,7 +7,9 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import javax.swing.SwingUtilities;
 import org.joml.Vector3d;
 import tompkins.image.BufferedImages;
 import tompkins.image.Levels;
@@ -58,10 +60,27 @@ public final class RideBenchmark {
     /** Pictures to compare, second by second. */
     private final List<List<ScreenPicture>> seconds = new ArrayList<>();
 
+    // used by the event thread only
+    private final List<ScreenPicture> kept = new ArrayList<>();
+    private Picture last;
+    private int pictures;
+    private long start;
+    private long length = THRUST_NANOSECONDS;
+    private Consumer<Picture> look = shown -> {};
+
     private RideBenchmark(WindowDriver driver, int thrusts) {
         this.driver = driver;
         this.thrusts = thrusts;
         pilot = driver.window().motion().pilot();
+        PictureCanvas canvas = driver.window().view().canvas();
+        // nothing is asked while pictures come, which would take time from them; they are on the screen once painted
+        canvas.addOverlay((g, picture, bounds, visible, free) -> {
+            if (picture != last) {
+                last = picture;
+                ScreenPicture shown = canvas.shown();
+                SwingUtilities.invokeLater(() -> count(shown));
+            }
+        });
     }
 
     /** Measures scene files, one after the other; the first argument tells how often there is thrust in each. */
@@ -148,7 +167,7 @@ public final class RideBenchmark {
         Velocity before = driver.picture().studio().velocity();
         int answered = answers.size();
         long input = System.nanoTime();
-        WindowDriver.onEventThread(() -> pilot.setThrust(new Vector3d(0, 0, sense)));
+        SwingUtilities.invokeLater(() -> pilot.setThrust(new Vector3d(0, 0, sense)));
         watch(THRUST_NANOSECONDS, shown -> {
             if (answers.size() == answered && !shown.studio().velocity().equals(before)) {
                 answers.add((System.nanoTime() - input) * 1e-6);
@@ -160,27 +179,28 @@ public final class RideBenchmark {
     }
 
     /** Counts pictures for a while, and keeps some of them. */
-    private void watch(long nanoseconds, Consumer<Picture> look) throws InterruptedException {
-        List<ScreenPicture> kept = new ArrayList<>();
-        Picture last = driver.picture();
-        int pictures = 0;
-        long start = System.nanoTime();
-        for (long time = 0; time < nanoseconds; time = System.nanoTime() - start) {
-            ScreenPicture shown = WindowDriver.onEventThread(
-                    () -> driver.window().view().canvas().shown());
-            if (shown.now().studio() != last.studio()) {
-                pictures++;
-                last = shown.now();
-                samples.add(last.samples());
-                look.accept(last);
-                if (kept.size() <= COMPARED * time / nanoseconds) {
-                    kept.add(shown);
-                }
-            }
-            Thread.sleep(1);
+    private void watch(long nanoseconds, Consumer<Picture> listener) throws InterruptedException {
+        WindowDriver.onEventThread(() -> {
+            kept.clear();
+            pictures = 0;
+            start = System.nanoTime();
+            length = nanoseconds;
+            look = listener;
+        });
+        TimeUnit.NANOSECONDS.sleep(nanoseconds);
+        WindowDriver.onEventThread(() -> {
+            rates.add(pictures / ((System.nanoTime() - start) * 1e-9));
+            seconds.add(List.copyOf(kept));
+        });
+    }
+
+    private void count(ScreenPicture shown) {
+        pictures++;
+        samples.add(shown.now().samples());
+        look.accept(shown.now());
+        if (kept.size() <= COMPARED * (System.nanoTime() - start) / length) {
+            kept.add(shown);
         }
-        rates.add(pictures / (nanoseconds * 1e-9));
-        seconds.add(kept);
     }
 
     /** The differences to whole pictures: the root mean square of each second. */
