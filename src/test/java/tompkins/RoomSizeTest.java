@@ -32,12 +32,12 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        26_468),
+                        26_511),
                 arguments("file, image", 4_420),
                 arguments("explain, lesson, measure, animation", 6_307),
                 arguments("io, app", 7_947),
                 arguments("study", 4_550),
-                arguments("ui", 21_358));
+                arguments("ui", 21_391));
     }
 
     @ParameterizedTest

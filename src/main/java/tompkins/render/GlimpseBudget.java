@@ -1,32 +1,57 @@
 package tompkins.render;
 
 /**
- * How many samples a glimpse may have. The greatest speed of late counts: a machine that does other things meanwhile
- * shows fewer pictures, not coarser ones.
+ * How many samples a glimpse may have: as many as let pictures follow each other in the wanted time. That holds all
+ * that a picture needs of the processors, such as painting the one before, so each picture tells how long it took, and
+ * the next ones get more samples or fewer. A machine that does other things meanwhile shows fewer pictures rather than
+ * blurred ones: they get what they could have at the greatest speed of late, until they are good enough.
  */
 final class GlimpseBudget {
 
-    /** With this many samples of a pixel a picture can be looked at. */
-    private static final double GOOD_ENOUGH = 0.2;
+    /** With this many samples of a pixel a picture is good enough to be looked at. */
+    private static final double GOOD_ENOUGH = 0.15;
 
-    /** A picture that is not good enough may take so many times as long as others. */
-    private static final double PATIENCE = 3;
+    /** The rays of a picture that is not good enough may take so many times as long as all of it should. */
+    private static final double PATIENCE = 2.25;
 
     /** What is left of the greatest speed after each picture. */
     private static final double FADING = 0.98;
 
+    /** More samples of a pixel than this show nothing new. */
+    private static final double MOST = 0.4;
+
+    /** The largest factor by which a picture may have more samples than the one before, or fewer. */
+    private static final double STEP = 1.2;
+
     /** Samples in a second. */
     private double rate;
+
+    /** Samples of a pixel that the time allows. */
+    private double share = GOOD_ENOUGH;
 
     /**
      * The most samples of a picture, including its first.
      *
      * @param first how many were taken first
      * @param firstSeconds how long these took
-     * @param seconds how long all may take
+     * @param seconds how long a picture may take
      */
     synchronized long most(long first, double firstSeconds, double seconds, int pixels) {
         rate = Math.max(first / firstSeconds, FADING * rate);
-        return (long) Math.max(rate * seconds, Math.min(GOOD_ENOUGH * pixels, rate * PATIENCE * seconds));
+        double needed = Math.min(GOOD_ENOUGH * pixels, PATIENCE * seconds * rate);
+        return (long) Math.max(share > GOOD_ENOUGH ? share * pixels : 0, needed);
+    }
+
+    /**
+     * Takes note of a picture. One that took much too long may have waited for other programs, so that a single one
+     * changes little.
+     *
+     * @param took how long it took, until the next one could begin, in seconds
+     * @param seconds how long it might have taken
+     */
+    synchronized void ended(double took, double seconds) {
+        // the square root, since only a part of the time is that of the rays, and each picture is another one
+        double change = Math.max(1 / STEP, Math.min(STEP, Math.sqrt(seconds / took)));
+        share = Math.max(GOOD_ENOUGH, Math.min(MOST, share * change));
     }
 }

@@ -187,8 +187,11 @@ public final class RenderJob {
         if (workersEnded.incrementAndGet() == workers) {
             endTime = System.nanoTime();
             end.countDown();
-            whenEnded.accept(this);
-            listener.ended(this);
+            try {
+                listener.ended(this);
+            } finally {
+                whenEnded.accept(this);
+            }
         }
     }
 

@@ -8,6 +8,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import tompkins.studio.RenderSettings;
 import tompkins.trace.RenderPlan;
 
@@ -63,28 +64,42 @@ public final class Renderer implements AutoCloseable {
 
     /**
      * Starts a picture that is seen for a moment: the first samples of a part of the pixels, and what lies between
-     * them. It ends as soon as most of it is right, or after about so many seconds. A picture with stars gets one
-     * sample of each pixel, or the stars would twinkle from one picture to the next. Returns at once.
+     * them. It ends as soon as most of it is right, or after about so many seconds, in which the listener has also
+     * taken it: how many samples that allows is learned from picture to picture. A picture with stars gets one sample
+     * of each pixel, or the stars would twinkle from one picture to the next. Returns at once.
      */
     public RenderJob startGlimpse(RenderPlan plan, double seconds, RenderListener listener) {
         int pixels = plan.width() * plan.height();
         Schedule schedule = plan.hasStars()
                 ? new FixedSchedule(Pass.of(1, 1, false))
                 : new EdgeSchedule((first, taken) -> glimpseBudget.most(first, taken, seconds, pixels));
-        return start(plan, schedule, false, Tile.of(plan.width(), plan.height()), listener);
+        long start = System.nanoTime();
+        return start(plan, schedule, false, Tile.of(plan.width(), plan.height()), listener, job -> {
+            if (job.isComplete()) {
+                glimpseBudget.ended((System.nanoTime() - start) * 1e-9, seconds);
+            }
+        });
     }
 
     /** Starts some tiles of a picture. */
     RenderJob start(RenderPlan plan, Quality quality, boolean coarseFirst, List<Tile> tiles, RenderListener listener) {
         boolean comparesSamples = needsHalves(plan.studio().settings(), quality);
-        return start(plan, schedule(plan, quality, coarseFirst), comparesSamples, tiles, listener);
+        return start(plan, schedule(plan, quality, coarseFirst), comparesSamples, tiles, listener, job -> {});
     }
 
-    /** Starts some tiles of a picture by a schedule. */
+    /** Starts some tiles of a picture by a schedule; {@code afterwards} is called once the listener knows the end. */
     RenderJob start(
-            RenderPlan plan, Schedule schedule, boolean comparesSamples, List<Tile> tiles, RenderListener listener) {
+            RenderPlan plan,
+            Schedule schedule,
+            boolean comparesSamples,
+            List<Tile> tiles,
+            RenderListener listener,
+            Consumer<RenderJob> afterwards) {
         Film film = new Film(plan.width(), plan.height(), plan.exposure(), comparesSamples);
-        RenderJob job = new RenderJob(plan, schedule, film, tiles, threads, listener, jobs::remove);
+        RenderJob job = new RenderJob(plan, schedule, film, tiles, threads, listener, ended -> {
+            jobs.remove(ended);
+            afterwards.accept(ended);
+        });
         jobs.add(job);
         try {
             for (int worker = 0; worker < threads; worker++) {

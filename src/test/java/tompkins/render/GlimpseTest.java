@@ -44,7 +44,8 @@ class GlimpseTest {
                 new EdgeSchedule((first, seconds) -> (long) (samples * WIDTH * HEIGHT)),
                 false,
                 Tile.of(WIDTH, HEIGHT),
-                RenderListener.NONE);
+                RenderListener.NONE,
+                ended -> {});
         job.await();
         return job;
     }
@@ -130,30 +131,52 @@ class GlimpseTest {
         assertThat(edges).isGreaterThan(100);
     }
 
+    /** With 0.15 samples of a pixel it can be looked at, if the rays take no longer than 2.25 times a picture. */
     @Test
-    void fasterPicturesGetMoreSamples() {
-        GlimpseBudget budget = new GlimpseBudget();
-        assertThat(budget.most(1000, 1e-3, 0.02, 50_000)).isEqualTo(20_000);
-        assertThat(budget.most(2000, 1e-3, 0.02, 50_000)).isEqualTo(40_000);
+    void aPictureGetsEnoughToBeLookedAt() {
+        assertThat(new GlimpseBudget().most(1000, 1e-3, 0.02, 100_000)).isEqualTo(15_000);
+        assertThat(new GlimpseBudget().most(100, 1e-3, 0.02, 100_000)).isCloseTo(4_500, within(1L));
     }
 
-    /** With a fifth of the pixels it can be looked at, for which it may take three times as long. */
+    /** Pictures of 10 ms and 2 microseconds for each sample fit into 60 ms with 25 000 samples. */
     @Test
-    void aPictureMayTakeLongerToBeGoodEnough() {
-        assertThat(new GlimpseBudget().most(500, 1e-3, 0.02, 100_000)).isEqualTo(20_000);
+    void samplesFillTheTimeThatIsThere() {
+        GlimpseBudget budget = new GlimpseBudget();
+        assertThat(settled(budget, 60, 0.01, 2e-6)).isCloseTo(25_000, within(250L));
+        // twice as fast from now on; there are never more than 0.4 samples of a pixel
+        assertThat(settled(budget, 60, 0.01, 1e-6)).isCloseTo(40_000, within(1L));
+        // too slow for pictures that are good enough: these come less often
+        assertThat(settled(budget, 60, 0.01, 8e-6)).isEqualTo(15_000);
+    }
+
+    /** A single picture that waited for something else changes the next one by a sixth. */
+    @Test
+    void oneSlowPictureChangesLittle() {
+        GlimpseBudget budget = new GlimpseBudget();
+        settled(budget, 60, 0.01, 2e-6);
+        budget.ended(3, 0.06);
+        assertThat(budget.most(1000, 1e-3, 0.06, 100_000)).isCloseTo(25_000 * 5 / 6, within(250L));
+    }
+
+    private static long settled(GlimpseBudget budget, int pictures, double fixed, double each) {
+        long samples = 0;
+        for (int i = 0; i < pictures; i++) {
+            samples = budget.most(1000, 1e-3, 0.06, 100_000);
+            budget.ended(fixed + each * samples, 0.06);
+        }
+        return samples;
     }
 
     /** A slow moment is not taken for a slow machine; a slow scene is, after some time. */
     @Test
     void slownessCountsOnceItLasts() {
         GlimpseBudget budget = new GlimpseBudget();
-        budget.most(1000, 1e-3, 0.02, 50_000);
-        assertThat(budget.most(1000, 1e-2, 0.02, 50_000)).isEqualTo(19_600);
+        budget.most(1000, 1e-3, 0.02, 1_000_000);
+        assertThat(budget.most(1000, 1e-2, 0.02, 1_000_000)).isCloseTo(44_100, within(1L));
         long last = 0;
         for (int i = 0; i < 200; i++) {
-            last = budget.most(1000, 1e-2, 0.02, 50_000);
+            last = budget.most(1000, 1e-2, 0.02, 1_000_000);
         }
-        // three times the time, because fewer than 0.2 samples of a pixel fit in
-        assertThat(last).isCloseTo(6000, within(1L));
+        assertThat(last).isCloseTo(4500, within(1L));
     }
 }

@@ -101,7 +101,7 @@ public final class ComparedPicture implements AutoCloseable {
 
     /** Who steers looks at the picture in front of him: the other one gets a part of the time. */
     private boolean mayRender() {
-        boolean goesOn = pace.get() == Pace.RIDE && asked == Pace.RIDE;
+        boolean goesOn = pace.get().isGlimpse() && asked != null && asked.isGlimpse();
         return !goesOn || !controller.isBusy() && System.nanoTime() - again >= 0;
     }
 
@@ -118,9 +118,9 @@ public final class ComparedPicture implements AutoCloseable {
     /** Whether the picture would be that of before: on a ride only time may go on, and nothing change with it. */
     private boolean looksAsBefore(Studio wanted) {
         if (wanted.equals(studio)) {
-            return asked == pace.get() || asked != Pace.RIDE;
+            return !asked.isGlimpse() || pace.get().isGlimpse();
         }
-        if (pace.get() != Pace.RIDE
+        if (!pace.get().isGlimpse()
                 || shown == null
                 || !shown.studio().equals(studio)
                 || !shown.plan().isStill()) {

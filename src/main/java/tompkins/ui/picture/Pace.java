@@ -17,7 +17,12 @@ public enum Pace {
      * Pictures follow each other while somebody steers: each is a {@link tompkins.render.Renderer#startGlimpse
      * glimpse}, as good as more than thirty a second allow, and shown once.
      */
-    RIDE(Duration.ofMillis(20), Duration.ZERO, 0);
+    RIDE(Duration.ofMillis(28), Duration.ZERO, 0),
+
+    /**
+     * The first picture after thrust has changed on a ride: a glimpse, before which the one in the making is dropped.
+     */
+    ANSWER(Duration.ofMillis(28), Duration.ZERO, 0);
 
     private final long patience;
     private final long frame;
@@ -30,11 +35,11 @@ public enum Pace {
     }
 
     /** Whether each picture is a glimpse. */
-    boolean isGlimpse() {
+    public boolean isGlimpse() {
         return enough == 0;
     }
 
-    /** How long the rays of a glimpse may take, in seconds. */
+    /** How long a glimpse may take, in seconds. */
     double glimpseSeconds() {
         return patience * 1e-9;
     }
@@ -49,9 +54,9 @@ public enum Pace {
         return samples < enough && finerAfter < patience;
     }
 
-    /** Whether a picture that was shown may be replaced by a newer one some nanoseconds after it was begun. */
-    boolean givesWay(long age) {
-        return age >= frame;
+    /** How many nanoseconds after its beginning a picture that was shown may be replaced by a newer one. */
+    long frame() {
+        return frame;
     }
 
     /** The least time in nanoseconds before a picture that has nothing to show may be replaced. */

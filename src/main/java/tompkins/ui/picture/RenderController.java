@@ -3,8 +3,8 @@ package tompkins.ui.picture;
 import java.awt.Dimension;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import tompkins.render.Quality;
 import tompkins.render.RenderJob;
@@ -26,9 +26,6 @@ public final class RenderController implements AutoCloseable {
      * that something is seen at last.
      */
     private static final Duration LONGEST_WAIT = Duration.ofMillis(80);
-
-    /** How often to check whether a picture may be replaced. */
-    private static final Duration POLL = Duration.ofMillis(1);
 
     /** The sum of the parts of the work may miss 1 by its rounding. */
     private static final double ALMOST_ONE = 1 - 1e-9;
@@ -84,6 +81,11 @@ public final class RenderController implements AutoCloseable {
         stopped = false;
         wanted.set(request);
         planner.submit(request);
+        Run running = run;
+        if (pace == Pace.ANSWER && running != null && running.request.pace == Pace.RIDE) {
+            running.job.cancel();
+            running.tellWaiting();
+        }
     }
 
     /** Ends the work on the picture; what is there stays. */
@@ -153,10 +155,9 @@ public final class RenderController implements AutoCloseable {
         if (running == null || running.job.isCancelled()) {
             return;
         }
-        while (!running.mayEnd(longestWait)) {
-            LockSupport.parkNanos(POLL.toNanos());
-        }
-        longestWait = running.shown || running.ended ? LONGEST_WAIT.toNanos() : 2 * longestWait;
+        running.awaitChance(longestWait);
+        boolean hadChance = running.shown || running.ended || running.job.isCancelled();
+        longestWait = hadChance ? LONGEST_WAIT.toNanos() : 2 * longestWait;
         running.job.cancel();
     }
 
@@ -181,11 +182,25 @@ public final class RenderController implements AutoCloseable {
             this.request = request;
         }
 
-        boolean mayEnd(long longestWait) {
-            long age = System.nanoTime() - startTime;
-            return ended
-                    || shown && request.pace.givesWay(age)
-                    || age >= Math.max(longestWait, request.pace.shortestChance());
+        /** Waits until the next picture may replace this one. */
+        synchronized void awaitChance(long longestWait) {
+            try {
+                for (long left = left(longestWait); left > 0; left = left(longestWait)) {
+                    TimeUnit.NANOSECONDS.timedWait(this, left);
+                }
+            } catch (InterruptedException closing) {
+                Thread.currentThread().interrupt();
+            }
+        }
+
+        /** How many nanoseconds it may still take, as things stand. */
+        private long left(long longestWait) {
+            long all = shown ? request.pace.frame() : Math.max(longestWait, request.pace.shortestChance());
+            return ended || job.isCancelled() ? 0 : all - (System.nanoTime() - startTime);
+        }
+
+        private synchronized void tellWaiting() {
+            notifyAll();
         }
 
         @Override
@@ -205,12 +220,15 @@ public final class RenderController implements AutoCloseable {
 
         @Override
         public void ended(RenderJob rendered) {
-            ended = true;
+            // a glimpse is put together before the next one takes the processors
+            ended = !request.pace.isGlimpse();
             if (rendered.failure() != null) {
                 fail(request, rendered.failure());
             } else if (rendered.isComplete()) {
                 deliverLast(rendered, wanted.compareAndSet(request, null));
             }
+            ended = true;
+            tellWaiting();
         }
 
         /** Delivers the last image, for which there may be no memory, because it is the largest. */
@@ -259,6 +277,7 @@ public final class RenderController implements AutoCloseable {
                 }
             }
             shown = true;
+            tellWaiting();
         }
     }
 }

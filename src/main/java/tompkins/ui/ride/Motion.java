@@ -101,7 +101,7 @@ public final class Motion {
 
     /** How soon a picture of a change has to come. */
     public Pace pace() {
-        return pilot.isRiding() ? Pace.RIDE : isPlaying() ? Pace.FILM : Pace.HAND;
+        return pilot.isAnswering() ? Pace.ANSWER : pilot.isRiding() ? Pace.RIDE : isPlaying() ? Pace.FILM : Pace.HAND;
     }
 
     /** Pauses what moves by itself. */

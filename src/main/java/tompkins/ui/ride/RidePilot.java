@@ -39,6 +39,7 @@ public final class RidePilot {
     private final Timer timer = new Timer(TICK_MILLISECONDS, event -> tick());
     private final Vector3d wish = new Vector3d();
     private boolean braking;
+    private boolean answering;
     private double unitsPerSecond = 1;
     private RideKeyboard keyboard = RideKeyboard.common().get(0);
 
@@ -113,25 +114,32 @@ public final class RidePilot {
 
     /** Where thrust is wished, at once: each component from -1 to 1, to the right, up and forwards. */
     public void setThrust(Vector3dc direction) {
-        wish.set(direction);
-        if (direction.lengthSquared() > 0) {
-            braking = false;
-        }
-        if (isRiding()) {
-            tick();
-        }
+        steer(direction, braking && direction.lengthSquared() == 0);
     }
 
     /** Ends thrust and braking. */
     public void stopThrust() {
-        wish.zero();
-        braking = false;
+        steer(new Vector3d(), false);
     }
 
     /** Brakes until the camera is at rest in the scene. */
     public void brake() {
-        wish.zero();
-        braking = true;
+        steer(new Vector3d(), true);
+    }
+
+    private void steer(Vector3dc direction, boolean brakes) {
+        wish.set(direction);
+        braking = brakes;
+        if (isRiding()) {
+            answering = true;
+            tick();
+            answering = false;
+        }
+    }
+
+    /** Whether the present change answers a hand, and has to be seen as soon as possible. */
+    boolean isAnswering() {
+        return answering;
     }
 
     /** What to try on the ride. */
@@ -144,7 +152,8 @@ public final class RidePilot {
         if (recorder != null) {
             setRecording(false);
         } else if (start != null && moment() != null) {
-            stopThrust();
+            wish.zero();
+            braking = false;
             film = null;
             moment = RideMoment.start(model.studio().withCamera(start.camera()).withVelocity(start.velocity()));
             task.restart(true);

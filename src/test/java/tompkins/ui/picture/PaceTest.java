@@ -13,8 +13,7 @@ class PaceTest {
         assertThat(Pace.HAND.waits(1 / 64.0, 29 * MILLISECOND)).isTrue();
         assertThat(Pace.HAND.waits(1 / 64.0, 31 * MILLISECOND)).isFalse();
         assertThat(Pace.HAND.waits(1, 29 * MILLISECOND)).isTrue();
-        assertThat(Pace.HAND.givesWay(29 * MILLISECOND)).isFalse();
-        assertThat(Pace.HAND.givesWay(31 * MILLISECOND)).isTrue();
+        assertThat(Pace.HAND.frame()).isEqualTo(30 * MILLISECOND);
     }
 
     @Test
@@ -22,6 +21,6 @@ class PaceTest {
         assertThat(Pace.FILM.waits(1 / 64.0, 79 * MILLISECOND)).isTrue();
         assertThat(Pace.FILM.waits(1 / 64.0, 81 * MILLISECOND)).isFalse();
         assertThat(Pace.FILM.waits(1, 40 * MILLISECOND)).isFalse();
-        assertThat(Pace.FILM.givesWay(MILLISECOND)).isTrue();
+        assertThat(Pace.FILM.frame()).isEqualTo(0);
     }
 }

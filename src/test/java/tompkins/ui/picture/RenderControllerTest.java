@@ -144,6 +144,23 @@ class RenderControllerTest {
         assertThat(last().samples()).isEqualTo(studio.settings().samples());
     }
 
+    /** A picture that has nothing to show is waited for, unless a hand wants another one at once. */
+    @Test
+    void theAnswerToThrustDoesNotWait() throws InterruptedException {
+        show(controller, mirrors(0), Pace.RIDE);
+        await(() -> controller.progress() > 0);
+        long shortest = Long.MAX_VALUE;
+        for (int i = 1; i <= 8; i++) {
+            pictures.clear();
+            show(controller, mirrors(i), Pace.RIDE);
+            Thread.sleep(1);
+            show(controller, Studios.sphere(), Pace.ANSWER);
+            await(() -> !pictures.isEmpty());
+            shortest = Math.min(shortest, last().time().toMillis());
+        }
+        assertThat(shortest).isLessThan(50);
+    }
+
     private double firstSamples(Studio studio, Pace pace) throws InterruptedException {
         controller.stop();
         await(() -> !controller.isBusy());
@@ -166,15 +183,20 @@ class RenderControllerTest {
     @ParameterizedTest
     @EnumSource
     void aPictureIsSeenWhileThingsMoveHoweverLongItTakes(Pace pace) throws InterruptedException {
-        Studio mirrors = Studios.sphere()
-                .withScene(List.of(new Sphere("mirror", new Vector3d(0.5, 0, 0), 3, new Mirror(1))))
-                .withSettings(new RenderSettings(320, 240, 1, 0, 1, 5_000, ToneCurve.LINEAR));
         int changes = 0;
         while (pictures.isEmpty()) {
-            show(controller, mirrors.withVelocity(Velocity.of(0, 0, ++changes * 1e-4)), pace);
+            show(controller, mirrors(++changes), pace);
             Thread.sleep(20);
         }
         assertThat(last().complete()).isFalse();
+    }
+
+    /** In a ball of perfect mirrors, at a speed that tells pictures from each other. */
+    private static Studio mirrors(int number) {
+        return Studios.sphere()
+                .withScene(List.of(new Sphere("mirror", new Vector3d(0.5, 0, 0), 3, new Mirror(1))))
+                .withSettings(new RenderSettings(320, 240, 1, 0, 1, 5_000, ToneCurve.LINEAR))
+                .withVelocity(Velocity.of(0, 0, number * 1e-4));
     }
 
     @Test
