@@ -93,8 +93,7 @@ public final class RidePanel extends Part {
         panel.add(replay);
         panel.add(export);
         panel.add(rides, "gapleft push, wmin 0");
-        panel.add(LawPanel.quickColours(model), "newline, span, wrap");
-        panel.add(LawPanel.quickView(model), "span, split 2");
+        panel.add(LawPanel.quickView(model), "newline, span, split 2");
         JPanel letters = Rows.of("gap 6", "push[][]");
         Rows.add(letters, Texts.get("ride.keyboard"), keyboard, "wmin 0");
         panel.add(letters, "growx, wmin 0, wrap");
