@@ -72,6 +72,21 @@ public final class SamplePositions {
     }
 
     /**
+     * Adds another position than one of some samples. The rest is as there, and so is the pixel, whose line of a
+     * rolling shutter it keeps.
+     *
+     * @param pictureX as for {@link #add}, and so is pictureY; it may lie outside the edges
+     */
+    public void addBeside(SamplePositions others, int index, double pictureX, double pictureY) {
+        x[count] = pictureX;
+        y[count] = pictureY;
+        lensX[count] = others.lensX[index];
+        lensY[count] = others.lensY[index];
+        moments[count] = others.moments[index];
+        addPixel(others.columns[index], others.rows[index]);
+    }
+
+    /**
      * Chooses a position in a pixel that was added.
      *
      * @param acrossPixel from 0 to 1

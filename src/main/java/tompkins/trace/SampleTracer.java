@@ -35,9 +35,6 @@ public final class SampleTracer {
     private final RayCounts counts;
     private final PathObserver observer;
 
-    /** The opening angles with which the rays of the samples have left the camera. */
-    private final double[] spreads;
-
     private final SamplePositions places = new SamplePositions(RayPacket.MOST);
     private final RayPacket rays = new RayPacket(RayPacket.MOST);
 
@@ -93,7 +90,6 @@ public final class SampleTracer {
         this.cameraTracer = cameraTracer;
         this.sceneEntry = sceneEntry;
         this.stars = stars;
-        spreads = new double[stars == null ? 0 : RayPacket.MOST];
         this.counts = counts;
         this.observer = observer;
     }
@@ -129,15 +125,16 @@ public final class SampleTracer {
      * @param moment the part of the exposure time that has passed, from 0 to 1
      */
     public Colour sample(double x, double y, double lensX, double lensY, double moment) {
-        EyeView seeing = pictureRays.view(x, y);
-        return sample(seeing, x - seeing.column(), y - seeing.row(), lensX, lensY, moment);
+        begin(pictureRays.view(x, y));
+        places.add(x - eye.column(), y - eye.row(), lensX, lensY, moment);
+        return single();
     }
 
-    /** As {@link #sample(double, double, double, double, double)}, in the picture of an eye and in its pixels. */
-    Colour sample(EyeView seeing, double x, double y, double lensX, double lensY, double moment) {
+    /** Takes a sample of an eye's picture at another place (x, y) in its pixels. */
+    void sampleBeside(EyeView seeing, SamplePositions others, int sample, double x, double y) {
         begin(seeing);
-        places.add(x, y, lensX, lensY, moment);
-        return single();
+        places.addBeside(others, sample, x, y);
+        single();
     }
 
     private void begin(EyeView next) {
@@ -162,11 +159,6 @@ public final class SampleTracer {
         if (narrowing != 1) {
             rays.narrow(narrowing);
         }
-        if (stars != null) {
-            for (int i = 0; i < rays.count(); i++) {
-                spreads[rays.sample(i)] = rays.spread[i];
-            }
-        }
     }
 
     /**
@@ -189,7 +181,7 @@ public final class SampleTracer {
         }
         Ray ray = rays.ray(0);
         if (stars != null) {
-            stars.begin(eye, places, 0, spreads[0]);
+            stars.begin(eye, places, 0);
         }
         return finite(cameraTracer == null ? sceneEntry.colour(ray) : cameraTracer.colourOf(ray));
     }
@@ -328,7 +320,7 @@ public final class SampleTracer {
         column = eye.column() + places.column(sample);
         row = eye.row() + places.row(sample);
         if (stars != null) {
-            stars.begin(eye, places, sample, spreads[sample]);
+            stars.begin(eye, places, sample);
         }
         return !taker.isStopped();
     }

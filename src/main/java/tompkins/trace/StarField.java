@@ -23,9 +23,6 @@ import tompkins.world.SeenFrame;
  */
 final class StarField {
 
-    /** Of a caustic, where a bundle has no width, a spot is so narrow, in radians, and no narrower. */
-    private static final double NARROWEST = 1e-6;
-
     private final StarSky sky;
     private final PictureRays pictures;
     private final LightShift shift;
@@ -99,46 +96,20 @@ final class StarField {
         return points.get(pictures.number(eye)).light(column, row);
     }
 
-    /**
-     * The light of stars in the direction of a ray that leaves the scene.
-     *
-     * @param pixelAngle the angle of a pixel, in the camera frame
-     * @param growth opening angle of the ray divided by that with which it left the camera
-     */
-    Colour along(Ray ray, double pixelAngle, double growth) {
-        double deviation = Math.max(NARROWEST, StarPoints.DEVIATION * pixelAngle * Math.abs(growth));
+    /** Visits the stars whose distance from the direction of a ray that leaves the scene is below a radius. */
+    void visit(Ray ray, double radius, StarMap.Visitor visitor) {
+        map.visit(ray.dx, ray.dy, ray.dz, radius, visitor);
+    }
+
+    /** The light of a star that a ray brings which leaves the scene in its direction: radiance times solid angle. */
+    Colour light(int star, Ray ray) {
         // windows leave the light of a star as it is, and so does motion unless the light is shifted
         double turned = ray.angleFactor * (shift == null ? ray.directionLength : 1);
-        double scale = 1 / (turned * turned * deviation * deviation);
-        Sum sum = new Sum(1 / (deviation * deviation), scale, 1 / ray.frequency, ray.directionLength);
-        map.visit(ray.dx, ray.dy, ray.dz, StarPoints.EDGE * deviation, sum);
-        return sum.light;
+        return light(star, 1 / ray.frequency, ray.directionLength).times(solidAngles[star] / (turned * turned));
     }
 
     /** The solid angle of a pixel of an eye's picture, in steradians. */
     double solidAngle(EyeView eye, int column, int row) {
         return pictures.of(eye).solidAngle(column, row);
-    }
-
-    private final class Sum implements StarMap.Visitor {
-
-        private final double inverseVariance;
-        private final double scale;
-        private final double dopplerFactor;
-        private final double directionLength;
-        private Colour light = Colour.BLACK;
-
-        Sum(double inverseVariance, double scale, double dopplerFactor, double directionLength) {
-            this.inverseVariance = inverseVariance;
-            this.scale = scale;
-            this.dopplerFactor = dopplerFactor;
-            this.directionLength = directionLength;
-        }
-
-        @Override
-        public void take(int star, double square) {
-            double share = scale * StarPoints.bell(square * inverseVariance);
-            light = light.plus(light(star, dopplerFactor, directionLength).times(share * solidAngles[star]));
-        }
     }
 }

@@ -32,10 +32,8 @@ final class StarMap {
     /** Takes the stars near a direction. */
     interface Visitor {
 
-        /**
-         * Takes a star, and the square of its distance from the direction, which is that of the angle if it is small.
-         */
-        void take(int star, double square);
+        /** Takes a star and its direction. */
+        void take(int star, double starX, double starY, double starZ);
     }
 
     /** Visits all stars whose distance from a unit vector is below a radius. */
@@ -60,7 +58,7 @@ final class StarMap {
             double asideZ = z[star] - dz;
             double square = asideX * asideX + asideY * asideY + asideZ * asideZ;
             if (square < radius * radius) {
-                visitor.take(star, square);
+                visitor.take(star, x[star], y[star], z[star]);
             }
         }
     }

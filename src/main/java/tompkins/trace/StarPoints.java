@@ -18,15 +18,16 @@ import tompkins.ray.Colour;
 final class StarPoints {
 
     /** Standard deviation of a spot, in pixels. With less the sum over pixels would depend on the place of the star. */
-    static final double DEVIATION = 0.7;
+    private static final double DEVIATION = 0.7;
 
     /** So many standard deviations from its middle a spot ends, with 0.03 % of its light beyond. */
-    static final double EDGE = 4;
+    private static final double EDGE = 4;
 
     /** Width and height of a cell, in pixels. */
     private static final int CELL = 8;
 
-    private static final double RADIUS = EDGE * DEVIATION;
+    /** So far, in pixels, a spot reaches from its middle. */
+    static final double RADIUS = EDGE * DEVIATION;
 
     private final CameraRays camera;
     private final int cellsAcross;
@@ -99,13 +100,14 @@ final class StarPoints {
         return sum == null ? Colour.BLACK : sum.times(1 / camera.solidAngle(column, row));
     }
 
-    private static double share(double dx, double dy) {
+    /**
+     * The share of a star's light that a pixel gets.
+     *
+     * @param dx from the star to the centre of the pixel, in pixels
+     * @param dy as dx, downwards
+     */
+    static double share(double dx, double dy) {
         double square = (dx * dx + dy * dy) / (DEVIATION * DEVIATION);
-        return square < EDGE * EDGE ? bell(square) / (DEVIATION * DEVIATION) : 0;
-    }
-
-    /** The bell curve of two dimensions, of the square of the distance from its middle in standard deviations. */
-    static double bell(double square) {
-        return Math.exp(-square / 2) / (2 * Math.PI);
+        return square < EDGE * EDGE ? Math.exp(-square / 2) / (2 * Math.PI * DEVIATION * DEVIATION) : 0;
     }
 }

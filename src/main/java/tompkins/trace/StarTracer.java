@@ -6,36 +6,67 @@ import tompkins.camera.SamplePositions;
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
+import tompkins.trace.NearbyRays.Leaving;
 
-/** The light of rays that leave all objects of a scene under a sky of stars. One for each thread. */
-final class StarTracer implements EscapedLight {
+/**
+ * The light of rays that leave all objects of a scene under a sky of stars. One for each thread.
+ *
+ * <p>Behind mirrors, windows and glass the place in the picture at which a star is seen is sought by Newton's method
+ * with real rays, and the star is drawn there as one that is seen directly. So its light depends neither on where in
+ * the pixel samples lie, nor on where in a pixel the star stands, however the surfaces are curved.
+ */
+final class StarTracer implements EscapedLight, StarMap.Visitor {
+
+    /** The largest angle in which a star is sought, in radians. */
+    private static final double WIDEST = 1;
+
+    /** So far from the middle of a pixel stars are sought, in pixels: more than their spots, where ways are curved. */
+    private static final double REACH = StarPoints.RADIUS + 0.5;
+
+    /** By this part of a step directions may differ from those of the slope at its start. */
+    private static final double LINEAR = 0.003;
+
+    /** For rays that bring no more than this, such as those that glass mirrors, the slope of the sample is enough. */
+    private static final double FAINT = 0.05;
+
+    /** A step so short, in pixels, leads to the star. */
+    private static final double SHORT = 0.02;
+
+    /** So many rays are tried; at an edge about half of them lead beyond it. */
+    private static final int TRIES = 16;
 
     private final StarField stars;
-    private final CentreRays centre;
+    private final NearbyRays nearby;
     private final Ray memory = Ray.blank();
+    private final Leaving here = new Leaving();
+    private final Leaving there = new Leaving();
+    private final Leaving aside = new Leaving();
+    private final SkySlope first = new SkySlope();
+    private final SkySlope[] next = {new SkySlope(), new SkySlope()};
     private EyeView eye;
     private int column;
     private int row;
-    private double spread;
+    private boolean known;
+    private long way;
+    private Colour sum;
 
     /** The light of stars; the function makes a tracer of the same picture, without them, that an observer watches. */
     StarTracer(StarField stars, Function<PathObserver, SampleTracer> tracerFor) {
         this.stars = stars;
-        centre = new CentreRays(tracerFor);
+        nearby = new NearbyRays(tracerFor);
     }
 
     /**
      * Begins with a sample.
      *
      * @param seeing the eye in whose picture the places are
-     * @param newSpread the opening angle with which its ray has left the camera
      */
-    void begin(EyeView seeing, SamplePositions places, int sample, double newSpread) {
+    void begin(EyeView seeing, SamplePositions places, int sample) {
         eye = seeing;
         column = places.column(sample);
         row = places.row(sample);
-        spread = newSpread;
-        centre.begin(seeing, places, sample);
+        known = false;
+        nearby.begin(seeing, places, sample);
     }
 
     @Override
@@ -58,10 +89,87 @@ final class StarTracer implements EscapedLight {
         if (stars.isDirect(ray)) {
             return stars.direct(eye, column, row);
         }
-        Ray central = centre.insteadOf(ray);
-        double pixelAngle = Math.sqrt(stars.solidAngle(eye, column, row));
-        return central == null
-                ? stars.along(ray, pixelAngle, ray.spread / spread)
-                : stars.along(central, pixelAngle, central.spread / centre.spread());
+        if (!known) {
+            known = true;
+            nearby.at(nearby.x(), nearby.y(), here);
+        }
+        int number = here.like(ray);
+        if (number < 0) {
+            return Colour.BLACK;
+        }
+        way = here.way(number);
+        if (!first.measure(nearby, nearby.x(), nearby.y(), here, here.ray(number), way, aside)) {
+            return Colour.BLACK;
+        }
+        sum = Colour.BLACK;
+        // the sample is not in the middle of its pixel
+        stars.visit(ray, Math.min(WIDEST, (REACH + 1) * first.steepest()), this);
+        return sum.times(1 / stars.solidAngle(eye, column, row));
+    }
+
+    @Override
+    public void take(int star, double starX, double starY, double starZ) {
+        SkySlope slope = first;
+        slope.aim(slope.ray(), starX, starY, starZ);
+        double stepX = slope.stepX();
+        double stepY = slope.stepY();
+        double part = 1;
+        boolean isFaint = slope.ray().throughput < FAINT;
+        boolean beyondEdge = isFaint;
+        for (int i = 0; i < TRIES && !isFaint && isNear(slope.x() + stepX, slope.y() + stepY); i++) {
+            double x = slope.x() + part * stepX;
+            double y = slope.y() + part * stepY;
+            Ray found = nearby.at(x, y, there).onWay(way, slope.ray());
+            beyondEdge = found == null;
+            if (beyondEdge) {
+                part /= 2;
+                continue;
+            }
+            slope.aim(found, starX, starY, starZ);
+            double length = Math.hypot(stepX, stepY);
+            double remainderX = slope.stepX() - (1 - part) * stepX;
+            double remainderY = slope.stepY() - (1 - part) * stepY;
+            if (Math.hypot(remainderX, remainderY) <= LINEAR * part * length
+                    && Math.abs(turn(found) / turn(slope.ray()) - 1) <= LINEAR) {
+                add(star, found, slope, x + slope.stepX(), y + slope.stepY());
+                return;
+            }
+            SkySlope nearer = slope == next[0] ? next[1] : next[0];
+            if (Math.hypot(slope.stepX(), slope.stepY()) >= length
+                    || !nearer.measure(nearby, x, y, there, found, way, aside)) {
+                part /= 2;
+                continue;
+            }
+            slope = nearer;
+            slope.aim(slope.ray(), starX, starY, starZ);
+            stepX = slope.stepX();
+            stepY = slope.stepY();
+            part = 1;
+            if (Math.hypot(stepX, stepY) < SHORT) {
+                add(star, slope.ray(), slope, x + stepX, y + stepY);
+                return;
+            }
+        }
+        if (beyondEdge) {
+            // as if what shows the star went on beyond its edge
+            add(star, slope.ray(), slope, slope.x() + stepX, slope.y() + stepY);
+        }
+    }
+
+    private static double turn(Ray ray) {
+        return ray.angleFactor * ray.directionLength;
+    }
+
+    private boolean isNear(double x, double y) {
+        return Math.hypot(x - column - 0.5, y - row - 0.5) < REACH;
+    }
+
+    /** Adds the light of a star at a place, of which a ray there brings as much as it can. */
+    private void add(int star, Ray ray, SkySlope slope, double x, double y) {
+        double share = StarPoints.share(column + 0.5 - x, row + 0.5 - y);
+        if (share > 0) {
+            double brought = ray.throughput / first.ray().throughput;
+            sum = sum.plus(stars.light(star, slope.ray()).times(share * brought * slope.magnification()));
+        }
     }
 }
