@@ -9,7 +9,7 @@ package tompkins.render;
 final class GlimpseBudget {
 
     /** With this many samples of a pixel a picture is good enough to be looked at. */
-    private static final double GOOD_ENOUGH = 0.15;
+    private static final double GOOD_ENOUGH = 0.165;
 
     /** The rays of a picture that is not good enough may take so many times as long as all of it should. */
     private static final double PATIENCE = 2.25;

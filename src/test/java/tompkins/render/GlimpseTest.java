@@ -131,10 +131,10 @@ class GlimpseTest {
         assertThat(edges).isGreaterThan(100);
     }
 
-    /** With 0.15 samples of a pixel it can be looked at, if the rays take no longer than 2.25 times a picture. */
+    /** With 0.165 samples of a pixel it can be looked at, if the rays take no longer than 2.25 times a picture. */
     @Test
     void aPictureGetsEnoughToBeLookedAt() {
-        assertThat(new GlimpseBudget().most(1000, 1e-3, 0.02, 100_000)).isEqualTo(15_000);
+        assertThat(new GlimpseBudget().most(1000, 1e-3, 0.02, 100_000)).isEqualTo(16_500);
         assertThat(new GlimpseBudget().most(100, 1e-3, 0.02, 100_000)).isCloseTo(4_500, within(1L));
     }
 
@@ -146,7 +146,7 @@ class GlimpseTest {
         // twice as fast from now on; there are never more than 0.4 samples of a pixel
         assertThat(settled(budget, 60, 0.01, 1e-6)).isCloseTo(40_000, within(1L));
         // too slow for pictures that are good enough: these come less often
-        assertThat(settled(budget, 60, 0.01, 8e-6)).isEqualTo(15_000);
+        assertThat(settled(budget, 60, 0.01, 8e-6)).isEqualTo(16_500);
     }
 
     /** A single picture that waited for something else changes the next one by a sixth. */
