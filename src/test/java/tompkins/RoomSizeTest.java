@@ -32,7 +32,7 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        26_795),
+                        26_840),
                 arguments("file, image", 4_420),
                 arguments("explain, lesson, measure, animation", 6_307),
                 arguments("io, app", 7_947),

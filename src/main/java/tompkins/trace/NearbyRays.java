@@ -29,10 +29,14 @@ final class NearbyRays implements PathObserver {
     private EyeView eye;
     private SamplePositions places;
     private int sample;
+
+    /** The number of samples begun so far. */
+    private long begun;
+
     private Leaving current;
     private long way;
 
-    /** The rays of one place of the picture that leave the scene. Memory that is used again. */
+    /** The rays of one place of the picture that leave the scene. Memory that is used again for other places. */
     static final class Leaving {
 
         /** The direction in which all have left the camera. */
@@ -41,6 +45,22 @@ final class NearbyRays implements PathObserver {
         private final List<Ray> rays = new ArrayList<>();
         private long[] ways = new long[8];
         private int count;
+
+        // the place, and the sample that it belongs to
+        private double x;
+        private double y;
+        private long begun;
+
+        private boolean isAt(double newX, double newY, long newBegun) {
+            return x == newX && y == newY && begun == newBegun;
+        }
+
+        private void begin(double newX, double newY, long newBegun) {
+            x = newX;
+            y = newY;
+            begun = newBegun;
+            count = 0;
+        }
 
         private void add(Ray ray, long way) {
             if (count == rays.size()) {
@@ -109,6 +129,7 @@ final class NearbyRays implements PathObserver {
         eye = seeing;
         places = newPlaces;
         sample = newSample;
+        begun++;
     }
 
     /** Where the sample lies in the picture of the eye, in pixels from the left edge. */
@@ -121,12 +142,14 @@ final class NearbyRays implements PathObserver {
         return places.y(sample);
     }
 
-    /** Makes {@code memory} the rays of a place of the picture. */
+    /** Makes {@code memory} the rays of a place of the picture, if it is not that already. */
     Leaving at(double x, double y, Leaving memory) {
-        current = memory;
-        memory.count = 0;
-        way = 0;
-        tracer.sampleBeside(eye, places, sample, x, y);
+        if (!memory.isAt(x, y, begun)) {
+            memory.begin(x, y, begun);
+            current = memory;
+            way = 0;
+            tracer.sampleBeside(eye, places, sample, x, y);
+        }
         return memory;
     }
 

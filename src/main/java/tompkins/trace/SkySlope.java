@@ -17,6 +17,13 @@ final class SkySlope {
     private static final double LARGEST = 1e6;
 
     private final Ray ray = Ray.blank();
+
+    // the rays of neighbours, which all ways from one place share
+    private final Leaving toRight = new Leaving();
+    private final Leaving toLeft = new Leaving();
+    private final Leaving below = new Leaving();
+    private final Leaving above = new Leaving();
+
     private final Vector3d right = new Vector3d();
     private final Vector3d down = new Vector3d();
     private final Vector3d lookRight = new Vector3d();
@@ -36,17 +43,16 @@ final class SkySlope {
      * @param here the rays of the place
      * @param central one of them
      * @param way its way
-     * @param memory for the rays of neighbours
      * @return whether neighbours to the side, and above or below, have taken the same way
      */
-    boolean measure(NearbyRays rays, double newX, double newY, Leaving here, Ray central, long way, Leaving memory) {
+    boolean measure(NearbyRays rays, double newX, double newY, Leaving here, Ray central, long way) {
         x = newX;
         y = newY;
         ray.set(central);
-        if (!(measure(rays, STEP, 0, here, way, memory, right, lookRight)
-                        || measure(rays, -STEP, 0, here, way, memory, right, lookRight))
-                || !(measure(rays, 0, STEP, here, way, memory, down, lookDown)
-                        || measure(rays, 0, -STEP, here, way, memory, down, lookDown))) {
+        if (!(measure(rays, STEP, 0, here, way, toRight, right, lookRight)
+                        || measure(rays, -STEP, 0, here, way, toLeft, right, lookRight))
+                || !(measure(rays, 0, STEP, here, way, below, down, lookDown)
+                        || measure(rays, 0, -STEP, here, way, above, down, lookDown))) {
             return false;
         }
         double area = right.cross(down, across).length();

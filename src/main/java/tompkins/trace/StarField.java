@@ -101,6 +101,11 @@ final class StarField {
         map.visit(ray.dx, ray.dy, ray.dz, radius, visitor);
     }
 
+    /** How bright a star is at rest, to be compared with others. */
+    double brightness(int star) {
+        return atRest[star].luminance() * solidAngles[star];
+    }
+
     /** The light of a star that a ray brings which leaves the scene in its direction: radiance times solid angle. */
     Colour light(int star, Ray ray) {
         // windows leave the light of a star as it is, and so does motion unless the light is shifted

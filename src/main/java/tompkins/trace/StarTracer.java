@@ -29,6 +29,12 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
     /** For rays that bring no more than this, such as those that glass mirrors, the slope of the sample is enough. */
     private static final double FAINT = 0.05;
 
+    /** So is it for a star that brings no more than this part of what the pixel gets of all stars. */
+    private static final double ONE_OF_MANY = 0.01;
+
+    /** How far, in pixels, a star may be from where the slope of the sample puts it. */
+    private static final double ASTRAY = 1;
+
     /** A step so short, in pixels, leads to the star. */
     private static final double SHORT = 0.02;
 
@@ -40,14 +46,14 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
     private final Ray memory = Ray.blank();
     private final Leaving here = new Leaving();
     private final Leaving there = new Leaving();
-    private final Leaving aside = new Leaving();
     private final SkySlope first = new SkySlope();
     private final SkySlope[] next = {new SkySlope(), new SkySlope()};
     private EyeView eye;
     private int column;
     private int row;
-    private boolean known;
     private long way;
+    private double allBrightness;
+    private final StarMap.Visitor weighing = (star, x, y, z) -> allBrightness += brightness(star, x, y, z);
     private Colour sum;
 
     /** The light of stars; the function makes a tracer of the same picture, without them, that an observer watches. */
@@ -65,7 +71,6 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
         eye = seeing;
         column = places.column(sample);
         row = places.row(sample);
-        known = false;
         nearby.begin(seeing, places, sample);
     }
 
@@ -89,32 +94,31 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
         if (stars.isDirect(ray)) {
             return stars.direct(eye, column, row);
         }
-        if (!known) {
-            known = true;
-            nearby.at(nearby.x(), nearby.y(), here);
-        }
-        int number = here.like(ray);
+        int number = nearby.at(nearby.x(), nearby.y(), here).like(ray);
         if (number < 0) {
             return Colour.BLACK;
         }
         way = here.way(number);
-        if (!first.measure(nearby, nearby.x(), nearby.y(), here, here.ray(number), way, aside)) {
+        if (!first.measure(nearby, nearby.x(), nearby.y(), here, here.ray(number), way)) {
             return Colour.BLACK;
         }
         sum = Colour.BLACK;
+        allBrightness = 0;
         // the sample is not in the middle of its pixel
-        stars.visit(ray, Math.min(WIDEST, (REACH + 1) * first.steepest()), this);
+        double radius = Math.min(WIDEST, (REACH + 1) * first.steepest());
+        stars.visit(ray, radius, weighing);
+        stars.visit(ray, radius, this);
         return sum.times(1 / stars.solidAngle(eye, column, row));
     }
 
     @Override
     public void take(int star, double starX, double starY, double starZ) {
         SkySlope slope = first;
-        slope.aim(slope.ray(), starX, starY, starZ);
+        double brightness = brightness(star, starX, starY, starZ);
         double stepX = slope.stepX();
         double stepY = slope.stepY();
         double part = 1;
-        boolean isFaint = slope.ray().throughput < FAINT;
+        boolean isFaint = slope.ray().throughput < FAINT || brightness < ONE_OF_MANY * allBrightness;
         boolean beyondEdge = isFaint;
         for (int i = 0; i < TRIES && !isFaint && isNear(slope.x() + stepX, slope.y() + stepY); i++) {
             double x = slope.x() + part * stepX;
@@ -136,7 +140,7 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
             }
             SkySlope nearer = slope == next[0] ? next[1] : next[0];
             if (Math.hypot(slope.stepX(), slope.stepY()) >= length
-                    || !nearer.measure(nearby, x, y, there, found, way, aside)) {
+                    || !nearer.measure(nearby, x, y, there, found, way)) {
                 part /= 2;
                 continue;
             }
@@ -154,6 +158,13 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
             // as if what shows the star went on beyond its edge
             add(star, slope.ray(), slope, slope.x() + stepX, slope.y() + stepY);
         }
+    }
+
+    /** How much of a star's brightness the pixel gets at most, wherever the star may be near its place by the slope. */
+    private double brightness(int star, double starX, double starY, double starZ) {
+        first.aim(first.ray(), starX, starY, starZ);
+        double aside = Math.hypot(first.x() + first.stepX() - column - 0.5, first.y() + first.stepY() - row - 0.5);
+        return stars.brightness(star) * StarPoints.share(Math.max(0, aside - ASTRAY), 0);
     }
 
     private static double turn(Ray ray) {
