@@ -86,6 +86,12 @@ class ObjectMouseTest {
             driver.window().frame().setLocation(760, 100);
             editors().forEach(editor -> editor.setLocation(0, 0));
         });
+        // a window manager takes its time, and puts a border around them
+        WindowDriver.await(
+                "the places of the windows",
+                () -> driver.window().frame().getLocationOnScreen().distance(760, 100) < 60
+                        && editors()
+                                .allMatch(editor -> editor.getLocationOnScreen().distance(0, 0) < 60));
         driver.completePicture();
     }
 
