@@ -170,7 +170,7 @@ final class NearbyRays implements PathObserver {
 
     @Override
     public void hits(Frame frame, Ray ray, Hit hit, Primitive primitive) {
-        way = (way + System.identityHashCode(primitive)) * MIX + hit.part + 1;
+        way = ((way + frame.ordinal()) * MIX + primitive.order()) * MIX + hit.part + 1;
     }
 
     @Override
