@@ -36,13 +36,13 @@ public record SeenLamp(StudioPath path, FrameMotion motion, Vector3dc point, Vec
         Studio studio = plan.studio();
         List<StudioPath> paths = new ArrayList<>();
         addPaths(StudioPath.ROOT.then("lights"), studio.lights(), paths);
+        Projection projection = new Projection(studio, plan.width(), plan.height());
         List<SeenLamp> seen = new ArrayList<>();
         for (int i = 0; i < paths.size(); i++) {
             Lamp lamp = plan.world().lamps().get(i);
             if (lamp.light() instanceof PointLight light) {
                 InertialFrame frame = plan.world().frames().get(lamp.frame());
                 Vector3d point = light.position().add(frame.origin().position(), new Vector3d());
-                Projection projection = new Projection(studio, plan.width(), plan.height());
                 Vector2dc place = projection.position(new SeenFrame(studio, frame.motion()), point);
                 if (projection.shows(place)) {
                     seen.add(new SeenLamp(paths.get(i), frame.motion(), point, place));

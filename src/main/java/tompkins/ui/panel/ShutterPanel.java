@@ -94,6 +94,9 @@ public final class ShutterPanel extends Part {
 
     /** Shows the opening time alone, or all of the shutter. */
     public void setBrief(boolean brief) {
+        if (models.isVisible() != brief) {
+            return;
+        }
         models.setVisible(!brief);
         timing.setBrief(brief);
         // the name above slider and field, where there is little room beside them
