@@ -37,7 +37,7 @@ class RoomSizeTest {
                 arguments("explain, lesson, measure, animation", 6_307),
                 arguments("io, app", 7_947),
                 arguments("study", 4_550),
-                arguments("ui", 21_391));
+                arguments("ui", 21_397));
     }
 
     @ParameterizedTest

@@ -109,16 +109,20 @@ public final class MeasureMarks implements Overlay {
         return new Point2D.Double(bounds.getCenterX(), bounds.getY());
     }
 
-    /** Writes above a point, so that its line crosses no words, and higher where something is written already. */
+    /**
+     * Writes above a point, so that its line crosses no words, and higher where something is written already; below it
+     * at the upper edge of what is seen.
+     */
     private static void write(Graphics2D g, String text, Point2D point, Rectangle visible, List<Rectangle2D> written) {
         Font font = UIManager.getFont("small.font");
         FontMetrics metrics = g.getFontMetrics(font);
         int height = metrics.getHeight();
         double x = Math.min(point.getX() + OUTER, visible.getMaxX() - metrics.stringWidth(text) - OUTER);
-        Rectangle2D room = new Rectangle2D.Double(
-                Math.max(x, visible.x), point.getY() - OUTER - height, metrics.stringWidth(text), height);
+        boolean above = point.getY() - OUTER - height >= visible.y;
+        double y = point.getY() + (above ? -OUTER - height : OUTER);
+        Rectangle2D room = new Rectangle2D.Double(Math.max(x, visible.x), y, metrics.stringWidth(text), height);
         while (written.stream().anyMatch(room::intersects)) {
-            room.setRect(room.getX(), room.getY() - height, room.getWidth(), height);
+            room.setRect(room.getX(), room.getY() + (above ? -height : height), room.getWidth(), height);
         }
         written.add(room);
         Mark.paintText(g, font, text, room.getX(), room.getY() + metrics.getAscent(), COLOUR);

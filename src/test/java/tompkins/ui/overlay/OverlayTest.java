@@ -15,6 +15,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
+import org.joml.Vector2d;
+import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -22,6 +25,7 @@ import tompkins.image.LinearImage;
 import tompkins.light.PointLight;
 import tompkins.light.Pulse;
 import tompkins.measure.OverlayKind;
+import tompkins.measure.Sketch;
 import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Box;
@@ -37,6 +41,7 @@ import tompkins.studio.Studios;
 import tompkins.surface.Mirror;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.WindowDriver;
+import tompkins.ui.measure.MeasureMarks;
 import tompkins.ui.picture.Overlay;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.widget.Look;
@@ -90,6 +95,24 @@ class OverlayTest {
             }
         }
         return all;
+    }
+
+    private static int brightPixels(Vector2dc point) {
+        MeasureMarks marks = new MeasureMarks(() -> null);
+        marks.show(
+                List.of(new MeasureMarks.Marked(new Sketch(List.of(point), List.of()), List.of("the name"))),
+                List.of());
+        BufferedImage canvas = painted(marks, Studio.DEFAULT);
+        return (int) IntStream.range(0, WIDTH * HEIGHT)
+                .filter(i -> canvas.getRGB(i % WIDTH, i / WIDTH) != Color.GRAY.getRGB())
+                .count();
+    }
+
+    /** Above its point a name would be cut off there. */
+    @Test
+    void aNameAtTheUpperEdgeIsWhole() {
+        int inTheMiddle = brightPixels(new Vector2d(WIDTH / 2.0, HEIGHT / 2.0));
+        assertThat(brightPixels(new Vector2d(WIDTH / 2.0, 10))).isBetween(inTheMiddle - 5, inTheMiddle + 5);
     }
 
     private static VelocityArrow arrow() {
