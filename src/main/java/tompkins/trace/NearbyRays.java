@@ -170,7 +170,8 @@ final class NearbyRays implements PathObserver {
 
     @Override
     public void hits(Frame frame, Ray ray, Hit hit, Primitive primitive) {
-        way = ((way + frame.ordinal()) * MIX + primitive.order()) * MIX + hit.part + 1;
+        int inScene = frame == Frame.SCENE ? 1 : 0;
+        way = ((way + inScene) * MIX + primitive.order()) * MIX + hit.part + 1;
     }
 
     @Override
