@@ -32,8 +32,8 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        26_840),
-                arguments("file, image", 4_420),
+                        26_841),
+                arguments("file, image", 4_518),
                 arguments("explain, lesson, measure, animation", 6_307),
                 arguments("io, app", 7_947),
                 arguments("study", 4_550),

@@ -36,10 +36,11 @@ final class GifWriter extends AnimationWriter {
     }
 
     @Override
-    void write(BufferedImage frame, PhotographInfo info, int index) throws IOException {
+    void write(BufferedImage picture, PhotographInfo info, int index) throws IOException {
         if (index == 0) {
-            begin(frame);
+            begin(picture);
         }
+        BufferedImage frame = FewColours.of(picture);
         IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(frame), null);
         IIOMetadataNode root = new IIOMetadataNode(NATIVE);
         root.appendChild(delayNode(index));
