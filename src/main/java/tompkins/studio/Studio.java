@@ -11,6 +11,7 @@ import tompkins.light.LightSource;
 import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
+import tompkins.property.Descriptions;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.sceneobject.SceneObject;
@@ -148,82 +149,51 @@ public record Studio(
 
     /** The same studio with another scene. */
     public Studio withScene(List<SceneObject> objects) {
-        return with(objects, cameraFrame, camera, velocity, transformation, view, colours, metering, settings, ride);
+        return Descriptions.with(this, "scene", objects);
     }
 
     /** The same studio with other objects that move with the camera. */
     public Studio withCameraFrame(List<SceneObject> objects) {
-        return with(scene, objects, camera, velocity, transformation, view, colours, metering, settings, ride);
+        return Descriptions.with(this, "cameraFrame", objects);
     }
 
     /** The same studio with another camera. */
     public Studio withCamera(Camera other) {
-        return with(scene, cameraFrame, other, velocity, transformation, view, colours, metering, settings, ride);
+        return Descriptions.with(this, "camera", other);
     }
 
     /** The same studio with another velocity of the camera. */
     public Studio withVelocity(Velocity other) {
-        return with(scene, cameraFrame, camera, other, transformation, view, colours, metering, settings, ride);
+        return Descriptions.with(this, "velocity", other);
     }
 
     /** The same studio under another law. */
     public Studio withTransformation(TransformationLaw law) {
-        return with(scene, cameraFrame, camera, velocity, law, view, colours, metering, settings, ride);
+        return Descriptions.with(this, "transformation", law);
     }
 
     /** The same studio in another view. */
     public Studio withView(View other) {
-        return with(scene, cameraFrame, camera, velocity, transformation, other, colours, metering, settings, ride);
+        return Descriptions.with(this, "view", other);
     }
 
     /** The same studio under another law of colours. */
     public Studio withColours(ColourLaw law) {
-        return with(scene, cameraFrame, camera, velocity, transformation, view, law, metering, settings, ride);
+        return Descriptions.with(this, "colours", law);
     }
 
     /** The same studio, exposed in another way. */
     public Studio withMetering(Metering other) {
-        return with(scene, cameraFrame, camera, velocity, transformation, view, colours, other, settings, ride);
+        return Descriptions.with(this, "metering", other);
     }
 
     /** The same studio with other settings of the picture. */
     public Studio withSettings(RenderSettings other) {
-        return with(scene, cameraFrame, camera, velocity, transformation, view, colours, metering, other, ride);
+        return Descriptions.with(this, "settings", other);
     }
 
     /** The same studio with another ride that begins with it. */
     public Studio withRide(List<RideLeg> legs) {
-        return with(scene, cameraFrame, camera, velocity, transformation, view, colours, metering, settings, legs);
-    }
-
-    private Studio with(
-            List<SceneObject> newScene,
-            List<SceneObject> newCameraFrame,
-            Camera newCamera,
-            Velocity newVelocity,
-            TransformationLaw newTransformation,
-            View newView,
-            ColourLaw newColours,
-            Metering newMetering,
-            RenderSettings newSettings,
-            List<RideLeg> newRide) {
-        return new Studio(
-                title,
-                topic,
-                remarks,
-                newScene,
-                newCameraFrame,
-                lights,
-                background,
-                newCamera,
-                newVelocity,
-                newTransformation,
-                newView,
-                newColours,
-                newMetering,
-                newSettings,
-                newRide,
-                rides,
-                lesson);
+        return Descriptions.with(this, "ride", legs);
     }
 }
