@@ -24,18 +24,11 @@ import tompkins.measure.OverlayKind;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
-import tompkins.ui.exchange.ClipboardActions;
-import tompkins.ui.exchange.SceneOpener;
-import tompkins.ui.exchange.SceneSaver;
 import tompkins.ui.help.HelpCommands;
-import tompkins.ui.lesson.LessonCourse;
-import tompkins.ui.model.Settings;
 import tompkins.ui.number.NumberProperty;
 import tompkins.ui.overlay.MapAxis;
 import tompkins.ui.overlay.PictureOverlays;
-import tompkins.ui.photograph.Captions;
 import tompkins.ui.picture.CanvasZoom;
-import tompkins.ui.ride.Motion;
 import tompkins.ui.widget.FittingButton;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
@@ -50,47 +43,17 @@ final class Menus {
     private final JMenuBar bar = new JMenuBar();
     private final JMenu examples = menu("menu.examples");
     private final JMenu lessons = menu("menu.lessons");
-    private final SceneOpener opener;
-    private final SceneSaver saver;
-    private final ClipboardActions clipboard;
-    private final History history;
-    private final Settings settings;
-    private final Captions captions;
-    private final LessonCourse course;
-    private final TabStrip strip;
-    private final Motion motion;
-    private final PictureOverlays overlays;
-    private final CanvasZoom zoom;
-    private final HelpCommands help;
     private final TompkinsWindow window;
+    private final History history;
+    private final HelpCommands help;
+    private final CanvasZoom zoom;
 
-    Menus(
-            SceneOpener opener,
-            SceneSaver saver,
-            ClipboardActions clipboard,
-            History history,
-            Settings settings,
-            Captions captions,
-            LessonCourse course,
-            TabStrip strip,
-            Motion motion,
-            PictureOverlays overlays,
-            CanvasZoom zoom,
-            HelpCommands help,
-            TompkinsWindow window) {
-        this.opener = opener;
-        this.saver = saver;
-        this.clipboard = clipboard;
-        this.history = history;
-        this.settings = settings;
-        this.captions = captions;
-        this.course = course;
-        this.strip = strip;
-        this.motion = motion;
-        this.overlays = overlays;
-        this.zoom = zoom;
-        this.help = help;
+    /** The menus for what a window has. */
+    Menus(TompkinsWindow window) {
         this.window = window;
+        history = new History(window.parts, window::pause);
+        help = new HelpCommands(window.frame(), window.opener);
+        zoom = window.view().canvas().zoom();
         bar.add(fileMenu());
         bar.add(examples);
         examples.setEnabled(false);
@@ -167,20 +130,20 @@ final class Menus {
 
     private JMenu fileMenu() {
         JMenu menu = menu("menu.file");
-        add(menu, "menu.new", "ctrl N", () -> opener.begin(() -> window.edit(StudioPath.ROOT)));
-        add(menu, "menu.open", "ctrl O", opener::open);
+        add(menu, "menu.new", "ctrl N", () -> window.opener.begin(() -> window.edit(StudioPath.ROOT)));
+        add(menu, "menu.open", "ctrl O", window.opener::open);
         JMenu recent = new JMenu(Texts.get("menu.recent"));
         recent.setName("menu.recent");
         beforeShowing(menu, () -> fillRecent(recent));
         menu.add(recent);
-        add(menu, "menu.reload", "F5", opener::reload);
+        add(menu, "menu.reload", "F5", window.opener::reload);
         menu.addSeparator();
-        add(menu, "menu.saveScene", "ctrl S", saver::save);
-        add(menu, "menu.saveSceneAs", "ctrl shift S", saver::saveAs);
+        add(menu, "menu.saveScene", "ctrl S", window.saver::save);
+        add(menu, "menu.saveSceneAs", "ctrl shift S", window.saver::saveAs);
         add(menu, "menu.savePhotograph", "ctrl shift E", window::savePhotograph);
         menu.addSeparator();
-        add(menu, "menu.copyPicture", "ctrl shift C", clipboard::copyPicture);
-        add(menu, "menu.copyCommand", "ctrl shift L", clipboard::copyCommandLine);
+        add(menu, "menu.copyPicture", "ctrl shift C", window.clipboard::copyPicture);
+        add(menu, "menu.copyCommand", "ctrl shift L", window.clipboard::copyCommandLine);
         menu.addSeparator();
         add(menu, "menu.close", "ctrl Q", window::close);
         return menu;
@@ -188,11 +151,11 @@ final class Menus {
 
     private void fillRecent(JMenu recent) {
         recent.removeAll();
-        for (Path file : settings.recentFiles()) {
+        for (Path file : window.settings.recentFiles()) {
             JMenuItem item = new JMenuItem();
             item.setText(file.getFileName().toString());
             item.setToolTipText(Tips.wrapped(file.toString()));
-            item.addActionListener(event -> opener.open(file));
+            item.addActionListener(event -> window.opener.open(file));
             recent.add(item);
         }
         recent.setEnabled(recent.getItemCount() > 0);
@@ -203,20 +166,21 @@ final class Menus {
         Map<String, JMenu> topics = new LinkedHashMap<>();
         examples.removeAll();
         lessons.removeAll();
-        course.setLessons(scenes.stream()
+        window.course.setLessons(scenes.stream()
                 .filter(scene -> scene.lesson() instanceof Lesson)
                 .toList());
         for (Studio scene : scenes) {
             if (scene.lesson() instanceof Lesson) {
-                JMenuItem item = add(lessons, scene.title(), () -> opener.open(scene));
+                JMenuItem item = add(lessons, scene.title(), () -> window.opener.open(scene));
                 beforeShowing(
                         lessons,
-                        () -> item.setText(course.isFinished(scene) ? "\u2713 " + scene.title() : scene.title()));
+                        () -> item.setText(
+                                window.course.isFinished(scene) ? "\u2713 " + scene.title() : scene.title()));
             } else {
                 add(
                         topics.computeIfAbsent(scene.topic(), topic -> new JMenu(topic)),
                         scene.title(),
-                        () -> opener.open(scene));
+                        () -> window.opener.open(scene));
             }
         }
         topics.values().forEach(examples::add);
@@ -238,7 +202,7 @@ final class Menus {
         JMenuItem redo = add(menu, "menu.redo", "ctrl shift Z", history::redo);
         JMenuItem reset = add(menu, "menu.reset", "ctrl R", history::reset);
         menu.addSeparator();
-        add(menu, "menu.editScene", "ctrl E", window::editScene);
+        add(menu, "menu.editScene", "ctrl E", () -> window.editor.open());
         Runnable update = () -> {
             undo.setEnabled(history.canUndo());
             redo.setEnabled(history.canRedo());
@@ -252,17 +216,17 @@ final class Menus {
 
     private JMenu playMenu() {
         JMenu menu = menu("menu.play");
-        add(menu, "menu.playSpeed", null, () -> motion.play(NumberProperty.speed(SpeedScale.BETA)));
-        add(menu, "menu.playTime", null, () -> motion.play(NumberProperty.openingTime()));
-        add(menu, "menu.playLight", null, motion::playLight);
+        add(menu, "menu.playSpeed", null, () -> window.motion.play(NumberProperty.speed(SpeedScale.BETA)));
+        add(menu, "menu.playTime", null, () -> window.motion.play(NumberProperty.openingTime()));
+        add(menu, "menu.playLight", null, window.motion::playLight);
         menu.addSeparator();
-        add(menu, "menu.playPause", "F9", motion::togglePlay);
-        add(menu, "menu.playPanel", "ctrl L", () -> strip.toggle(TabStrip.Tab.PLAY));
+        add(menu, "menu.playPause", "F9", window.motion::togglePlay);
+        add(menu, "menu.playPanel", "ctrl L", () -> window.strip.toggle(TabStrip.Tab.PLAY));
         menu.addSeparator();
         add(menu, "menu.copyAnimation", null, window::copyAnimation);
         menu.addSeparator();
-        add(menu, "menu.ride", "F6", motion::toggleRide);
-        add(menu, "menu.replay", null, motion::replayRide);
+        add(menu, "menu.ride", "F6", window.motion::toggleRide);
+        add(menu, "menu.replay", null, window.motion::replayRide);
         return menu;
     }
 
@@ -272,7 +236,7 @@ final class Menus {
         Naming.name(button, "ride.begin");
         button.putClientProperty(FlatClientProperties.STYLE, "font: bold; margin: 1,10,1,10");
         button.setFocusable(false);
-        button.addActionListener(event -> motion.toggleRide());
+        button.addActionListener(event -> window.motion.toggleRide());
         return button;
     }
 
@@ -280,23 +244,23 @@ final class Menus {
         JMenu menu = menu("menu.view");
         ButtonGroup group = new ButtonGroup();
         for (Look look : Look.values()) {
-            addChoice(menu, group, "look." + look, null, look == settings.look(), () -> window.setLook(look));
+            addChoice(menu, group, "look." + look, null, look == window.settings.look(), () -> window.setLook(look));
         }
         menu.addSeparator();
         JCheckBoxMenuItem caption = new JCheckBoxMenuItem();
-        caption.setSelected(captions.areShown());
+        caption.setSelected(window.captions.areShown());
         add(menu, "menu.zoomIn", "ctrl PLUS", zoom::enlarge);
         add(menu, "menu.zoomOut", "ctrl MINUS", zoom::reduce);
         add(menu, "menu.zoomToFit", "ctrl 0", zoom::fit);
         menu.addSeparator();
-        add(menu, caption, "menu.caption", "F7", () -> captions.setShown(caption.isSelected()));
+        add(menu, caption, "menu.caption", "F7", () -> window.captions.setShown(caption.isSelected()));
         addOverlay(menu, "menu.arrow", PictureOverlays.ARROW);
         menu.add(mapMenu());
         addOverlay(menu, "menu.rate", PictureOverlays.RATE);
         menu.add(overlayMenu());
-        add(menu, "menu.measure", "F4", () -> strip.toggle(TabStrip.Tab.MEASURE));
+        add(menu, "menu.measure", "F4", () -> window.strip.toggle(TabStrip.Tab.MEASURE));
         menu.addSeparator();
-        add(menu, "menu.fullScreen", "F11", window::toggleFullScreen);
+        add(menu, "menu.fullScreen", "F11", () -> window.fullScreen.toggle());
         add(menu, "menu.panel", "F12", window::togglePanel);
         add(menu, "menu.stop", "F3", window::toggleRendering);
         return menu;
@@ -306,13 +270,13 @@ final class Menus {
         JMenu menu = new JMenu(Texts.get("menu.map"));
         menu.setName("menu.map");
         ButtonGroup group = new ButtonGroup();
-        boolean none = overlays.map().isEmpty();
-        addChoice(menu, group, "menu.map.NONE", "ctrl shift M", none, () -> overlays.setMap(Optional.empty()));
+        boolean none = window.overlays.map().isEmpty();
+        addChoice(menu, group, "menu.map.NONE", "ctrl shift M", none, () -> window.overlays.setMap(Optional.empty()));
         for (MapAxis axis : MapAxis.values()) {
             Optional<MapAxis> chosen = Optional.of(axis);
             String key = axis == MapAxis.ABOVE ? "ctrl M" : null;
-            boolean shown = overlays.map().equals(chosen);
-            addChoice(menu, group, "menu.map." + axis, key, shown, () -> overlays.setMap(chosen));
+            boolean shown = window.overlays.map().equals(chosen);
+            addChoice(menu, group, "menu.map." + axis, key, shown, () -> window.overlays.setMap(chosen));
         }
         return menu;
     }
@@ -335,8 +299,8 @@ final class Menus {
 
     private void addOverlay(JMenu menu, String key, String name) {
         JCheckBoxMenuItem item = new JCheckBoxMenuItem();
-        item.setSelected(overlays.isShown(name));
-        add(menu, item, key, null, () -> overlays.setShown(name, item.isSelected()));
+        item.setSelected(window.overlays.isShown(name));
+        add(menu, item, key, null, () -> window.overlays.setShown(name, item.isSelected()));
     }
 
     private JMenu helpMenu() {
@@ -347,7 +311,7 @@ final class Menus {
         add(menu, "menu.documents", null, () -> help.showDocument("README.md"));
         menu.addSeparator();
         add(menu, "menu.keys", "F1", () -> help.showKeys(itemsWithKeys()));
-        add(menu, "menu.cite", null, clipboard::offerCitation);
+        add(menu, "menu.cite", null, window.clipboard::offerCitation);
         add(menu, "menu.about", null, help::showAbout);
         return menu;
     }

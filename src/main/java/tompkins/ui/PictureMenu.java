@@ -11,12 +11,9 @@ import tompkins.measure.RayTubes;
 import tompkins.measure.SeenLamp;
 import tompkins.studio.StudioPath;
 import tompkins.trace.RayLife;
-import tompkins.ui.measure.MeasureTool;
-import tompkins.ui.model.StudioModel;
 import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.ray.PixelProbe;
-import tompkins.ui.ride.Motion;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.TabStrip;
 import tompkins.ui.widget.Texts;
@@ -24,47 +21,31 @@ import tompkins.ui.widget.Texts;
 /** What can be done with what is seen at a place of the picture; with the editor open, a click chooses it there. */
 final class PictureMenu implements PhotographView.Menu {
 
-    private final StudioModel model;
-    private final PhotographView view;
-    private final Motion motion;
-    private final TabStrip strip;
-    private final MeasureTool measure;
-    private final EditorDialog editor;
+    private final TompkinsWindow window;
 
-    PictureMenu(
-            StudioModel model,
-            PhotographView view,
-            Motion motion,
-            TabStrip strip,
-            MeasureTool measure,
-            EditorDialog editor) {
-        this.model = model;
-        this.view = view;
-        this.motion = motion;
-        this.strip = strip;
-        this.measure = measure;
-        this.editor = editor;
+    PictureMenu(TompkinsWindow window) {
+        this.window = window;
     }
 
     @Override
     public void show(PixelProbe.Reading seen, Picture picture, Point2D place, Point at) {
         JPopupMenu menu = new JPopupMenu();
-        add(menu, "lookAt", true, () -> motion.lookAt(place));
-        add(menu, "rideFrom", seen.sighting().hit() != null, () -> motion.rideFrom(seen.sighting()));
+        add(menu, "lookAt", true, () -> window.motion.lookAt(place));
+        add(menu, "rideFrom", seen.sighting().hit() != null, () -> window.motion.rideFrom(seen.sighting()));
         add(menu, "measureFrom", true, () -> {
-            strip.open(TabStrip.Tab.MEASURE);
-            measure.begin(place, picture);
+            window.strip.open(TabStrip.Tab.MEASURE);
+            window.measure.begin(place, picture);
         });
         List<RayLife> ray = Stream.ofNullable(seen.sighting().life()).toList();
         add(menu, "drawRay", RayTubes.canDraw(ray), () -> drawRay(seen, ray));
         Optional<StudioPath> object = object(seen);
-        add(menu, "edit", object.isPresent(), () -> object.ifPresent(editor::open));
-        menu.show(view.canvas(), at.x, at.y);
+        add(menu, "edit", object.isPresent(), () -> object.ifPresent(window.editor::open));
+        menu.show(window.view().canvas(), at.x, at.y);
     }
 
     private void drawRay(PixelProbe.Reading seen, List<RayLife> ray) {
         String name = Texts.get("ray.drawn.ray", Texts.get("probe.pixel", seen.column(), seen.row()));
-        model.set(RayTubes.addedTo(model.studio(), name, ray));
+        window.model().set(RayTubes.addedTo(window.model().studio(), name, ray));
     }
 
     private static void add(JPopupMenu menu, String key, boolean possible, Runnable action) {
@@ -77,12 +58,13 @@ final class PictureMenu implements PhotographView.Menu {
 
     /** The object that is seen, if the studio still holds it. */
     private Optional<StudioPath> object(PixelProbe.Reading seen) {
-        return Optional.ofNullable(seen.sighting().hit()).flatMap(hit -> StudioPath.to(model.studio(), hit.object()));
+        return Optional.ofNullable(seen.sighting().hit())
+                .flatMap(hit -> StudioPath.to(window.model().studio(), hit.object()));
     }
 
     @Override
     public boolean chooses() {
-        return editor.isOpen();
+        return window.editor.isOpen();
     }
 
     @Override
@@ -90,6 +72,6 @@ final class PictureMenu implements PhotographView.Menu {
         SeenLamp.near(picture.plan(), seen.sighting().x(), seen.sighting().y())
                 .map(SeenLamp::path)
                 .or(() -> object(seen))
-                .ifPresent(editor::open);
+                .ifPresent(window.editor::open);
     }
 }

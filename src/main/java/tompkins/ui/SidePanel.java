@@ -146,8 +146,7 @@ final class SidePanel {
             show(model);
             showSections();
         };
-        model.addListener(update);
-        update.run();
+        model.follow(update);
         rayPanel.add(ray.component());
         rayScroll.setVisible(false);
         split.setBorder(BorderFactory.createEmptyBorder());

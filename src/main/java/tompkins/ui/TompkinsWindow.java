@@ -26,7 +26,6 @@ import tompkins.ui.exchange.SceneOpener;
 import tompkins.ui.exchange.SceneSaver;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.PlainPath;
-import tompkins.ui.help.HelpCommands;
 import tompkins.ui.lesson.LessonCourse;
 import tompkins.ui.lesson.LessonPanel;
 import tompkins.ui.measure.MeasureMarks;
@@ -51,31 +50,31 @@ import tompkins.ui.widget.TabStrip;
 /** The window of Tompkins: the photograph, and a narrow panel with what it depends on. */
 public final class TompkinsWindow {
 
-    private final Settings settings = new Settings();
+    final Settings settings = new Settings();
     private final JFrame frame = new JFrame();
     private final WindowSize size;
     private final StudioModel model;
     private final PhotographView view;
     private final FoldingPanel side;
     private final StatusBar status;
-    private final WindowParts parts;
+    final WindowParts parts;
     private final FileDialogs dialogs;
-    private final SceneSaver saver;
-    private final TabStrip strip;
-    private final LessonCourse course = new LessonCourse(settings, this::openExample);
+    final SceneSaver saver;
+    final TabStrip strip;
+    final LessonCourse course = new LessonCourse(settings, this::openExample);
     private final LessonPanel lesson;
     private final MeasureMarks lessonMarks;
-    private final SceneOpener opener;
-    private final Captions captions;
-    private final PictureOverlays overlays;
-    private final MeasureTool measure;
-    private final ClipboardActions clipboard;
+    final SceneOpener opener;
+    final Captions captions;
+    final PictureOverlays overlays;
+    final MeasureTool measure;
+    final ClipboardActions clipboard;
     private final Menus menus;
     private final DeferredParts late;
-    private final EditorDialog editor;
-    private final FullScreen fullScreen;
+    final EditorDialog editor;
+    final FullScreen fullScreen;
     private final JPanel middle = new JPanel(new BorderLayout());
-    private final Motion motion;
+    final Motion motion;
 
     /** The file of the first scene, or null. */
     private final Path place;
@@ -114,25 +113,11 @@ public final class TompkinsWindow {
         measure = new MeasureTool(view, clipboard::copyMeasured);
         strip.fill(TabStrip.Tab.MEASURE, measure::component, measure::setOn);
         strip.fill(TabStrip.Tab.LESSON, lesson::component, lesson::setShown);
-        model.addListener(this::offerLesson);
-        offerLesson();
-        menus = new Menus(
-                opener,
-                saver,
-                clipboard,
-                new History(parts, this::pause),
-                settings,
-                captions,
-                course,
-                strip,
-                motion,
-                overlays,
-                view.canvas().zoom(),
-                new HelpCommands(frame, opener),
-                this);
+        model.follow(this::offerLesson);
+        menus = new Menus(this);
         frame.setJMenuBar(menus.bar());
         editor = new EditorDialog(parts, dialogs, menus::bindKeys, () -> motion.pace() == Pace.HAND);
-        view.setMenu(new PictureMenu(model, view, motion, strip, measure, editor));
+        view.setMenu(new PictureMenu(this));
         late = new DeferredParts(this::bringPanel, menus::setExamples, frame::setIconImages);
         // also while the menus are hidden
         menus.bindKeys(frame.getRootPane());
@@ -147,8 +132,7 @@ public final class TompkinsWindow {
         frame.setSize(WindowSize.kept(frame, settings));
         size = new WindowSize(frame, settings);
         frame.setLocationRelativeTo(null);
-        model.addListener(this::showTitle);
-        showTitle();
+        model.follow(this::showTitle);
         // a layout made before the window is on its screen would be made again
         frame.addNotify();
         fitToLook();
@@ -230,7 +214,7 @@ public final class TompkinsWindow {
         return motion == null ? Pace.HAND : motion.pace();
     }
 
-    private void pause() {
+    void pause() {
         motion.pause();
     }
 
@@ -356,17 +340,9 @@ public final class TompkinsWindow {
         editor.fitToLook();
     }
 
-    void editScene() {
-        editor.open();
-    }
-
     void togglePanel() {
         side.toggle();
         frame.revalidate();
-    }
-
-    void toggleFullScreen() {
-        fullScreen.toggle();
     }
 
     void toggleRendering() {

@@ -61,8 +61,7 @@ public final class SceneEditor extends Part {
         }
         panel.add(buttons);
         Keys.bindFocused(tree.component(), KeyStroke.getKeyStroke("DELETE"), remove::doClick);
-        model.addListener(this::update);
-        update();
+        model.follow(this::update);
     }
 
     /** Sets the sizes that do not follow the look by themselves; {@code tall} makes it narrow and high. */

@@ -117,8 +117,7 @@ public final class LessonPanel extends Part {
         panel.add(head, "growx, wmin 0, wrap");
         panel.add(problem.component(), "growx, wmin 0, wrap");
         fillHead();
-        model.addListener(this::update);
-        update();
+        model.follow(this::update);
     }
 
     /** Begins the lesson of the model's studio with its first page; false if it has none. */

@@ -72,6 +72,12 @@ public final class StudioModel {
         listeners.add(listener);
     }
 
+    /** Calls the listener now, and as {@link #addListener} after every change. */
+    public void follow(Runnable listener) {
+        addListener(listener);
+        listener.run();
+    }
+
     /** Calls the listener after every change, however fast they come, and before others. */
     public void addLiveListener(Runnable listener) {
         liveListeners.add(listener);

@@ -75,8 +75,7 @@ public final class LawPanel extends Part {
             group.add(button);
             panel.add(button, "wmin 0");
             Runnable update = () -> button.setSelected(reading.apply(model.studio()) == law);
-            model.addListener(update);
-            update.run();
+            model.follow(update);
         }
     }
 
@@ -110,8 +109,7 @@ public final class LawPanel extends Part {
             meter.setSelected(model.studio().metering() == Metering.MIDDLE);
             meter.setEnabled(model.studio().shiftsColours());
         };
-        model.addListener(update);
-        update.run();
+        model.follow(update);
         return meter;
     }
 

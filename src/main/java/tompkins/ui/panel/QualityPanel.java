@@ -85,8 +85,7 @@ public final class QualityPanel extends Part {
         Rows.add(panel, title, error.field(), "skip");
         panel.add(new MessageRoom(2, refused, asked).component(), "span, growx, wmin 0");
         panel.add(Buttons.of("quality.measure", this::chart), "span 3, growx");
-        model.addListener(this::update);
-        update();
+        model.follow(this::update);
     }
 
     private void chart() {

@@ -88,8 +88,7 @@ public final class ShutterPanel extends Part {
         Descriptions.members(Shutter.class).forEach(this::addModel);
         panel.add(timeRow, "wmin 0, hidemode 0");
         panel.add(new MessageRoom(2, note, place).component(), "wmin 0");
-        model.addListener(this::update);
-        update();
+        model.follow(this::update);
     }
 
     /** Shows the opening time alone, or all of the shutter. */

@@ -66,8 +66,7 @@ public final class VelocityPanel extends Part {
         more.add(buttons());
         panel.add(more);
         panel.add(new MessageRoom(3, note, warning, numbers).component(), "wmin 0");
-        model.addListener(this::update);
-        update();
+        model.follow(this::update);
     }
 
     /** Shows the speed alone, or the direction and the scales, too. */

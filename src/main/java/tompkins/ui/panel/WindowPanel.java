@@ -56,8 +56,7 @@ public final class WindowPanel extends Part {
         panel.add(match);
         panel.add(note.component(), "wmin 0");
         panel.add(details, "wmin 0");
-        model.addListener(this::update);
-        update();
+        model.follow(this::update);
     }
 
     private void choose(Kind kind) {

@@ -122,8 +122,7 @@ public final class RidePanel extends Part {
             pilot.begin((Ride) rides.getSelectedItem());
             flown.run();
         });
-        model.addListener(update);
-        update.run();
+        model.follow(update);
     }
 
     /** The letters of common keyboards; others can be typed. */
