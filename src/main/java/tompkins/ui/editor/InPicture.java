@@ -7,7 +7,6 @@ import org.joml.Vector3dc;
 import tompkins.measure.Projection;
 import tompkins.measure.SceneShapes;
 import tompkins.measure.Sighting;
-import tompkins.property.NumberText;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Event;
@@ -17,6 +16,7 @@ import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.studio.View;
 import tompkins.trace.RenderPlan;
+import tompkins.ui.widget.Numbers;
 import tompkins.world.SeenFrame;
 
 /** Finds out whether an object of the scene lies within the edges of the picture, and brings objects there. */
@@ -69,8 +69,7 @@ final class InPicture {
         Event wanted = new SeenFrame(studio, motion).fromCamera(ahead(studio));
         Vector3d shift = ObjectShift.of(studio.withScene(List.of(object)), FIRST, FIRST, motion)
                 .bringing(new Event(middle.x, middle.y, middle.z, wanted.time()), null, 0, wanted);
-        return object.shifted(new Vector3d(
-                NumberText.rounded(shift.x, 3), NumberText.rounded(shift.y, 3), NumberText.rounded(shift.z, 3)));
+        return object.shifted(Numbers.rounded(shift, 3));
     }
 
     /** The event, in the camera frame, from which light for the middle of the picture comes. */

@@ -112,9 +112,10 @@ final class NewObject {
         for (int i = 0; i <= 2 * MOST_STEPS; i++) {
             // to the right, to the left, farther to the right
             double right = step * (i % 2 == 1 ? (i + 1) / 2 : -i / 2);
-            Bounds moved = moved(room.get(), right);
+            Vector3d way = new Vector3d(right, 0, 0);
+            Bounds moved = room.get().moved(way);
             if (taken.stream().noneMatch(other -> overlap(moved, other))) {
-                return right == 0 ? object : object.shifted(new Vector3d(right, 0, 0));
+                return right == 0 ? object : object.shifted(way);
             }
         }
         return object;
@@ -146,16 +147,6 @@ final class NewObject {
         List<Bounds> parts = new ArrayList<>();
         PrimitiveCollector.primitivesOf(object).forEach(primitive -> parts.add(primitive.bounds()));
         return parts.contains(null) ? Optional.empty() : parts.stream().reduce(Bounds::with);
-    }
-
-    private static Bounds moved(Bounds bounds, double right) {
-        return new Bounds(
-                bounds.minX() + right,
-                bounds.minY(),
-                bounds.minZ(),
-                bounds.maxX() + right,
-                bounds.maxY(),
-                bounds.maxZ());
     }
 
     private static boolean overlap(Bounds first, Bounds second) {

@@ -7,6 +7,8 @@ import javax.swing.Icon;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import tompkins.studio.Studio;
+import tompkins.studio.StudioNumber;
+import tompkins.studio.StudioPath;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberField;
@@ -35,7 +37,27 @@ public final class NumberRow {
             String tip,
             ToDoubleFunction<Studio> reading,
             BiFunction<Studio, Double, Studio> change,
-            Function<Studio, Range> range) {}
+            Function<Studio, Range> range) {
+
+        /**
+         * A number of the camera.
+         *
+         * @param way the way to it from the camera, such as {@code stereo.eyeDistance}
+         * @param tip its meaning, unit and range
+         * @param range where its slider runs, by the studio and the present value
+         */
+        public static Quantity ofCamera(String way, String tip, BiFunction<Studio, Double, Range> range) {
+            StudioNumber number =
+                    new StudioNumber(StudioPath.parse("camera." + way).orElseThrow());
+            ToDoubleFunction<Studio> reading = studio -> number.isIn(studio) ? number.in(studio) : Double.NaN;
+            return new Quantity(
+                    (String) number.path().last(),
+                    tip,
+                    reading,
+                    number::with,
+                    studio -> range.apply(studio, reading.applyAsDouble(studio)));
+        }
+    }
 
     private final StudioModel model;
     private final Quantity quantity;
@@ -64,8 +86,7 @@ public final class NumberRow {
         field = new NumberField(
                 kind, quantity.property, title, quantity.tip, note, value -> model.set(changed(value.doubleValue())));
         label.setLabelFor(field.field());
-        model.addListener(this::update);
-        update();
+        model.follow(this::update);
     }
 
     private Studio changed(double value) {

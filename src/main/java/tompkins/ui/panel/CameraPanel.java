@@ -41,6 +41,9 @@ public final class CameraPanel extends Part {
     /** The most objects that are used to find the middle of the scene. */
     private static final int MOST_OBJECTS = 100_000;
 
+    /** Digits of a place that was worked out; the last are only rounding. */
+    private static final int PLACE_DIGITS = 9;
+
     private static final Vector3dc UP = new Vector3d(0, 1, 0);
 
     private final StudioModel model;
@@ -75,8 +78,7 @@ public final class CameraPanel extends Part {
         panel.add(inCamera.component(), "wmin 0");
         panel.add(new JLabel(Texts.get("camera.look")));
         panel.add(buttons(), "wmin 0");
-        model.addListener(this::update);
-        update();
+        model.follow(this::update);
     }
 
     private void addRow(String key, VectorFields fields) {
@@ -163,7 +165,7 @@ public final class CameraPanel extends Part {
         Camera camera = studio.camera();
         SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
         Event lens = LensEvent.inScene(studio);
-        place.show(Numbers.rounded(lens.position()));
+        place.show(Numbers.rounded(lens.position(), PLACE_DIGITS));
         Vector3d inScene = turned(sceneFromCamera, camera.viewDirection());
         boolean isSeen = inScene.isFinite() && inScene.length() > 0;
         view.showDirection(isSeen ? inScene : camera.viewDirection());

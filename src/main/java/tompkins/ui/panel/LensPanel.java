@@ -1,14 +1,10 @@
 package tompkins.ui.panel;
 
-import java.util.function.BiFunction;
 import java.util.function.Consumer;
-import java.util.function.Function;
-import java.util.function.ToDoubleFunction;
 import javax.swing.JToggleButton;
 import tompkins.camera.FieldOfView;
 import tompkins.camera.FocusDistance;
 import tompkins.camera.ThinLensCamera;
-import tompkins.property.Descriptions;
 import tompkins.property.NumberText;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
@@ -42,26 +38,21 @@ public final class LensPanel extends Part {
         this.model = model;
         Naming.name(pick, "lens.pick");
         pick.addActionListener(event -> picking.accept(pick.isSelected()));
-        add("apertureRadius", LensPanel::aperture, LensPanel::withAperture, this::apertures);
-        add(
-                new NumberRow.Quantity(
-                        "focusDistance",
-                        Texts.get("lens.focusTip"),
-                        studio -> NumberText.rounded(FocusDistance.of(studio.camera()), 9),
-                        (studio, value) -> studio.withCamera(FocusDistance.with(studio.camera(), value)),
-                        this::distances),
-                NumberKind.DOUBLE);
+        add(NumberRow.Quantity.ofCamera("apertureRadius", meaning("apertureRadius"), this::apertures));
+        add(new NumberRow.Quantity(
+                "focusDistance",
+                Texts.get("lens.focusTip"),
+                studio -> NumberText.rounded(FocusDistance.of(studio.camera()), 9),
+                (studio, value) -> studio.withCamera(FocusDistance.with(studio.camera(), value)),
+                this::distances));
         panel.add(pick, "span 3, growx");
-        add(
+        add(new NumberRow.Quantity(
                 "horizontalAngleDegrees",
+                meaning("horizontalAngleDegrees"),
                 studio -> studio.camera().horizontalAngleDegrees(),
                 (studio, value) -> studio.withCamera(FieldOfView.with(studio.camera(), value)),
-                studio -> Range.even(1, 170));
-        add(
-                "exposureStops",
-                studio -> studio.camera().exposureStops(),
-                (studio, value) -> studio.withCamera(Descriptions.with(studio.camera(), "exposureStops", value)),
-                studio -> Range.even(-5, 5));
+                studio -> Range.even(1, 170)));
+        add(NumberRow.Quantity.ofCamera("exposureStops", meaning("exposureStops"), (studio, now) -> Range.even(-5, 5)));
         add(
                 new NumberRow.Quantity(
                         "samples",
@@ -73,31 +64,21 @@ public final class LensPanel extends Part {
         panel.add(new MessageRoom(2, refused, samplesNote).component(), "span, growx, wmin 0");
     }
 
-    private void add(
-            String property,
-            ToDoubleFunction<Studio> reading,
-            BiFunction<Studio, Double, Studio> change,
-            Function<Studio, Range> range) {
-        String tip = Wording.meaning(ThinLensCamera.class, property);
-        add(new NumberRow.Quantity(property, tip, reading, change, range), NumberKind.DOUBLE);
+    private static String meaning(String property) {
+        return Wording.meaning(ThinLensCamera.class, property);
+    }
+
+    private void add(NumberRow.Quantity quantity) {
+        add(quantity, NumberKind.DOUBLE);
     }
 
     private void add(NumberRow.Quantity quantity, NumberKind kind) {
         new NumberRow(model, quantity, kind, refused).addTo(panel);
     }
 
-    /** NaN if the camera has no lens. */
-    private static double aperture(Studio studio) {
-        return studio.camera() instanceof ThinLensCamera lens ? lens.apertureRadius() : Double.NaN;
-    }
-
-    private static Studio withAperture(Studio studio, double radius) {
-        return studio.withCamera(Descriptions.with(studio.camera(), "apertureRadius", radius));
-    }
-
-    private Range apertures(Studio studio) {
+    private Range apertures(Studio studio, double now) {
         double usual = Numbers.niceCeiling(Math.max(0.05 * size.of(studio), 1e-3));
-        return new Range(0, aperture(studio) > usual ? Numbers.niceCeiling(aperture(studio)) : usual, 2);
+        return new Range(0, now > usual ? Numbers.niceCeiling(now) : usual, 2);
     }
 
     private Range distances(Studio studio) {

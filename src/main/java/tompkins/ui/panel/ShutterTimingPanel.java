@@ -3,8 +3,6 @@ package tompkins.ui.panel;
 import java.awt.Component;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.BiFunction;
-import java.util.function.ToDoubleFunction;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -49,13 +47,7 @@ final class ShutterTimingPanel extends Part {
         super(Rows.column());
         this.model = model;
         this.size = size;
-        NumberRow sweep = row(
-                refused,
-                "sweep",
-                "shutter.sweepTip",
-                camera -> camera.rollingShutter().sweep(),
-                (camera, value) -> camera.withRollingShutter(
-                        new RollingShutter(camera.rollingShutter().direction(), value)));
+        NumberRow sweep = row(refused, "rollingShutter.sweep", "shutter.sweepTip");
         Naming.items(directions, Wording::label);
         Naming.name(directions, "shutter.direction");
         directionName.setLabelFor(directions);
@@ -80,8 +72,7 @@ final class ShutterTimingPanel extends Part {
 
     /** Adds exposure time and rolling direction to rows of the opening time, for which {@code problems} are told. */
     void addTo(JPanel rows, Note problems) {
-        NumberRow exposure =
-                row(problems, "exposureTime", "shutter.exposureTip", Camera::exposureTime, Camera::withExposureTime);
+        NumberRow exposure = row(problems, "exposureTime", "shutter.exposureTip");
         exposure.setIcon(TimingIcon.exposure());
         int first = rows.getComponentCount();
         exposure.addTo(rows);
@@ -90,20 +81,9 @@ final class ShutterTimingPanel extends Part {
         rows.add(directions, "span 2, growx, wmin 0");
     }
 
-    private NumberRow row(
-            Note problems,
-            String property,
-            String tip,
-            ToDoubleFunction<Camera> reading,
-            BiFunction<Camera, Double, Camera> change) {
-        ToDoubleFunction<Studio> span = studio -> reading.applyAsDouble(studio.camera());
-        NumberRow.Quantity quantity = new NumberRow.Quantity(
-                property,
-                Texts.get(tip),
-                span,
-                (studio, value) -> studio.withCamera(change.apply(studio.camera(), value)),
-                studio -> size.spans(studio, span.applyAsDouble(studio)));
-        return new NumberRow(model, quantity, NumberKind.DOUBLE, problems);
+    private NumberRow row(Note problems, String way, String tip) {
+        NumberRow.Quantity span = NumberRow.Quantity.ofCamera(way, Texts.get(tip), size::spans);
+        return new NumberRow(model, span, NumberKind.DOUBLE, problems);
     }
 
     private Camera camera() {

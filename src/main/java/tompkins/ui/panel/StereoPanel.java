@@ -1,7 +1,5 @@
 package tompkins.ui.panel;
 
-import java.util.function.BiFunction;
-import java.util.function.ToDoubleFunction;
 import javax.swing.JComboBox;
 import tompkins.camera.Stereo;
 import tompkins.camera.StereoLayout;
@@ -38,49 +36,26 @@ public final class StereoPanel extends Part {
         Naming.name(layouts, "stereo.layout");
         layouts.addActionListener(event -> updating.unless(this::choose));
         Rows.add(panel, Texts.get("stereo.layout"), layouts, "span 2, growx, wmin 0");
-        add(
-                "eyeDistance",
-                Stereo::eyeDistance,
-                (stereo, value) -> new Stereo(stereo.layout(), value, stereo.zeroParallaxDistance()),
-                0.1);
-        add(
-                "zeroParallaxDistance",
-                Stereo::zeroParallaxDistance,
-                (stereo, value) -> new Stereo(stereo.layout(), stereo.eyeDistance(), value),
-                3);
+        add("eyeDistance", 0.1);
+        add("zeroParallaxDistance", 3);
         panel.add(new MessageRoom(2, refused).component(), "span, growx, wmin 0");
-        model.addListener(this::update);
-        update();
+        model.follow(this::update);
     }
 
-    private void add(
-            String property,
-            ToDoubleFunction<Stereo> reading,
-            BiFunction<Stereo, Double, Stereo> change,
-            double largest) {
-        NumberRow.Quantity quantity = new NumberRow.Quantity(
-                property,
+    /** Adds a distance, up to a part of the size of the scene, and far enough for the number that is set. */
+    private void add(String property, double part) {
+        NumberRow.Quantity quantity = NumberRow.Quantity.ofCamera(
+                "stereo." + property,
                 Wording.meaning(Stereo.class, property),
-                studio -> reading.applyAsDouble(studio.camera().stereo()),
-                (studio, value) -> with(studio, change.apply(studio.camera().stereo(), value)),
-                studio -> range(studio, largest, reading));
+                (studio, now) -> new Range(0, Numbers.niceCeiling(Math.max(part * size.of(studio), now)), 2));
         new NumberRow(model, quantity, NumberKind.DOUBLE, refused).addTo(panel);
-    }
-
-    /** To a part of the size of the scene, and far enough for the number that is set. */
-    private Range range(Studio studio, double part, ToDoubleFunction<Stereo> reading) {
-        double now = reading.applyAsDouble(studio.camera().stereo());
-        return new Range(0, Numbers.niceCeiling(Math.max(part * size.of(studio), now)), 2);
-    }
-
-    private static Studio with(Studio studio, Stereo stereo) {
-        return studio.withCamera(studio.camera().withStereo(stereo));
     }
 
     private void choose() {
         Studio studio = model.studio();
         StereoLayout layout = (StereoLayout) layouts.getSelectedItem();
-        refused.attempt(() -> model.set(with(studio, studio.camera().stereo().withLayout(layout))));
+        refused.attempt(() -> model.set(studio.withCamera(
+                studio.camera().withStereo(studio.camera().stereo().withLayout(layout)))));
         update();
     }
 

@@ -10,9 +10,6 @@ import tompkins.spacetime.Event;
 /** Numbers as texts and back; always with a decimal point. */
 public final class Numbers {
 
-    /** Digits of a place that was worked out. */
-    private static final int PLACE_DIGITS = 9;
-
     private Numbers() {}
 
     /**
@@ -111,11 +108,18 @@ public final class Numbers {
         return NumberText.rounded(10 * power, 1);
     }
 
-    /** A place without its last digits, which are only rounding if it was worked out. */
-    public static Vector3d rounded(Vector3dc place) {
+    /** The largest of ..., 1, 2, 5, 10, 20, ... that is not above a positive number; 0 for 0. */
+    public static double niceFloor(double value) {
+        double power = Math.pow(10, Math.floor(Math.log10(value)));
+        double first = value / power;
+        return value == 0 ? 0 : NumberText.rounded(power * (first >= 5 ? 5 : first >= 2 ? 2 : 1), 1);
+    }
+
+    /** A vector whose components have so many digits. */
+    public static Vector3d rounded(Vector3dc vector, int digits) {
         return new Vector3d(
-                NumberText.rounded(place.x(), PLACE_DIGITS),
-                NumberText.rounded(place.y(), PLACE_DIGITS),
-                NumberText.rounded(place.z(), PLACE_DIGITS));
+                NumberText.rounded(vector.x(), digits),
+                NumberText.rounded(vector.y(), digits),
+                NumberText.rounded(vector.z(), digits));
     }
 }

@@ -11,7 +11,6 @@ import javax.swing.text.JTextComponent;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
-import tompkins.property.NumberText;
 
 /** Fields for the two or three components of a vector, or of a colour. */
 public final class VectorFields {
@@ -79,15 +78,7 @@ public final class VectorFields {
      * it was typed, so that a second number does not change the first.
      */
     public void showDirection(Vector3dc direction) {
-        show(direction.equals(typed) ? direction : roundedUnit(direction));
-    }
-
-    private static Vector3dc roundedUnit(Vector3dc direction) {
-        Vector3d unit = Vectors.unit(direction);
-        return new Vector3d(
-                NumberText.rounded(unit.x, DIRECTION_DIGITS),
-                NumberText.rounded(unit.y, DIRECTION_DIGITS),
-                NumberText.rounded(unit.z, DIRECTION_DIGITS));
+        show(direction.equals(typed) ? direction : Numbers.rounded(Vectors.unit(direction), DIRECTION_DIGITS));
     }
 
     /** Shows the components of a vector. */
