@@ -66,31 +66,10 @@ public record PanoramicCamera(
             180,
             10,
             0,
-            AperturePlaneShutter.DEFAULT);
-
-    /** A camera whose shutter opens for an instant, all of it at once. */
-    public PanoramicCamera(
-            Vector3dc position,
-            Vector3dc viewDirection,
-            Vector3dc topDirection,
-            double horizontalAngleDegrees,
-            double verticalAngleDegrees,
-            double focusDistance,
-            double exposureStops,
-            Shutter shutter) {
-        this(
-                position,
-                viewDirection,
-                topDirection,
-                horizontalAngleDegrees,
-                verticalAngleDegrees,
-                focusDistance,
-                exposureStops,
-                shutter,
-                0,
-                RollingShutter.DEFAULT,
-                Stereo.DEFAULT);
-    }
+            AperturePlaneShutter.DEFAULT,
+            0,
+            RollingShutter.DEFAULT,
+            Stereo.DEFAULT);
 
     /** Checks all values. */
     public PanoramicCamera {

@@ -66,33 +66,10 @@ public record ThinLensCamera(
             0,
             new Plane("focus", new Vector3d(0, 0, 10), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT),
             0,
-            AperturePlaneShutter.DEFAULT);
-
-    /** A camera whose shutter opens for an instant, all of it at once. */
-    public ThinLensCamera(
-            Vector3dc position,
-            Vector3dc viewDirection,
-            Vector3dc topDirection,
-            double horizontalAngleDegrees,
-            double verticalAngleDegrees,
-            double apertureRadius,
-            SceneObject focus,
-            double exposureStops,
-            Shutter shutter) {
-        this(
-                position,
-                viewDirection,
-                topDirection,
-                horizontalAngleDegrees,
-                verticalAngleDegrees,
-                apertureRadius,
-                focus,
-                exposureStops,
-                shutter,
-                0,
-                RollingShutter.DEFAULT,
-                Stereo.DEFAULT);
-    }
+            AperturePlaneShutter.DEFAULT,
+            0,
+            RollingShutter.DEFAULT,
+            Stereo.DEFAULT);
 
     /**
      * Checks all values; a plane in focus must not pass through the lens centre, and no surface may be of an unusable

@@ -39,7 +39,7 @@ class CameraRaysTest {
 
     /** Looks along x + z with its top tilted; the axes of the camera are then known by hand. */
     private static ThinLensCamera thinLens(double vertical, double aperture, Shutter shutter) {
-        return new ThinLensCamera(
+        return Cameras.lens(
                 POSITION,
                 new Vector3d(3, 0, 3),
                 new Vector3d(0.5, 2, 0.1),
@@ -136,7 +136,7 @@ class CameraRaysTest {
                 .mapToObj(z -> (SceneObject)
                         new Disc("", new Vector3d(0, 0, z), new Vector3d(0, 0, 1), 1, ColouredSurface.DEFAULT))
                 .toList();
-        ThinLensCamera camera = new ThinLensCamera(
+        ThinLensCamera camera = Cameras.lens(
                 new Vector3d(),
                 new Vector3d(0, 0, 1),
                 new Vector3d(0, 1, 0),
@@ -170,7 +170,7 @@ class CameraRaysTest {
     }
 
     private static PanoramicCamera panoramic(Shutter shutter) {
-        return new PanoramicCamera(POSITION, new Vector3d(3, 0, 3), new Vector3d(-1, 2, 1), 180, 90, 4, 0, shutter);
+        return Cameras.panorama(POSITION, new Vector3d(3, 0, 3), new Vector3d(-1, 2, 1), 180, 90, 4, 0, shutter);
     }
 
     @ParameterizedTest
@@ -206,8 +206,8 @@ class CameraRaysTest {
     void panoramicRaysThatMissTheShutterAreCounted() {
         RayCounts counts = new RayCounts();
         Shutter shutter = new ArbitraryPlaneShutter(0, new Vector3d(0, 0, 0), new Vector3d(0, 1, 0));
-        PanoramicCamera camera = new PanoramicCamera(
-                new Vector3d(), new Vector3d(0, 0, 1), new Vector3d(0, 1, 0), 360, 180, 1, 0, shutter);
+        PanoramicCamera camera =
+                Cameras.panorama(new Vector3d(), new Vector3d(0, 0, 1), new Vector3d(0, 1, 0), 360, 180, 1, 0, shutter);
         assertThat(camera.rays(4, 4, REST).ray(2, 2, 0, 0, counts)).isNull();
         assertThat(counts.withoutShutter).isEqualTo(1);
     }
@@ -244,7 +244,7 @@ class CameraRaysTest {
     static List<Camera> camerasThatLookAlongZ() {
         return List.of(
                 ThinLensCamera.DEFAULT,
-                new PanoramicCamera(
+                Cameras.panorama(
                         new Vector3d(),
                         new Vector3d(0, 0, 1),
                         new Vector3d(0, 1, 0),
@@ -272,7 +272,7 @@ class CameraRaysTest {
 
     @Test
     void topAlongTheViewIsRefused() {
-        assertThatThrownBy(() -> new PanoramicCamera(
+        assertThatThrownBy(() -> Cameras.panorama(
                         POSITION,
                         new Vector3d(0, 1, 0),
                         new Vector3d(0, -2, 0),

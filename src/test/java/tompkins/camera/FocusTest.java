@@ -35,7 +35,7 @@ class FocusTest {
     private static final double RADIUS = 0.1;
 
     private static CameraRays rays(SceneObject focus, Shutter shutter) {
-        ThinLensCamera camera = new ThinLensCamera(
+        ThinLensCamera camera = Cameras.lens(
                 new Vector3d(), new Vector3d(0, 0, 1), new Vector3d(0, 1, 0), 40, 0, RADIUS, focus, 0, shutter);
         return camera.rays(100, 100, new IdentityTransformation());
     }
@@ -188,7 +188,7 @@ class FocusTest {
     }
 
     private static ThinLensCamera aside(SceneObject focus) {
-        return new ThinLensCamera(
+        return Cameras.lens(
                 new Vector3d(1, 2, 3),
                 new Vector3d(0, 30, 40),
                 new Vector3d(0, 1, 0),

@@ -73,7 +73,7 @@ class ShutterDelaysTest {
                 new FocusSurfaceShutter(-9.5),
                 new FixedPointSurfaceShutter(),
                 new ArbitraryPlaneShutter(-1, new Vector3d(0, 0, 1), new Vector3d(0.3, 0.2, 1)));
-        ThinLensCamera wide = new ThinLensCamera(
+        ThinLensCamera wide = Cameras.lens(
                 new Vector3d(1, 2, 3),
                 new Vector3d(0.1, 0, 1),
                 new Vector3d(0, 1, 0),

@@ -9,10 +9,10 @@ import org.joml.Vector2i;
 import org.joml.Vector3d;
 import org.joml.Vector3i;
 import tompkins.camera.Camera;
+import tompkins.camera.Cameras;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.Stereo;
 import tompkins.camera.StereoLayout;
-import tompkins.camera.ThinLensCamera;
 import tompkins.image.ToneCurve;
 import tompkins.lesson.LessonPlan;
 import tompkins.light.AlwaysOn;
@@ -399,8 +399,8 @@ public final class RandomStudio {
         Vector3d position = random.nextInt(3) == 0 ? place() : new Vector3d();
         double angle = pick(1e-6, 1.0, 20.0, 90.0, 179.9);
         Camera instant = random.nextInt(4) == 0
-                ? new PanoramicCamera(position, direction(), direction(), 360, 180, size(), 0, shutter())
-                : new ThinLensCamera(
+                ? Cameras.panorama(position, direction(), direction(), 360, 180, size(), 0, shutter())
+                : Cameras.lens(
                         position,
                         direction(),
                         direction(),

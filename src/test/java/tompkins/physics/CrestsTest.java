@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import tompkins.camera.Cameras;
 import tompkins.camera.ThinLensCamera;
 import tompkins.fuzz.RandomStudio;
 import tompkins.ray.Colour;
@@ -79,7 +80,7 @@ class CrestsTest {
     }
 
     private static ThinLensCamera pinhole(double time) {
-        return new ThinLensCamera(
+        return Cameras.lens(
                 new Vector3d(),
                 new Vector3d(0.1, -0.2, 1),
                 new Vector3d(0, 1, 0),

@@ -13,6 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.Camera;
+import tompkins.camera.Cameras;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
 import tompkins.sceneobject.CylinderLattice;
@@ -170,7 +171,7 @@ class FramesOfReferenceTest {
     /** Spread of the places at which the rays of one pixel pass the point in focus, along the velocity. */
     private static double spread(Shutter shutter, int rimPoints, boolean alongVelocity) {
         Vector3d image = new Vector3d(0.3, -0.2, 8);
-        ThinLensCamera camera = new ThinLensCamera(
+        ThinLensCamera camera = Cameras.lens(
                 new Vector3d(),
                 new Vector3d(0, 0, 1),
                 new Vector3d(0, 1, 0),

@@ -8,6 +8,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.camera.Cameras;
 import tompkins.camera.ThinLensCamera;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Box;
@@ -119,7 +120,7 @@ class GlassTimeTest {
         Studio studio = Studio.DEFAULT
                 .withScene(List.of(seen))
                 .withCameraFrame(media)
-                .withCamera(new ThinLensCamera(
+                .withCamera(Cameras.lens(
                         new Vector3d(),
                         view,
                         new Vector3d(0, 0, 1),

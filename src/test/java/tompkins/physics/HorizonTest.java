@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.Camera;
+import tompkins.camera.Cameras;
 import tompkins.camera.ThinLensCamera;
 import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
@@ -172,7 +173,7 @@ class HorizonTest {
     void farTilesStillAlternate(double x) {
         for (boolean filtered : new boolean[] {true, false}) {
             for (int step = 0; step < 4; step++) {
-                Camera down = new ThinLensCamera(
+                Camera down = Cameras.lens(
                         new Vector3d(x + step + 0.5, 0, 0.5),
                         new Vector3d(0, -1, 0),
                         new Vector3d(0, 0, 1),

@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.Camera;
+import tompkins.camera.Cameras;
 import tompkins.camera.PanoramicCamera;
 import tompkins.image.LinearImage;
 import tompkins.light.ColourLaw;
@@ -108,7 +109,7 @@ class LightShiftTest {
     /** A camera that looks to the side, where light is a little red, and is metered there. */
     @Test
     void skyIsBlueAheadAndRedBehind() {
-        PanoramicCamera sideways = new PanoramicCamera(
+        PanoramicCamera sideways = Cameras.panorama(
                 new Vector3d(),
                 new Vector3d(1, 0, 0),
                 new Vector3d(0, 1, 0),

@@ -10,6 +10,7 @@ import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.camera.Cameras;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
@@ -114,7 +115,7 @@ class MovingFactsTest {
     }
 
     private static ThinLensCamera at(Vector3dc position, ThinLensCamera camera) {
-        return new ThinLensCamera(
+        return Cameras.lens(
                 position,
                 camera.viewDirection(),
                 camera.topDirection(),

@@ -11,6 +11,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.camera.Cameras;
 import tompkins.camera.ThinLensCamera;
 import tompkins.golden.GoldenRow;
 import tompkins.golden.GoldenTable;
@@ -59,7 +60,7 @@ class PenroseTest {
         double radius = row.number("rho");
         Vector3d centre = row.vector("ctr_");
         double degrees = 2 * Math.toDegrees(Math.atan(Math.tan(radius) * 1.6));
-        ThinLensCamera camera = new ThinLensCamera(
+        ThinLensCamera camera = Cameras.lens(
                 row.vector("o"),
                 centre,
                 Math.abs(centre.y) < 0.9 ? new Vector3d(0, 1, 0) : new Vector3d(0, 0, 1),

@@ -7,6 +7,7 @@ import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.Camera;
+import tompkins.camera.Cameras;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
@@ -53,7 +54,7 @@ final class Photograph {
     /** A pinhole at the origin of the camera frame with a shutter in the aperture. */
     static ThinLensCamera pinhole(Vector3dc view, double horizontalAngleDegrees, double time) {
         Vector3d top = Math.abs(view.y()) < 0.9 * view.length() ? new Vector3d(0, 1, 0) : new Vector3d(0, 0, 1);
-        return new ThinLensCamera(
+        return Cameras.lens(
                 new Vector3d(),
                 view,
                 top,

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.camera.Cameras;
 import tompkins.camera.ThinLensCamera;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Parallelogram;
@@ -345,7 +346,7 @@ class AdaptiveRenderTest {
 
     private static Studio studio(List<SceneObject> scene, double apertureRadius) {
         ThinLensCamera plain = ThinLensCamera.DEFAULT;
-        ThinLensCamera camera = new ThinLensCamera(
+        ThinLensCamera camera = Cameras.lens(
                 plain.position(),
                 plain.viewDirection(),
                 plain.topDirection(),

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import tompkins.camera.Cameras;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
 import tompkins.sceneobject.Plane;
@@ -60,7 +61,7 @@ class LorentzWindowTest {
     private static Studio restingAt(Vector3d position) {
         Studio resting = SceneFiles.read("fig1a");
         ThinLensCamera camera = (ThinLensCamera) resting.camera();
-        return resting.withCamera(new ThinLensCamera(
+        return resting.withCamera(Cameras.lens(
                 position,
                 camera.viewDirection(),
                 camera.topDirection(),

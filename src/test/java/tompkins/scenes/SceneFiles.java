@@ -1,6 +1,7 @@
 package tompkins.scenes;
 
 import java.nio.file.Path;
+import tompkins.camera.Cameras;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
 import tompkins.io.StudioReader;
@@ -24,7 +25,7 @@ final class SceneFiles {
 
     static Studio withAperture(Studio studio, double radius) {
         ThinLensCamera camera = (ThinLensCamera) studio.camera();
-        return studio.withCamera(new ThinLensCamera(
+        return studio.withCamera(Cameras.lens(
                 camera.position(),
                 camera.viewDirection(),
                 camera.topDirection(),

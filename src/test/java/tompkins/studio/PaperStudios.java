@@ -3,6 +3,7 @@ package tompkins.studio;
 import java.util.List;
 import org.joml.Vector2i;
 import org.joml.Vector3d;
+import tompkins.camera.Cameras;
 import tompkins.camera.ThinLensCamera;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.CylinderLattice;
@@ -65,7 +66,7 @@ public final class PaperStudios {
     /** The camera of the paper. */
     public static ThinLensCamera camera(double apertureRadius, Shutter shutter) {
         ThinLensCamera usual = ThinLensCamera.DEFAULT;
-        return new ThinLensCamera(
+        return Cameras.lens(
                 usual.position(),
                 usual.viewDirection(),
                 usual.topDirection(),

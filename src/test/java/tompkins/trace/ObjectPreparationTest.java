@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.camera.Cameras;
 import tompkins.camera.FocusDistance;
 import tompkins.camera.ThinLensCamera;
 import tompkins.property.InvalidPropertyException;
@@ -90,7 +91,7 @@ class ObjectPreparationTest {
 
     private static ThinLensCamera focusedOn(SceneObject focus) {
         ThinLensCamera camera = ThinLensCamera.DEFAULT;
-        return new ThinLensCamera(
+        return Cameras.lens(
                 camera.position(),
                 camera.viewDirection(),
                 camera.topDirection(),

@@ -9,6 +9,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.joml.Vector3i;
 import org.junit.jupiter.api.Named;
+import tompkins.camera.Cameras;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.Stereo;
 import tompkins.camera.StereoLayout;
@@ -174,7 +175,7 @@ public final class VariedStudios {
         Studio studio = moving(crowd());
         PanoramicCamera allAround = PanoramicCamera.DEFAULT;
         ThinLensCamera usual = ThinLensCamera.DEFAULT;
-        ThinLensCamera veryWide = new ThinLensCamera(
+        ThinLensCamera veryWide = Cameras.lens(
                 new Vector3d(0.1, 0.2, 4),
                 new Vector3d(0.2, -0.1, 1),
                 new Vector3d(0.1, 1, 0),
@@ -184,7 +185,7 @@ public final class VariedStudios {
                 new Sphere("focus", new Vector3d(0, 0, 4), 3, GREY),
                 0.5,
                 new FocusSurfaceShutter(-3));
-        ThinLensCamera back = new ThinLensCamera(
+        ThinLensCamera back = Cameras.lens(
                 new Vector3d(0, 0, 14),
                 new Vector3d(0, 0, -1),
                 usual.topDirection(),
