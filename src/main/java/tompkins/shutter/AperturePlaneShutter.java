@@ -22,9 +22,4 @@ public record AperturePlaneShutter(
     public double transmissionTime(LensRay ray, SpaceTimeTransformation sceneFromCamera) {
         return openingTime;
     }
-
-    @Override
-    public Shutter openedAt(double time) {
-        return new AperturePlaneShutter(time);
-    }
 }

@@ -46,11 +46,6 @@ public record ArbitraryPlaneShutter(
     }
 
     @Override
-    public Shutter openedAt(double time) {
-        return new ArbitraryPlaneShutter(time, point, normal);
-    }
-
-    @Override
     public Shutter moved(RigidMotion motion) {
         return new ArbitraryPlaneShutter(openingTime, motion.place(point), motion.direction(normal));
     }

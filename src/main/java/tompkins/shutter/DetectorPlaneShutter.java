@@ -40,9 +40,4 @@ public record DetectorPlaneShutter(
                 / (1 + ray.towardsFocus().length());
         return openingTime - ray.detectorPointDistance(detectorDistance) - delay;
     }
-
-    @Override
-    public Shutter openedAt(double time) {
-        return new DetectorPlaneShutter(time, detectorDistance);
-    }
 }

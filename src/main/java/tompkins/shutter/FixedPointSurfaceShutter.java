@@ -31,11 +31,6 @@ public record FixedPointSurfaceShutter() implements Shutter {
     }
 
     @Override
-    public Shutter openedAt(double time) {
-        return this;
-    }
-
-    @Override
     public boolean needsFocus() {
         return true;
     }

@@ -27,11 +27,6 @@ public record FocusSurfaceShutter(
     }
 
     @Override
-    public Shutter openedAt(double time) {
-        return new FocusSurfaceShutter(time);
-    }
-
-    @Override
     public boolean needsFocus() {
         return true;
     }

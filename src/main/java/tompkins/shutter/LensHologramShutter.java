@@ -34,9 +34,4 @@ public record LensHologramShutter(
                 .add(ray.offset());
         return openingTime - fromDetector.length();
     }
-
-    @Override
-    public Shutter openedAt(double time) {
-        return new LensHologramShutter(time, detectorDistance);
-    }
 }

@@ -1,6 +1,7 @@
 package tompkins.shutter;
 
 import tompkins.math.RigidMotion;
+import tompkins.property.Descriptions;
 import tompkins.spacetime.SpaceTimeTransformation;
 
 /**
@@ -30,7 +31,9 @@ public sealed interface Shutter
     }
 
     /** The same shutter with another opening time; itself if it has none. */
-    Shutter openedAt(double openingTime);
+    default Shutter openedAt(double openingTime) {
+        return hasOpeningTime() ? Descriptions.with(this, "openingTime", openingTime) : this;
+    }
 
     /**
      * The same shutter after a motion of the camera in its rest frame; what stands at a place of that frame goes along.
