@@ -3,6 +3,7 @@ package tompkins.io;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import tools.jackson.core.JacksonException;
@@ -19,19 +20,26 @@ final class SyntaxMistake {
     private static final String COMMENTS = "a comment begins with // or with /*";
     private static final String NUMBERS = "a number must be written like 0.5, -2 or 1e-9";
 
-    private static final Pattern UNKNOWN_WORD = Pattern.compile("Unrecognized token '(.*?)'(:|$)", Pattern.DOTALL);
     private static final Pattern WRONG_BRACKET = Pattern.compile("Unexpected close marker '(.)': expected '(.)'");
-    private static final Pattern UNKNOWN_ESCAPE = Pattern.compile("Unrecognized character escape '(.)'");
-    private static final Pattern ESCAPED_CONTROL =
-            Pattern.compile("Unrecognized character escape \\(CTRL-CHAR, code (\\d+)\\)");
-
     private static final Pattern WRONG_CHARACTER = Pattern.compile("Unexpected character \\('(.)' ");
 
-    private static final Pattern CONTROL_IN_TEXT =
-            Pattern.compile("Illegal unquoted character \\(\\(CTRL-CHAR, code (\\d+)\\)\\)");
+    /** Messages of the library that name what it found, and what they mean. */
+    private static final List<Map.Entry<Pattern, Function<String, String>>> WITH_FOUND = List.of(
+            found("Illegal unquoted character \\(\\(CTRL-CHAR, code (\\d+)\\)\\)", SyntaxMistake::controlInText),
+            found(
+                    "Illegal character \\(\\(CTRL-CHAR, code (\\d+)\\)\\)",
+                    code -> controlCharacter(code) + " must not stand here"),
+            found(
+                    "Unrecognized token '(.*?)'(:|$)",
+                    word -> "unknown word " + Problems.shortened(word) + "; " + VALUES),
+            found(
+                    "Unrecognized character escape '(.)'",
+                    letter -> "a text must not contain \\" + letter + "; a backslash itself is written \\\\"),
+            found("Unrecognized character escape \\(CTRL-CHAR, code (\\d+)\\)", SyntaxMistake::escapedControl));
 
-    private static final Pattern CONTROL_OUTSIDE =
-            Pattern.compile("Illegal character \\(\\(CTRL-CHAR, code (\\d+)\\)\\)");
+    private static Map.Entry<Pattern, Function<String, String>> found(String text, Function<String, String> meaning) {
+        return Map.entry(Pattern.compile(text, Pattern.DOTALL), meaning);
+    }
 
     /** Messages of the library, or parts of them, and what they mean; the first that fits counts. */
     private static final List<Map.Entry<String, String>> MEANINGS = List.of(
@@ -127,28 +135,11 @@ final class SyntaxMistake {
                             + unclosed(parser)
                     : NOT_JSON + "there is a closing bracket or brace too many";
         }
-        Matcher control = CONTROL_IN_TEXT.matcher(message);
-        if (control.lookingAt()) {
-            return NOT_JSON + controlInText(Integer.parseInt(control.group(1)));
-        }
-        Matcher outside = CONTROL_OUTSIDE.matcher(message);
-        if (outside.lookingAt()) {
-            return NOT_JSON + controlCharacter(Integer.parseInt(outside.group(1))) + " must not stand here";
-        }
-        Matcher word = UNKNOWN_WORD.matcher(message);
-        if (word.lookingAt()) {
-            return NOT_JSON + "unknown word " + Problems.shortened(word.group(1)) + "; " + VALUES;
-        }
-        Matcher escape = UNKNOWN_ESCAPE.matcher(message);
-        if (escape.lookingAt()) {
-            return NOT_JSON + "a text must not contain \\" + escape.group(1) + "; a backslash itself is written \\\\";
-        }
-        Matcher escaped = ESCAPED_CONTROL.matcher(message);
-        if (escaped.lookingAt()) {
-            int code = Integer.parseInt(escaped.group(1));
-            String what = code == '\n' || code == '\r' ? "the end of a line" : controlCharacter(code);
-            return NOT_JSON + "a text must not contain a backslash before " + what
-                    + "; a backslash itself is written \\\\, and a new line \\n";
+        for (Map.Entry<Pattern, Function<String, String>> each : WITH_FOUND) {
+            Matcher matcher = each.getKey().matcher(message);
+            if (matcher.lookingAt()) {
+                return NOT_JSON + each.getValue().apply(matcher.group(1));
+            }
         }
         Matcher character = WRONG_CHARACTER.matcher(message);
         boolean shows = character.lookingAt() && !character.group(1).isBlank();
@@ -161,19 +152,26 @@ final class SyntaxMistake {
         return NOT_JSON + "what stands here does not belong here" + found;
     }
 
-    private static String controlCharacter(int code) {
-        return String.format(Locale.ROOT, "the control character U+%04X", code);
+    private static String controlCharacter(String code) {
+        return String.format(Locale.ROOT, "the control character U+%04X", Integer.parseInt(code));
     }
 
-    private static String controlInText(int code) {
-        return switch (code) {
+    private static String escapedControl(String code) {
+        int letter = Integer.parseInt(code);
+        return "a text must not contain a backslash before "
+                + (letter == '\n' || letter == '\r' ? "the end of a line" : controlCharacter(code))
+                + "; a backslash itself is written \\\\, and a new line \\n";
+    }
+
+    private static String controlInText(String code) {
+        return switch (Integer.parseInt(code)) {
             case '\n', '\r' ->
                 "a text must end on the line where it begins; a quote is missing"
                         + " (inside a text, \\n is a new line and \\t a tab)";
             case '\t' -> "inside a text, a tab is written \\t";
             default ->
                 "a text must not contain " + controlCharacter(code)
-                        + String.format(Locale.ROOT, " as it is; it is written \\u%04x", code);
+                        + String.format(Locale.ROOT, " as it is; it is written \\u%04x", Integer.parseInt(code));
         };
     }
 
