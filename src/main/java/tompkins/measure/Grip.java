@@ -13,10 +13,10 @@ import tompkins.sceneobject.ImagePointGrid;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.Event;
+import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.FrameRoute;
 import tompkins.spacetime.FrameTree;
 import tompkins.studio.ObjectShift;
-import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.trace.Frame;
 import tompkins.trace.RayLife;
@@ -42,21 +42,25 @@ public final class Grip {
     /** Events on a ray: where it starts in a frame, and a step along it. */
     private record Line(Event start, Event step) {}
 
+    /**
+     * What is held.
+     *
+     * @param frame the frame in which it is seen
+     * @param motion how the frame moves in which it rests; null for the one in which it is seen
+     * @param event where it is, in the frame in which it rests
+     * @param velocity how it turns there about an axis that rests; null if it does not turn
+     * @param ownTime what its own clock has counted
+     */
+    private record Point(Frame frame, FrameMotion motion, Event event, Vector3dc velocity, double ownTime) {}
+
     private final RenderPlan plan;
     private final StudioPath path;
     private final Object object;
-    private final Frame frame;
+    private final Point held;
     private final ObjectShift shift;
 
     /** From the frame in which the point is seen to the one in which it rests. */
     private final FrameRoute toRest;
-
-    private final Event held;
-
-    /** How the point turns about an axis that rests; null if it does not turn. */
-    private final Vector3dc velocity;
-
-    private final double ownTime;
 
     /** Unit normal of the plane; null if no ray can be found again. */
     private final Vector3dc across;
@@ -64,35 +68,19 @@ public final class Grip {
     /** The decimals of a shift; below 0 for tens, hundreds, and so on. */
     private final int decimals;
 
-    private Grip(RenderPlan plan, Sighting seen, RayLife.Encounter point, StudioPath path, StudioPath part) {
+    private Grip(RenderPlan plan, Sighting seen, StudioPath path, StudioPath part, Point held) {
         this.plan = plan;
         this.path = path;
-        frame = point.frame();
-        Studio studio = plan.studio();
-        object = path.get(studio);
-        shift = ObjectShift.of(studio, path, part, point.rest().motion());
-        toRest = FrameTree.described(studio.transformation())
-                .route(null, point.rest().motion());
-        held = toRest.transform(point.event());
-        velocity = point.rest().velocity();
-        ownTime = point.rest().event().time();
+        this.held = held;
+        object = path.get(plan.studio());
+        shift = ObjectShift.of(plan.studio(), path, part, held.motion);
+        toRest = toRest(plan, held.motion);
         across = Vectors.unit(line(seen.life()).step().position());
         decimals = decimals(seen.x(), seen.y());
     }
 
-    private Grip(RenderPlan plan, SeenLamp lamp, RayLife ray) {
-        this.plan = plan;
-        path = lamp.path();
-        frame = Frame.SCENE;
-        Studio studio = plan.studio();
-        object = path.get(studio);
-        shift = ObjectShift.of(studio, path, path, lamp.motion());
-        toRest = FrameTree.described(studio.transformation()).route(null, lamp.motion());
-        held = new Event(lamp.point().x(), lamp.point().y(), lamp.point().z(), 0);
-        velocity = null;
-        ownTime = 0;
-        across = Vectors.unit(line(ray).step().position());
-        decimals = decimals(lamp.place().x(), lamp.place().y());
+    private static FrameRoute toRest(RenderPlan plan, FrameMotion motion) {
+        return FrameTree.described(plan.studio().transformation()).route(null, motion);
     }
 
     /**
@@ -126,10 +114,11 @@ public final class Grip {
 
     /** Holds a lamp; empty if what moves with the camera hides it. */
     public static Optional<Grip> of(RenderPlan plan, SeenLamp lamp) {
-        return Optional.ofNullable(
-                        RayLife.of(plan, lamp.place().x(), lamp.place().y(), 0, 0))
-                .filter(ray -> ray.sceneStart() != null)
-                .map(ray -> new Grip(plan, lamp, ray));
+        Vector3dc point = lamp.point();
+        Point held = new Point(Frame.SCENE, lamp.motion(), new Event(point.x(), point.y(), point.z(), 0), null, 0);
+        return Optional.of(Sighting.of(plan, lamp.place().x(), lamp.place().y()))
+                .filter(seen -> seen.sceneDirection() != null)
+                .map(seen -> new Grip(plan, seen, lamp.path(), lamp.path(), held));
     }
 
     private static Optional<StudioPath> way(RenderPlan plan, RayLife.Encounter hit) {
@@ -138,9 +127,16 @@ public final class Grip {
 
     private static Optional<Grip> of(
             RenderPlan plan, Sighting seen, RayLife.Encounter hit, StudioPath path, StudioPath part) {
+        RayLife.Rest rest = hit.rest();
+        Point held = new Point(
+                hit.frame(),
+                rest.motion(),
+                toRest(plan, rest.motion()).transform(hit.event()),
+                rest.velocity(),
+                rest.event().time());
         return path.get(plan.studio()) instanceof ImagePointGrid
                 ? Optional.empty()
-                : Optional.of(new Grip(plan, seen, hit, path, part));
+                : Optional.of(new Grip(plan, seen, path, part, held));
     }
 
     /** The way to the object or lamp that moves. */
@@ -150,10 +146,10 @@ public final class Grip {
 
     /** The ray of a place, in the frame in which the point rests; null if none comes so far. */
     private Line line(RayLife life) {
-        if (life == null || frame == Frame.SCENE && life.sceneStart() == null) {
+        if (life == null || held.frame == Frame.SCENE && life.sceneStart() == null) {
             return null;
         }
-        return frame == Frame.CAMERA
+        return held.frame == Frame.CAMERA
                 ? new Line(life.cameraStart(), step(life.cameraDirection(), 1))
                 : new Line(
                         toRest.transform(life.sceneStart()),
@@ -172,7 +168,7 @@ public final class Grip {
         }
         Vector3d step = line.step().position();
         double slope = step.dot(across);
-        double steps = held.minus(line.start()).position().dot(across) / slope;
+        double steps = held.event.minus(line.start()).position().dot(across) / slope;
         return slope > OBLIQUE * step.length() && steps > 0
                 ? new Event(
                         line.start().x() + steps * step.x,
@@ -185,7 +181,7 @@ public final class Grip {
     private int decimals(double x, double y) {
         double pixel = Stream.of(wanted(x + 1, y), wanted(x, y + 1))
                 .filter(event -> event != null)
-                .mapToDouble(event -> event.minus(held).position().length())
+                .mapToDouble(event -> event.minus(held.event).position().length())
                 .min()
                 .orElse(0);
         double finest = ROUNDING * pixel / shift.longestWay();
@@ -201,7 +197,7 @@ public final class Grip {
         if (wanted == null) {
             return Optional.empty();
         }
-        Vector3d by = shift.bringing(held, velocity, ownTime, wanted);
+        Vector3d by = shift.bringing(held.event, held.velocity, held.ownTime, wanted);
         return by.isFinite()
                 ? Optional.of(shifted(new Vector3d(rounded(by.x), rounded(by.y), rounded(by.z))))
                 : Optional.empty();
