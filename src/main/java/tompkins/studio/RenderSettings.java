@@ -94,9 +94,4 @@ public record RenderSettings(
     public RenderSettings withMaximumDepth(int newMaximumDepth) {
         return new RenderSettings(width, height, samples, targetError, seed, newMaximumDepth, toneCurve);
     }
-
-    /** The same settings with another tone curve. */
-    public RenderSettings withToneCurve(ToneCurve newToneCurve) {
-        return new RenderSettings(width, height, samples, targetError, seed, maximumDepth, newToneCurve);
-    }
 }

@@ -79,7 +79,7 @@ class WindowCommandLineTest {
                 OPENED,
                 OPENED.withSettings(OPENED.settings().withSize(10, 7)),
                 OPENED.withSettings(OPENED.settings().withSamples(3).withSeed(-5)),
-                OPENED.withSettings(OPENED.settings().withToneCurve(ToneCurve.SRGB)),
+                OPENED.withSettings(Descriptions.with(OPENED.settings(), "toneCurve", ToneCurve.SRGB)),
                 OPENED.withVelocity(Velocity.of(-0.1, 0.2, 1.0 / 3)),
                 OPENED.withColours(ColourLaw.SEARCHLIGHT),
                 OPENED.withMetering(Metering.NONE),
@@ -133,7 +133,8 @@ class WindowCommandLineTest {
     static Stream<Arguments> animations() {
         Studio changed = OPENED.withSettings(OPENED.settings().withSize(10, 7).withSamples(3))
                 .withVelocity(Velocity.of(SpeedScale.BETA, 0.4, new Vector3d(0, 0, 1)));
-        Studio reseeded = OPENED.withSettings(OPENED.settings().withSeed(7).withToneCurve(ToneCurve.SRGB));
+        Studio reseeded =
+                OPENED.withSettings(Descriptions.with(OPENED.settings().withSeed(7), "toneCurve", ToneCurve.SRGB));
         Studio aside = OPENED.withVelocity(Velocity.of(SpeedScale.RAPIDITY, 0, new Vector3d(0.6, 0, -0.8)));
         return Stream.of(
                 Arguments.of(changed, animation("velocity.beta", 0, 0.75, Animation.Course.FORWARDS)),

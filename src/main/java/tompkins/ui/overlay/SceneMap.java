@@ -27,6 +27,7 @@ import tompkins.trace.RenderPlan;
 import tompkins.ui.picture.Overlay;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.widget.Drawing;
+import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Texts;
 
 /**
@@ -162,7 +163,7 @@ public final class SceneMap implements Overlay {
         /** Circles, each with the time since light left it; a bar with a length where nothing is seen by light. */
         private void drawLightCone() {
             double scale = toMap.getScaleX();
-            double step = round(Math.max(place.getWidth(), place.getHeight()) / scale / CIRCLES);
+            double step = Numbers.niceFloor(Math.max(place.getWidth(), place.getHeight()) / scale / CIRCLES);
             Studio studio = plan.studio();
             Point2D at = at(lens);
             float bottom = (float) (place.getMaxY() - 5);
@@ -199,13 +200,6 @@ public final class SceneMap implements Overlay {
             if (right < place.getMaxX() && top > place.getY() && y < place.getMaxY()) {
                 g.drawString(text, (float) x, (float) y);
             }
-        }
-
-        /** The last of 1, 2, 5, 10, ... that is not longer. */
-        private static double round(double length) {
-            double power = Math.pow(10, Math.floor(Math.log10(length)));
-            double first = length / power;
-            return NumberText.rounded(power * (first >= 5 ? 5 : first >= 2 ? 2 : 1), 3);
         }
 
         /** The directions, in the scene, of the light at two edges of the picture and in its middle. */

@@ -167,19 +167,12 @@ final class DiagramPane extends JPanel {
 
     /** The times of the marks on the upright axis. */
     private List<Double> ticks() {
-        double step = step();
+        double step = Numbers.niceFloor(diagram.reach() / 2);
         return step > 0
                 ? IntStream.rangeClosed(1, (int) (diagram.reach() / step))
                         .mapToObj(i -> -i * step)
                         .toList()
                 : List.of();
-    }
-
-    /** The largest of 1, 2, 5, 10, ... that is at most half of the reach; 0 if that is 0. */
-    private double step() {
-        double half = diagram.reach() / 2;
-        double power = Math.pow(10, Math.floor(Math.log10(half)));
-        return (half >= 5 * power ? 5 : half >= 2 * power ? 2 : 1) * power;
     }
 
     /** To the right of a mark on the upright axis, or to the left. */

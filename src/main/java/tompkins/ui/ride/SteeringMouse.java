@@ -86,23 +86,24 @@ final class SteeringMouse extends MouseAdapter {
     private PicturePosition pointed() {
         Picture picture = canvas.shown().now();
         Point2D place = canvas.pointedPlace();
-        int width = picture.ownWidth();
-        int height = picture.ownHeight();
-        return place == null
-                ? new PicturePosition(width / 2.0, height / 2.0, width, height)
-                : new PicturePosition(place.getX(), place.getY(), width, height);
+        return place == null ? position(picture.ownWidth() / 2.0, picture.ownHeight() / 2.0) : position(place);
+    }
+
+    private PicturePosition position(Point2D place) {
+        return position(place.getX(), place.getY());
+    }
+
+    private PicturePosition position(double x, double y) {
+        Picture picture = canvas.shown().now();
+        return new PicturePosition(x, y, picture.ownWidth(), picture.ownHeight());
     }
 
     /** The place of the picture at a point of the canvas, which may lie outside the picture. */
     private PicturePosition place(Point point, Rectangle bounds) {
         Picture picture = canvas.shown().now();
-        int width = picture.ownWidth();
-        int height = picture.ownHeight();
-        return new PicturePosition(
-                (point.x + 0.5 - bounds.x) / bounds.width * width,
-                (point.y + 0.5 - bounds.y) / bounds.height * height,
-                width,
-                height);
+        return position(
+                (point.x + 0.5 - bounds.x) / bounds.width * picture.ownWidth(),
+                (point.y + 0.5 - bounds.y) / bounds.height * picture.ownHeight());
     }
 
     /** Turns the camera by steps to the right and up. */
@@ -113,9 +114,8 @@ final class SteeringMouse extends MouseAdapter {
 
     /** Turns the camera to what is at a place of the picture. */
     void lookAt(Point2D place) {
-        Picture picture = canvas.shown().now();
         begin(null);
-        steering.centre(new PicturePosition(place.getX(), place.getY(), picture.ownWidth(), picture.ownHeight()));
+        steering.centre(position(place));
     }
 
     @Override

@@ -6,7 +6,6 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RadialGradientPaint;
-import java.awt.event.ActionEvent;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.MouseAdapter;
@@ -17,7 +16,6 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
-import javax.swing.AbstractAction;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import javax.swing.UIManager;
@@ -91,17 +89,11 @@ public final class DirectionSphere extends JPanel {
     }
 
     private void key(String key, double longitude, double latitude) {
-        getInputMap().put(KeyStroke.getKeyStroke(key), key);
-        getActionMap().put(key, new AbstractAction() {
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                double up = Math.asin(Math.max(-1, Math.min(1, direction.y())));
-                double around = Math.atan2(direction.x(), direction.z());
-                double newUp = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, up + latitude));
-                double newAround = around + longitude;
-                tell(new Vector3d(
-                        Math.cos(newUp) * Math.sin(newAround), Math.sin(newUp), Math.cos(newUp) * Math.cos(newAround)));
-            }
+        Keys.bindFocused(this, KeyStroke.getKeyStroke(key), () -> {
+            double up = Math.asin(Math.max(-1, Math.min(1, direction.y()))) + latitude;
+            double level = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, up));
+            double around = Math.atan2(direction.x(), direction.z()) + longitude;
+            tell(new Vector3d(Math.cos(level) * Math.sin(around), Math.sin(level), Math.cos(level) * Math.cos(around)));
         });
     }
 

@@ -1,10 +1,8 @@
 package tompkins.ui.widget;
 
-import java.awt.event.ActionEvent;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
-import javax.swing.AbstractAction;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import tompkins.property.InvalidPropertyException;
@@ -54,17 +52,13 @@ public final class NumberField {
     }
 
     private void step(String key, int steps) {
-        field.getInputMap().put(KeyStroke.getKeyStroke(key), key);
-        field.getActionMap().put(key, new AbstractAction() {
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                try {
-                    field.setText(kind.stepped(present(), steps));
-                } catch (InvalidPropertyException noNumber) {
-                    // the message comes when the text is taken
-                }
-                entry.commit();
+        Keys.bindFocused(field, KeyStroke.getKeyStroke(key), () -> {
+            try {
+                field.setText(kind.stepped(present(), steps));
+            } catch (InvalidPropertyException noNumber) {
+                // the message comes when the text is taken
             }
+            entry.commit();
         });
     }
 
