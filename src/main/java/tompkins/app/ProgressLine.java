@@ -1,5 +1,6 @@
 package tompkins.app;
 
+import java.io.Console;
 import java.io.PrintWriter;
 import java.util.Locale;
 import java.util.function.Supplier;
@@ -11,25 +12,51 @@ import tompkins.study.StudyKind;
 final class ProgressLine extends ProgressReport {
 
     private static final long INTERVAL_NANOS = 200_000_000;
+    private static final int WIDTH = 72;
 
-    private final ConsoleLine line;
+    private final PrintWriter out;
+    private final boolean watched = isWatched();
+    private boolean written;
     private long start = System.nanoTime();
     private long last = start;
 
     ProgressLine(PrintWriter out) {
-        line = new ConsoleLine(out);
+        this.out = out;
+    }
+
+    /** Since Java 22 there is always a console, which says itself whether it is a terminal. */
+    @SuppressWarnings("SystemConsoleNull")
+    private static boolean isWatched() {
+        Console console = System.console();
+        if (console == null) {
+            return false;
+        }
+        try {
+            return (boolean) Console.class.getMethod("isTerminal").invoke(console);
+        } catch (ReflectiveOperationException beforeJava22) {
+            return true;
+        }
+    }
+
+    /** Writes over what the line says. Nothing is written if the output is not a terminal. */
+    private void show(String text) {
+        if (watched) {
+            out.print("\r" + text + " ".repeat(Math.max(0, WIDTH - text.length())));
+            out.flush();
+            written = true;
+        }
     }
 
     @Override
     boolean watched() {
-        return line.watched();
+        return watched;
     }
 
     @Override
     synchronized void begin(String doing) {
         start = System.nanoTime();
         last = start;
-        line.show(doing);
+        show(doing);
     }
 
     @Override
@@ -46,10 +73,10 @@ final class ProgressLine extends ProgressReport {
 
     private void show(double progress, Supplier<String> speed) {
         long now = System.nanoTime();
-        if (line.watched() && now - last >= INTERVAL_NANOS) {
+        if (watched && now - last >= INTERVAL_NANOS) {
             last = now;
             double left = seconds() * (1 - progress) / Math.max(progress, 1e-9);
-            line.show(String.format(Locale.ROOT, "%3.0f %%   %s%.0f s left", 100 * progress, speed.get(), left));
+            show(String.format(Locale.ROOT, "%3.0f %%   %s%.0f s left", 100 * progress, speed.get(), left));
         }
     }
 
@@ -59,7 +86,7 @@ final class ProgressLine extends ProgressReport {
 
     @Override
     synchronized void measured(StudyKind kind, Measurement point, int done, int count) {
-        line.show(String.format(
+        show(String.format(
                 Locale.ROOT,
                 "%s %d/%d: %s, %s, %.6g",
                 kind,
@@ -72,6 +99,11 @@ final class ProgressLine extends ProgressReport {
 
     @Override
     synchronized void clear() {
-        line.clear();
+        if (written) {
+            show("");
+            out.print("\r");
+            out.flush();
+            written = false;
+        }
     }
 }
