@@ -7,10 +7,10 @@ import tompkins.ray.RayPacket;
  * only once for all of them. The result for each ray is the same as that of a search of its own. One for each thread,
  * used again for every few rays.
  */
-public final class EntryNodes {
+final class EntryNodes {
 
     /** The number of rays that is fastest; any other gives the same results. */
-    public static final int RAYS = 32;
+    static final int RAYS = 32;
 
     /** With this number of nodes no further one is opened: more would cost each ray more than they save. */
     private static final int MOST = 16;
@@ -38,7 +38,7 @@ public final class EntryNodes {
      * @param to place behind the last ray
      * @return false if there is no tree, or if the rays spread too widely
      */
-    public boolean find(ObjectTree objects, TreeParts parts, RayPacket rays, int from, int to) {
+    boolean find(ObjectTree objects, TreeParts parts, RayPacket rays, int from, int to) {
         count = 0;
         waitingCount = 0;
         if (objects.root() == null || !bundle.enclose(rays, from, to)) {

@@ -150,12 +150,7 @@ public final class ObjectTree {
         return nearest.primitive() != null;
     }
 
-    /** As {@link #nearest(Ray, NearestHit)}, for a ray that enters the tree through some nodes. */
-    public boolean nearest(Ray ray, EntryNodes entries, NearestHit nearest) {
-        return nearest(ray, Primitive.NO_HIT, entries, nearest);
-    }
-
-    /** As above, of what is not farther than a limit. */
+    /** As {@link #nearest(Ray, double, NearestHit)}, for a ray that enters the tree through some nodes. */
     public boolean nearest(Ray ray, double limit, EntryNodes entries, NearestHit nearest) {
         searchListed(ray, limit, nearest);
         for (int i = 0; i < entries.count() && entries.distance(i) <= nearest.distance(); i++) {

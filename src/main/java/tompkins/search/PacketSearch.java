@@ -12,7 +12,7 @@ import tompkins.ray.RayPacket;
  * nearest first, until all rays but a few have met something nearer than what waits. One for each thread, used again
  * for every packet.
  */
-public final class PacketSearch {
+final class PacketSearch {
 
     /** If the rays meet more parts of the tree than this at once, they also meet too many primitives in them. */
     private static final int MOST_WAITING = 64;
@@ -71,7 +71,7 @@ public final class PacketSearch {
      * @return null if what each ray meets was found: ask {@link #nearest} for it. Otherwise the rays spread too widely,
      *     or can meet too many primitives; search the tree for each, from these parts on if there are any.
      */
-    public TreeParts find(ObjectTree objects, RayPacket rays, NearestHit scratch) {
+    TreeParts find(ObjectTree objects, RayPacket rays, NearestHit scratch) {
         return findAll(objects, rays, scratch) ? null : partsFound();
     }
 
@@ -273,7 +273,7 @@ public final class PacketSearch {
     }
 
     /** Whether the ray at a place may meet something. */
-    public boolean mayMeet(int place) {
+    boolean mayMeet(int place) {
         return inBatches ? hits[place] != null : candidates.mayMeet(place);
     }
 
@@ -282,15 +282,11 @@ public final class PacketSearch {
      *
      * @param ray one of the rays of the packet
      * @param place its place
+     * @param limit what is farther may be left out
      * @param nearest gets the result
      * @return whether there is one
      */
-    public boolean nearest(Ray ray, int place, NearestHit nearest) {
-        return nearest(ray, place, Primitive.NO_HIT, nearest);
-    }
-
-    /** As above; what is farther than a limit may be left out. */
-    public boolean nearest(Ray ray, int place, double limit, NearestHit nearest) {
+    boolean nearest(Ray ray, int place, double limit, NearestHit nearest) {
         if (inBatches) {
             begin(place, nearest);
         } else {

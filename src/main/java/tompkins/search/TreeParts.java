@@ -1,7 +1,7 @@
 package tompkins.search;
 
 /** Parts of a tree that together hold everything that some rays can meet. Memory that is used again. */
-public final class TreeParts {
+final class TreeParts {
 
     /** With more parts it is quicker to begin at the root. */
     static final int MOST = 128;

@@ -72,7 +72,7 @@ class ObjectTreeTest {
                 boolean hit = list.nearest(ray, inList);
                 hits += hit ? 1 : 0;
 
-                assertThat(tree.nearest(ray, entries, inTree)).isEqualTo(hit);
+                assertThat(tree.nearest(ray, Primitive.NO_HIT, entries, inTree)).isEqualTo(hit);
                 assertThat(order(inTree)).isEqualTo(order(inList));
                 assertThat(inTree.distance()).isEqualTo(inList.distance());
             }
@@ -123,7 +123,8 @@ class ObjectTreeTest {
                 boolean hit = list.nearest(rays[place], inList);
                 hits += hit ? 1 : 0;
 
-                assertThat(tree.nearest(rays[place], entries, inTree)).isEqualTo(hit);
+                assertThat(tree.nearest(rays[place], Primitive.NO_HIT, entries, inTree))
+                        .isEqualTo(hit);
                 assertThat(order(inTree)).isEqualTo(order(inList));
                 assertThat(inTree.distance()).isEqualTo(inList.distance());
             }

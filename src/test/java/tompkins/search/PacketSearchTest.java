@@ -9,6 +9,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
@@ -43,7 +44,7 @@ class PacketSearchTest {
             found++;
             for (int place = 0; place < rays.count(); place++) {
                 Ray ray = rays.ray(place);
-                boolean hit = search.mayMeet(place) && search.nearest(ray, place, scratch);
+                boolean hit = search.mayMeet(place) && search.nearest(ray, place, Primitive.NO_HIT, scratch);
                 assertThat(hit).isEqualTo(tree.nearest(ray, alone));
                 if (hit) {
                     hits++;
