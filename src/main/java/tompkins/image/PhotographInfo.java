@@ -53,15 +53,9 @@ public record PhotographInfo(
         }
     }
 
-    /** What a photograph without a description says about itself. */
-    public PhotographInfo(
-            String title, String software, String sceneJson, Optional<Panorama> panorama, boolean stereoPair) {
-        this(title, software, sceneJson, panorama, stereoPair, "");
-    }
-
     /** What a photograph says about itself that is neither a panorama nor a stereo pair, and has no description. */
     public PhotographInfo(String title, String software, String sceneJson) {
-        this(title, software, sceneJson, Optional.empty(), false);
+        this(title, software, sceneJson, Optional.empty(), false, "");
     }
 
     /** The same with another description. */

@@ -35,7 +35,7 @@ public final class SelfDescription {
         String title = (studio.view() == View.MEASURED ? MEASURED : "") + OneLine.of(studio.title());
         boolean stereoPair = studio.camera().stereo().layout() == StereoLayout.SIDE_BY_SIDE;
         return new PhotographInfo(
-                title, program(), StudioWriter.writeSelfContained(studio), panorama(studio), stereoPair);
+                title, program(), StudioWriter.writeSelfContained(studio), panorama(studio), stereoPair, "");
     }
 
     private static Optional<Panorama> panorama(Studio studio) {

@@ -44,7 +44,7 @@ class PanoramaTest {
     @Test
     void aPngHoldsItBesideTheScene() throws Exception {
         Path file = folder.resolve("sky.png");
-        PhotographInfo info = new PhotographInfo("Sky", "", "{}", Optional.of(new Panorama(360, 180)), false);
+        PhotographInfo info = new PhotographInfo("Sky", "", "{}", Optional.of(new Panorama(360, 180)), false, "");
 
         PhotographFile.write(file, Samples.random(40, 20, 1), PictureFormat.PNG, ToneCurve.SRGB, info, true);
 

@@ -80,7 +80,7 @@ class PhotographFileTest {
     @ParameterizedTest
     @CsvSource({"32, true, true", "32, false, false", "36, true, false"})
     void aStereoPairSaysSo(int width, boolean isPair, boolean says) throws IOException {
-        PhotographInfo info = new PhotographInfo("Pair", "", "{}", Optional.empty(), isPair);
+        PhotographInfo info = new PhotographInfo("Pair", "", "{}", Optional.empty(), isPair, "");
         PhotographFile.write(file, Samples.random(width, 2, 1), PictureFormat.PNG, ToneCurve.LINEAR, info, true);
         String bytes = Files.readString(file, ISO_8859_1);
         assertThat(bytes.indexOf("IDAT") > bytes.indexOf("\0\0\0\1sTER\1") && bytes.contains("\0\0\0\1sTER\1"))
