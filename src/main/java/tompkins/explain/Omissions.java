@@ -15,9 +15,8 @@ import tompkins.surface.ColourFilter;
 import tompkins.surface.ComplexRefraction;
 import tompkins.surface.ConfocalLensletArray;
 import tompkins.surface.Continuation;
-import tompkins.surface.GalileoWindow;
+import tompkins.surface.FrameWindow;
 import tompkins.surface.IdealLens;
-import tompkins.surface.LorentzWindow;
 import tompkins.surface.Mirror;
 import tompkins.surface.Surface;
 import tompkins.trace.RenderPlan;
@@ -66,8 +65,7 @@ final class Omissions {
     }
 
     private void addWindows(List<String> sentences) {
-        Predicate<Surface> isWindow = part -> part instanceof LorentzWindow || part instanceof GalileoWindow;
-        if (!has(inScene, isWindow) && !has(beforeLens, isWindow)) {
+        if (!has(FrameWindow.class::isInstance)) {
             return;
         }
         boolean manyTimes = !plan.isAtRest() && !(camera.shutter() instanceof AperturePlaneShutter);
@@ -84,13 +82,11 @@ final class Omissions {
     }
 
     private void addLenses(List<String> sentences) {
-        Predicate<Surface> isLens = part -> part instanceof ConfocalLensletArray || part instanceof IdealLens;
-        Predicate<Surface> isComplex = part -> part instanceof ComplexRefraction;
-        if (has(inScene, isComplex) || has(beforeLens, isComplex)) {
+        if (has(ComplexRefraction.class::isInstance)) {
             sentences.add("Sheets with a complex ratio of indices turn light and do nothing else to it: no wave optics"
                     + " stands behind them, no light is delayed, and they mirror no part of what passes.");
         }
-        if (has(inScene, isLens) || has(beforeLens, isLens)) {
+        if (has(part -> part instanceof ConfocalLensletArray || part instanceof IdealLens)) {
             sentences.add("Lenslets and ideal lenses turn light and do nothing else to it: no wave optics stands behind"
                     + " them, and no light is delayed, although a real lens delays what passes its middle.");
         }
@@ -152,9 +148,8 @@ final class Omissions {
         boolean hasLamps = studio.lights().stream().anyMatch(PointLight.class::isInstance);
         if (isLit && hasLamps) {
             sentences.add("Lamps do not get fainter with distance.");
-            Predicate<Surface> isClear = part -> part.continuation() == Continuation.TURNED && !(part instanceof Mirror)
-                    || part instanceof ColourFilter;
-            if (has(inScene, isClear) || has(beforeLens, isClear)) {
+            if (has(part -> part.continuation() == Continuation.TURNED && !(part instanceof Mirror)
+                    || part instanceof ColourFilter)) {
                 sentences.add("Filters, glass and windows throw no shadow and do not tint the light of lamps.");
             }
         }
@@ -166,6 +161,10 @@ final class Omissions {
         if (camera instanceof ThinLensCamera) {
             sentences.add("The picture does not get darker towards its edges: no cos^4 law, which real lenses follow.");
         }
+    }
+
+    private boolean has(Predicate<Surface> property) {
+        return has(inScene, property) || has(beforeLens, property);
     }
 
     private static boolean has(Set<Surface> surfaces, Predicate<Surface> property) {

@@ -12,8 +12,7 @@ import tompkins.property.Descriptions;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.Velocity;
-import tompkins.surface.GalileoWindow;
-import tompkins.surface.LorentzWindow;
+import tompkins.surface.FrameWindow;
 import tompkins.surface.Surface;
 
 /**
@@ -34,16 +33,17 @@ public final class FrontWindow {
     private FrontWindow() {}
 
     /** The window's surface, if there is one. */
-    public static Optional<Surface> of(Studio studio) {
+    public static Optional<FrameWindow> of(Studio studio) {
         return studio.cameraFrame().stream()
                 .flatMap(object -> window(object).stream())
                 .findFirst();
     }
 
-    private static Optional<Surface> window(SceneObject object) {
+    private static Optional<FrameWindow> window(SceneObject object) {
         return Descriptions.find(object.getClass(), SURFACE)
-                .map(component -> (Surface) Descriptions.value(component, object))
-                .filter(surface -> surface instanceof LorentzWindow || surface instanceof GalileoWindow);
+                .map(component -> Descriptions.value(component, object))
+                .filter(FrameWindow.class::isInstance)
+                .map(FrameWindow.class::cast);
     }
 
     /**
@@ -73,16 +73,6 @@ public final class FrontWindow {
         return new Plane(DESCRIPTION, new Vector3d(view).mul(DISTANCE).add(camera.position()), view, surface);
     }
 
-    /** The velocity of a window. */
-    private static Velocity velocity(Surface window) {
-        return window instanceof LorentzWindow lorentz ? lorentz.velocity() : ((GalileoWindow) window).velocity();
-    }
-
-    /** The window with another velocity. */
-    public static Surface withVelocity(Surface window, Velocity velocity) {
-        return Descriptions.with(window, "velocity", velocity);
-    }
-
     /**
      * The studio with its camera turned or moved on board: the window stays in front of the lens; everything else that
      * moves with the camera stays where it is on board.
@@ -102,7 +92,7 @@ public final class FrontWindow {
     /** Whether the window has the velocity of the camera. */
     public static boolean matches(Studio studio) {
         return of(studio)
-                .map(FrontWindow::velocity)
+                .map(FrameWindow::velocity)
                 .filter(studio.velocity()::equals)
                 .isPresent();
     }
@@ -117,8 +107,8 @@ public final class FrontWindow {
      * again.
      */
     public static Studio following(Studio before, Studio after) {
-        Optional<Surface> window = of(after);
+        Optional<FrameWindow> window = of(after);
         boolean follows = matches(before) && !matches(after) && window.equals(of(before));
-        return follows ? with(after, withVelocity(window.orElseThrow(), after.velocity())) : after;
+        return follows ? with(after, window.orElseThrow().withVelocity(after.velocity())) : after;
     }
 }

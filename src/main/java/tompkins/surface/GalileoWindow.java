@@ -23,7 +23,7 @@ public record GalileoWindow(
 
         @Meaning("Share of the light that passes, from 0 to 1")
         double transmission)
-        implements Surface {
+        implements FrameWindow {
 
     /** A sheet that changes nothing and dims a little. */
     public static final GalileoWindow DEFAULT = new GalileoWindow(Velocity.REST, WindowAxes.FRAME, 0.96);
@@ -48,20 +48,5 @@ public record GalileoWindow(
         }
         Ray next = ray.bent(hit, dx / length, dy / length, dz / length, slowness / length, length, transmission);
         return Response.goesOn(next, Colour.grey(transmission));
-    }
-
-    @Override
-    public boolean usesCoordinates() {
-        return axes == WindowAxes.SURFACE;
-    }
-
-    @Override
-    public boolean canTurn() {
-        return false;
-    }
-
-    @Override
-    public Continuation continuation() {
-        return Continuation.TURNED;
     }
 }

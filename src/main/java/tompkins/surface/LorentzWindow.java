@@ -27,7 +27,7 @@ public record LorentzWindow(
 
         @Meaning("Share of the light that passes, from 0 to 1")
         double transmission)
-        implements Surface {
+        implements FrameWindow {
 
     /** A sheet that changes nothing and dims a little. */
     public static final LorentzWindow DEFAULT = new LorentzWindow(Velocity.REST, WindowAxes.FRAME, 0.96);
@@ -50,20 +50,5 @@ public record LorentzWindow(
         Vector3d back = axes.inFrame(velocity.direction(), hit).negate(new Vector3d());
         double directionLength = LorentzTransformation.turn(velocity, back, direction);
         return ray.bent(hit, direction.x, direction.y, direction.z, ray.lightSlowness(), directionLength, transmission);
-    }
-
-    @Override
-    public boolean usesCoordinates() {
-        return axes == WindowAxes.SURFACE;
-    }
-
-    @Override
-    public boolean canTurn() {
-        return false;
-    }
-
-    @Override
-    public Continuation continuation() {
-        return Continuation.TURNED;
     }
 }

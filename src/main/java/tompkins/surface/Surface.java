@@ -15,8 +15,7 @@ public sealed interface Surface
                 Mirror,
                 Refractive,
                 ComplexRefraction,
-                LorentzWindow,
-                GalileoWindow,
+                FrameWindow,
                 ConfocalLensletArray,
                 IdealLens {
 

@@ -22,7 +22,6 @@ import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Event;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
-import tompkins.surface.LorentzWindow;
 import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
 
@@ -213,7 +212,7 @@ class AnimateCommandTest {
     }
 
     private static double windowSpeed(Studio studio) {
-        return ((LorentzWindow) FrontWindow.of(studio).orElseThrow()).velocity().speed();
+        return FrontWindow.of(studio).orElseThrow().velocity().speed();
     }
 
     @Test

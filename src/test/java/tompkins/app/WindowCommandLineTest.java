@@ -212,8 +212,7 @@ class WindowCommandLineTest {
 
     @Test
     void aWindowBeforeTheLensIsNotSaidIfItFollows() {
-        Studio before =
-                FrontWindow.with(OPENED, Descriptions.with(LorentzWindow.DEFAULT, "velocity", OPENED.velocity()));
+        Studio before = FrontWindow.with(OPENED, LorentzWindow.DEFAULT.withVelocity(OPENED.velocity()));
         Studio after = FrontWindow.withVelocity(before, Velocity.of(SpeedScale.BETA, 0.5, new Vector3d(0, 0, 1)));
         assertThat(new WindowCommandLine(JAR).photograph(after, before, file).orElseThrow())
                 .endsWith("scene.json --beta=0.5");

@@ -115,7 +115,7 @@ class AssignmentsTest {
 
     @Test
     void theWindowBeforeTheLensFollows() {
-        Studio windowed = FrontWindow.with(STUDIO, FrontWindow.withVelocity(LorentzWindow.DEFAULT, STUDIO.velocity()));
+        Studio windowed = FrontWindow.with(STUDIO, LorentzWindow.DEFAULT.withVelocity(STUDIO.velocity()));
         assertThat(FrontWindow.matches(with(windowed, "velocity.beta=0.5"))).isTrue();
         assertThat(FrontWindow.matches(with(windowed, "velocity.beta=0.5  cameraFrame[0].surface.velocity.beta=0.4")))
                 .isFalse();

@@ -94,18 +94,14 @@ class StudioNumberTest {
     /** The window that undoes the aberration still undoes it, until it is changed itself. */
     @Test
     void aWindowThatHasTheVelocityOfTheCameraKeepsIt() {
-        LorentzWindow window = (LorentzWindow) FrontWindow.withVelocity(LorentzWindow.DEFAULT, STUDIO.velocity());
-        Studio studio = FrontWindow.with(STUDIO, window);
+        Studio studio = FrontWindow.with(STUDIO, LorentzWindow.DEFAULT.withVelocity(STUDIO.velocity()));
         Studio faster = StudioNumber.speed(SpeedScale.BETA).with(studio, 0.9);
-        assertThat(((LorentzWindow) FrontWindow.of(faster).orElseThrow()).velocity())
+        assertThat(FrontWindow.of(faster).orElseThrow().velocity())
                 .isEqualTo(Velocity.of(SpeedScale.BETA, 0.9, new Vector3d(1, 0, 0)));
         Studio apart =
                 StudioNumber.at("cameraFrame[0].surface.velocity.beta", studio).with(studio, 0.1);
         assertThat(apart.velocity()).isEqualTo(STUDIO.velocity());
-        assertThat(((LorentzWindow) FrontWindow.of(apart).orElseThrow())
-                        .velocity()
-                        .speed())
-                .isEqualTo(0.1);
+        assertThat(FrontWindow.of(apart).orElseThrow().velocity().speed()).isEqualTo(0.1);
     }
 
     @ParameterizedTest

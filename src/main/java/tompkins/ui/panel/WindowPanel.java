@@ -6,9 +6,9 @@ import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
+import tompkins.surface.FrameWindow;
 import tompkins.surface.GalileoWindow;
 import tompkins.surface.LorentzWindow;
-import tompkins.surface.Surface;
 import tompkins.ui.editor.RecordForm;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Buttons;
@@ -30,7 +30,7 @@ public final class WindowPanel extends Part {
         LORENTZ_WINDOW,
         GALILEO_WINDOW;
 
-        static Kind of(Optional<Surface> window) {
+        static Kind of(Optional<FrameWindow> window) {
             return window.map(surface -> surface instanceof LorentzWindow ? LORENTZ_WINDOW : GALILEO_WINDOW)
                     .orElse(NO_WINDOW);
         }
@@ -64,23 +64,22 @@ public final class WindowPanel extends Part {
         if (kind == Kind.of(FrontWindow.of(studio))) {
             return;
         }
-        Surface surface = switch (kind) {
+        FrameWindow window = switch (kind) {
             case NO_WINDOW -> null;
-            case LORENTZ_WINDOW -> FrontWindow.withVelocity(LorentzWindow.DEFAULT, studio.velocity());
-            case GALILEO_WINDOW -> FrontWindow.withVelocity(GalileoWindow.DEFAULT, studio.velocity());
+            case LORENTZ_WINDOW -> LorentzWindow.DEFAULT.withVelocity(studio.velocity());
+            case GALILEO_WINDOW -> GalileoWindow.DEFAULT.withVelocity(studio.velocity());
         };
-        model.set(FrontWindow.with(studio, surface));
+        model.set(FrontWindow.with(studio, window));
     }
 
     private void matchCamera() {
         Studio studio = model.studio();
         FrontWindow.of(studio)
-                .ifPresent(window ->
-                        model.set(FrontWindow.with(studio, FrontWindow.withVelocity(window, studio.velocity()))));
+                .ifPresent(window -> model.set(FrontWindow.with(studio, window.withVelocity(studio.velocity()))));
     }
 
     private void update() {
-        Optional<Surface> window = FrontWindow.of(model.studio());
+        Optional<FrameWindow> window = FrontWindow.of(model.studio());
         boolean matches = FrontWindow.matches(model.studio());
         updating.during(() -> kinds.setSelectedItem(Kind.of(window)));
         match.setEnabled(window.isPresent() && !matches);
@@ -89,14 +88,14 @@ public final class WindowPanel extends Part {
         window.ifPresentOrElse(this::showDetails, () -> EntryField.in(details).forEach(EntryField::revert));
     }
 
-    private void showDetails(Surface window) {
+    private void showDetails(FrameWindow window) {
         if (window.getClass() != shownType) {
             shownType = window.getClass();
             details.removeAll();
             form = new RecordForm(
                     shownType,
                     component -> true,
-                    changed -> model.set(FrontWindow.with(model.studio(), (Surface) changed)));
+                    changed -> model.set(FrontWindow.with(model.studio(), (FrameWindow) changed)));
             details.add(form.component(), "wmin 0");
             details.revalidate();
         }

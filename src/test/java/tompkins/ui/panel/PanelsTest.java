@@ -62,7 +62,6 @@ import tompkins.studio.View;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.GalileoWindow;
 import tompkins.surface.LorentzWindow;
-import tompkins.surface.Surface;
 import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.Components;
@@ -611,8 +610,7 @@ class PanelsTest {
     }
 
     private Velocity windowVelocity() {
-        Surface window = FrontWindow.of(model.studio()).orElseThrow();
-        return (Velocity) Descriptions.value(Descriptions.component(window.getClass(), "velocity"), window);
+        return FrontWindow.of(model.studio()).orElseThrow().velocity();
     }
 
     @Test

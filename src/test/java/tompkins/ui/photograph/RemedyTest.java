@@ -118,7 +118,7 @@ class RemedyTest {
     void aWindowThroughWhichNothingIsSeenCanBeRemoved() {
         Studio seen = Studios.sphere();
         Velocity away = Velocity.of(0.999, 0, 0);
-        Studio empty = FrontWindow.with(seen, FrontWindow.withVelocity(LorentzWindow.DEFAULT, away));
+        Studio empty = FrontWindow.with(seen, LorentzWindow.DEFAULT.withVelocity(away));
         assertThat(complete(empty).flaw()).isEqualTo(Picture.Flaw.EMPTY);
         WindowDriver.await("the offer", () -> button().getParent().isVisible());
         WindowDriver.onEventThread(() -> button().doClick());

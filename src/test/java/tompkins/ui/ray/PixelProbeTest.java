@@ -181,7 +181,7 @@ class PixelProbeTest {
     void theObjectBehindAWindowIsFound() {
         Velocity fast = Velocity.of(0, 0, BETA);
         Studio moving = Studios.sphere().withVelocity(fast);
-        Studio corrected = FrontWindow.with(moving, FrontWindow.withVelocity(LorentzWindow.DEFAULT, fast));
+        Studio corrected = FrontWindow.with(moving, LorentzWindow.DEFAULT.withVelocity(fast));
         Sighting reading = read(corrected, 32, 24);
         assertThat(object(reading)).isEqualTo("sphere");
         assertThat(reading.life().hits()).hasSize(2);
