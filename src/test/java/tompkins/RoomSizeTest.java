@@ -32,12 +32,12 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        26_841),
-                arguments("file, image", 4_518),
-                arguments("explain, lesson, measure, animation", 6_307),
-                arguments("io, app", 7_947),
-                arguments("study", 4_550),
-                arguments("ui", 21_397));
+                        26_719),
+                arguments("file, image", 4_512),
+                arguments("explain, lesson, measure, animation", 6_302),
+                arguments("io, app", 7_921),
+                arguments("study", 4_549),
+                arguments("ui", 21_231));
     }
 
     @ParameterizedTest
