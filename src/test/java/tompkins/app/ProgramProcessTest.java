@@ -102,7 +102,7 @@ class ProgramProcessTest extends ShellTest {
         Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 64, \"height\": 48}}");
 
         // so long that both have begun before one of them ends
-        String render = "tompkins render sky.json --seconds 3";
+        String render = "tompkins render sky.json --seconds 5";
         ProgramRun run = shell(render + " & " + render + " & wait; ls *.png");
 
         assertThat(run.out().lines().skip(2)).as(run.err()).containsExactly("sky-2.png", "sky.png");
