@@ -56,8 +56,8 @@ public final class Ray {
     /** Growth of that diameter per unit length: the opening angle of the bundle; below 0 it runs to a focus. */
     public double spread;
 
-    /** The factor by which windows and lenses have divided small angles between rays; 1 at the camera. */
-    public double angleFactor;
+    /** The factor by which windows have divided small angles between rays, as motion does; 1 at the camera. */
+    public double windowFactor;
 
     /** The largest share of the sample's light that the ray can still bring, 1 at the camera. */
     public double throughput;
@@ -100,7 +100,7 @@ public final class Ray {
         ray.slowness = 1;
         ray.frequency = 1;
         ray.directionLength = 1;
-        ray.angleFactor = 1;
+        ray.windowFactor = 1;
         ray.throughput = 1;
         return ray;
     }
@@ -179,7 +179,6 @@ public final class Ray {
         ray.slowness = newSlowness;
         ray.width += ray.spread * hit.distance;
         ray.spread /= angleFactor;
-        ray.angleFactor *= angleFactor;
         ray.throughput *= share;
         ray.depth++;
         return ray;
@@ -188,6 +187,12 @@ public final class Ray {
     /** Notes what becomes of the light of this ray, which has just begun. */
     public Ray weighted(Colour newWeight) {
         weight = newWeight;
+        return this;
+    }
+
+    /** Notes that a window has divided small angles by a factor, as motion does. */
+    public Ray behindWindow(double factor) {
+        windowFactor *= factor;
         return this;
     }
 
@@ -258,7 +263,7 @@ public final class Ray {
         measures = other.measures;
         width = other.width;
         spread = other.spread;
-        angleFactor = other.angleFactor;
+        windowFactor = other.windowFactor;
         throughput = other.throughput;
         weight = other.weight;
         medium = other.medium;

@@ -48,7 +48,7 @@ public final class RayPacket {
     private final double[][] numbers;
 
     private final double[] width;
-    private final double[] angleFactor;
+    private final double[] windowFactor;
     private final double[] throughput;
     private final int[] depth;
     private final int[] samples;
@@ -73,14 +73,14 @@ public final class RayPacket {
         frequency = new double[most];
         directionLength = new double[most];
         width = new double[most];
-        angleFactor = new double[most];
+        windowFactor = new double[most];
         throughput = new double[most];
         depth = new int[most];
         spread = new double[most];
         samples = new int[most];
         setByCamera = new double[][] {x, y, z, dx, dy, dz, time, spread};
         numbers = new double[][] {
-            x, y, z, dx, dy, dz, time, spread, slowness, frequency, directionLength, width, angleFactor, throughput
+            x, y, z, dx, dy, dz, time, spread, slowness, frequency, directionLength, width, windowFactor, throughput
         };
     }
 
@@ -112,7 +112,7 @@ public final class RayPacket {
             frequency[i] = 1;
             directionLength[i] = 1;
             width[i] = 0;
-            angleFactor[i] = 1;
+            windowFactor[i] = 1;
             throughput[i] = 1;
             depth[i] = 0;
             samples[i] = i;
@@ -227,7 +227,7 @@ public final class RayPacket {
         frequency[place] = ray.frequency;
         directionLength[place] = ray.directionLength;
         width[place] = ray.width;
-        angleFactor[place] = ray.angleFactor;
+        windowFactor[place] = ray.windowFactor;
         throughput[place] = ray.throughput;
         depth[place] = ray.depth;
         spread[place] = ray.spread;
@@ -261,7 +261,7 @@ public final class RayPacket {
         memory.measures = measures;
         memory.width = width[place];
         memory.spread = spread[place];
-        memory.angleFactor = angleFactor[place];
+        memory.windowFactor = windowFactor[place];
         memory.throughput = throughput[place];
         memory.medium = media == null ? null : media[place];
         memory.boundary = null;

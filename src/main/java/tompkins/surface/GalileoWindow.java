@@ -46,7 +46,8 @@ public record GalileoWindow(
         if (length == 0) {
             return Response.ends(Colour.BLACK);
         }
-        Ray next = ray.bent(hit, dx / length, dy / length, dz / length, slowness / length, length, transmission);
+        Ray next = ray.bent(hit, dx / length, dy / length, dz / length, slowness / length, length, transmission)
+                .behindWindow(length);
         return Response.goesOn(next, Colour.grey(transmission));
     }
 }

@@ -108,8 +108,8 @@ final class StarField {
 
     /** The light of a star that a ray brings which leaves the scene in its direction: radiance times solid angle. */
     Colour light(int star, Ray ray) {
-        // windows leave the light of a star as it is, and so does motion unless the light is shifted
-        double turned = ray.angleFactor * (shift == null ? ray.directionLength : 1);
+        // windows leave the light of a star as it is, as the motion does that they imitate, unless light is shifted
+        double turned = ray.windowFactor * (shift == null ? ray.directionLength : 1);
         return light(star, 1 / ray.frequency, ray.directionLength).times(solidAngles[star] / (turned * turned));
     }
 

@@ -1,5 +1,6 @@
 package tompkins.trace;
 
+import java.util.Arrays;
 import java.util.function.Function;
 import tompkins.camera.EyeView;
 import tompkins.camera.SamplePositions;
@@ -27,7 +28,7 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
     private static final double LINEAR = 0.003;
 
     /** For rays that bring no more than this, such as those that glass mirrors, the slope of the sample is enough. */
-    private static final double FAINT = 0.05;
+    private static final double FAINT = 0.003;
 
     /** So is it for a star that brings no more than this part of what the pixel gets of all stars. */
     private static final double ONE_OF_MANY = 0.01;
@@ -51,10 +52,13 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
     private EyeView eye;
     private int column;
     private int row;
-    private long way;
-    private double allBrightness;
-    private final StarMap.Visitor weighing = (star, x, y, z) -> allBrightness += brightness(star, x, y, z);
     private Colour sum;
+
+    // the stars near a ray, with their directions and the largest brightness that each can have
+    private int near;
+    private int[] numbers = new int[8];
+    private double[][] directions = new double[8][3];
+    private double[] brightnesses = new double[8];
 
     /** The light of stars; the function makes a tracer of the same picture, without them, that an observer watches. */
     StarTracer(StarField stars, Function<PathObserver, SampleTracer> tracerFor) {
@@ -98,49 +102,73 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
         if (number < 0) {
             return Colour.BLACK;
         }
-        way = here.way(number);
-        if (!first.measure(nearby, nearby.x(), nearby.y(), here, here.ray(number), way)) {
+        nearby.want(here, number);
+        if (!first.measure(nearby, nearby.x(), nearby.y(), here.look, here.ray(number), false)) {
             return Colour.BLACK;
         }
         sum = Colour.BLACK;
-        allBrightness = 0;
+        near = 0;
         // the sample is not in the middle of its pixel
-        double radius = Math.min(WIDEST, (REACH + 1) * first.steepest());
-        stars.visit(ray, radius, weighing);
-        stars.visit(ray, radius, this);
+        stars.visit(ray, Math.min(WIDEST, (REACH + 1) * first.steepest()), this);
+        double all = 0;
+        for (int i = 0; i < near; i++) {
+            all += brightnesses[i];
+        }
+        for (int i = 0; i < near; i++) {
+            boolean isFaint = first.ray().throughput < FAINT || brightnesses[i] < ONE_OF_MANY * all;
+            seek(numbers[i], directions[i][0], directions[i][1], directions[i][2], isFaint);
+        }
         return sum.times(1 / stars.solidAngle(eye, column, row));
     }
 
+    /** Keeps a star that may be so near, wherever it is near its place by the slope of the sample. */
     @Override
     public void take(int star, double starX, double starY, double starZ) {
+        first.aim(first.ray(), starX, starY, starZ);
+        double aside = length(first.x() + first.stepX() - column - 0.5, first.y() + first.stepY() - row - 0.5);
+        double share = StarPoints.share(Math.max(0, aside - ASTRAY), 0);
+        if (share == 0) {
+            return;
+        }
+        if (near == numbers.length) {
+            numbers = Arrays.copyOf(numbers, 2 * near);
+            directions = Arrays.copyOf(directions, 2 * near);
+            brightnesses = Arrays.copyOf(brightnesses, 2 * near);
+        }
+        numbers[near] = star;
+        directions[near] = new double[] {starX, starY, starZ};
+        brightnesses[near] = stars.brightness(star) * share;
+        near++;
+    }
+
+    private void seek(int star, double starX, double starY, double starZ, boolean isFaint) {
         SkySlope slope = first;
-        double brightness = brightness(star, starX, starY, starZ);
+        slope.aim(slope.ray(), starX, starY, starZ);
         double stepX = slope.stepX();
         double stepY = slope.stepY();
         double part = 1;
-        boolean isFaint = slope.ray().throughput < FAINT || brightness < ONE_OF_MANY * allBrightness;
         boolean beyondEdge = isFaint;
         for (int i = 0; i < TRIES && !isFaint && isNear(slope.x() + stepX, slope.y() + stepY); i++) {
             double x = slope.x() + part * stepX;
             double y = slope.y() + part * stepY;
-            Ray found = nearby.at(x, y, there).onWay(way, slope.ray());
+            Ray found = nearby.onWay(x, y, slope.ray(), true, there);
             beyondEdge = found == null;
             if (beyondEdge) {
                 part /= 2;
                 continue;
             }
             slope.aim(found, starX, starY, starZ);
-            double length = Math.hypot(stepX, stepY);
+            double length = length(stepX, stepY);
             double remainderX = slope.stepX() - (1 - part) * stepX;
             double remainderY = slope.stepY() - (1 - part) * stepY;
-            if (Math.hypot(remainderX, remainderY) <= LINEAR * part * length
+            if (length(remainderX, remainderY) <= LINEAR * part * length
                     && Math.abs(turn(found) / turn(slope.ray()) - 1) <= LINEAR) {
                 add(star, found, slope, x + slope.stepX(), y + slope.stepY());
                 return;
             }
             SkySlope nearer = slope == next[0] ? next[1] : next[0];
-            if (Math.hypot(slope.stepX(), slope.stepY()) >= length
-                    || !nearer.measure(nearby, x, y, there, found, way)) {
+            if (length(slope.stepX(), slope.stepY()) >= length
+                    || !nearer.measure(nearby, x, y, there.look, found, true)) {
                 part /= 2;
                 continue;
             }
@@ -149,7 +177,7 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
             stepX = slope.stepX();
             stepY = slope.stepY();
             part = 1;
-            if (Math.hypot(stepX, stepY) < SHORT) {
+            if (length(stepX, stepY) < SHORT) {
                 add(star, slope.ray(), slope, x + stepX, y + stepY);
                 return;
             }
@@ -160,19 +188,16 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
         }
     }
 
-    /** How much of a star's brightness the pixel gets at most, wherever the star may be near its place by the slope. */
-    private double brightness(int star, double starX, double starY, double starZ) {
-        first.aim(first.ray(), starX, starY, starZ);
-        double aside = Math.hypot(first.x() + first.stepX() - column - 0.5, first.y() + first.stepY() - row - 0.5);
-        return stars.brightness(star) * StarPoints.share(Math.max(0, aside - ASTRAY), 0);
+    private static double turn(Ray ray) {
+        return ray.windowFactor * ray.directionLength;
     }
 
-    private static double turn(Ray ray) {
-        return ray.angleFactor * ray.directionLength;
+    private static double length(double x, double y) {
+        return Math.sqrt(x * x + y * y);
     }
 
     private boolean isNear(double x, double y) {
-        return Math.hypot(x - column - 0.5, y - row - 0.5) < REACH;
+        return length(x - column - 0.5, y - row - 0.5) < REACH;
     }
 
     /** Adds the light of a star at a place, of which a ray there brings as much as it can. */

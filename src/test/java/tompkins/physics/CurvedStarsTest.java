@@ -189,7 +189,8 @@ class CurvedStarsTest {
 
     /** Through a ball of glass: bent twice by i - r, less what Fresnel's equations mirror at its two boundaries. */
     @ParameterizedTest
-    @CsvSource({"10, 0.3, 3, 1", "20, 0.2, 3, 1", "20, 0.6, 3, 3", "20, 0.85, 10, 1", "60, 0.3, 5, 1"})
+    @CsvSource({"10, 0.3, 3, 1", "20, 0.2, 3, 1", "20, 0.6, 3, 3", "20, 0.85, 10, 1", "20, 0.85, 3, 1", "60, 0.3, 5, 1"
+    })
     void aBallOfGlassShowsStarsBehindIt(double pixels, double part, double distance, int samples) {
         double index = 1.5;
         double degrees = degrees(pixels, distance);
@@ -209,6 +210,22 @@ class CurvedStarsTest {
                     x,
                     y,
                     SPOT);
+        });
+    }
+
+    /** What a ball of glass mirrors at its front, which is less than a twentieth of the light. */
+    @ParameterizedTest
+    @CsvSource({"20, 0.3, 3, 1", "20, 0.5, 5, 3"})
+    void aBallOfGlassMirrorsStars(double pixels, double part, double distance, int samples) {
+        double degrees = degrees(pixels, distance);
+        Sphere ball = new Sphere("ball", new Vector3d(0, 0, distance), 1, new Refractive(1.5));
+        forEachPlace(Math.floor(32 + pixels * part * 0.8), Math.floor(24 - pixels * part * 0.6), (x, y) -> {
+            Vector3d look = StarLightTest.look(x, y, WIDTH, degrees);
+            double in = Math.asin(distance * Math.sin(angle(look)));
+            double light =
+                    magnification(a -> inBall(a, distance), angle(look)) * mirrored(in, Math.asin(Math.sin(in) / 1.5));
+            Vector3d star = star(look, inBall(angle(look), distance));
+            expect(studio(star, 0, samples, degrees, ball), light, x, y, SPOT);
         });
     }
 

@@ -37,6 +37,8 @@ import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.studio.View;
+import tompkins.surface.ComplexRefraction;
+import tompkins.surface.ConfocalLensletArray;
 import tompkins.surface.IdealLens;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.Mirror;
@@ -324,6 +326,74 @@ class StarLightTest {
         Studio studio = Descriptions.with(studio(look, 0, 64, samples, 2), "background", sky(star))
                 .withCameraFrame(List.of(lens));
         expect(studio, LIGHT / (growth * growth), 40.3, 11.8);
+    }
+
+    /**
+     * Sheets that bend light show a star with the ratio of solid angles, as mirrors and glass do. Slopes s to their
+     * normal are turned to s' = a s + b; a solid angle is that of the slopes times the third power of the cosine.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "LENS, 0, 1",
+        "LENS, 0, 4",
+        "LENS, 0.6, 1",
+        "LENSLETS, 0, 1",
+        "LENSLETS, 0, 3",
+        "LENSLETS, 0.6, 1",
+        "REFRACTION, 0, 1",
+        "REFRACTION, 0, 3",
+        "REFRACTION, 0.6, 1"
+    })
+    void aSheetShowsTheRatioOfSolidAngles(Sheet sheet, double beta, int samples) {
+        double x = 46.3;
+        double y = 13.8;
+        Vector3d look = look(x, y, 64, 60);
+        Disc disc = new Disc("sheet", new Vector3d(0, 0, 1), new Vector3d(0, 0, -1), 3, sheet.surface);
+        Vector3d star = sheet.beyond(look);
+        double step = 1e-5;
+        Vector3d right = sheet.beyond(new Vector3d(look).add(step, 0, 0)).sub(star);
+        Vector3d up = sheet.beyond(new Vector3d(look).add(0, step, 0)).sub(star);
+        double cosine = 1 / look.length();
+        double light = cosine * cosine * cosine * step * step / right.cross(up).length();
+        Studio studio = Descriptions.with(studio(look, beta, 64, samples, 60), "background", sky(inScene(star, beta)));
+        expect(studio.withCameraFrame(List.of(disc)), LIGHT * light, x, y);
+    }
+
+    /** What sheets at the distance 1 make of directions, whose depth is 1. */
+    enum Sheet {
+        LENS(new IdealLens(3, 0.5, 0.5, 1)) {
+            @Override
+            Vector3d slopes(Vector3d look) {
+                return new Vector3d(look.x * 2 / 3, look.y * 2 / 3, 1);
+            }
+        },
+        LENSLETS(new ConfocalLensletArray(1.4, 0.8, 0, 0, 1)) {
+            @Override
+            Vector3d slopes(Vector3d look) {
+                // the ray enters at the front
+                return new Vector3d(look.x * 1.4, look.y * 0.8, 1);
+            }
+        },
+        REFRACTION(new ComplexRefraction(1.3, 0, 1)) {
+            @Override
+            Vector3d slopes(Vector3d look) {
+                double sine = Math.hypot(look.x, look.y) / look.length() / 1.3;
+                double slope = sine / Math.sqrt(1 - sine * sine) / Math.hypot(look.x, look.y);
+                return new Vector3d(look.x * slope, look.y * slope, 1);
+            }
+        };
+
+        private final Surface surface;
+
+        Sheet(Surface surface) {
+            this.surface = surface;
+        }
+
+        abstract Vector3d slopes(Vector3d look);
+
+        Vector3d beyond(Vector3d look) {
+            return slopes(look).normalize();
+        }
     }
 
     /** A camera with a wide aperture gets no more light of a star: the picture is the mean over the lens. */

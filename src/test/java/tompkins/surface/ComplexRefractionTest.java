@@ -92,7 +92,7 @@ class ComplexRefractionTest {
         Vector3d first = turned(surface, d, one, step).sub(middle);
         Vector3d second = turned(surface, d, other, step).sub(middle);
         double area = first.cross(second, new Vector3d()).length() / (step * step);
-        assertThat(beyond(surface, ray(d.x, d.y, d.z)).angleFactor).isCloseTo(1 / Math.sqrt(area), within(1e-5));
+        assertThat(beyond(surface, ray(d.x, d.y, d.z).opened(1)).spread).isCloseTo(Math.sqrt(area), within(1e-5));
     }
 
     private static Vector3d turned(ComplexRefraction surface, Vector3d d, Vector3d aside, double step) {
