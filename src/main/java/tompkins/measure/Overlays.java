@@ -123,7 +123,7 @@ public final class Overlays {
 
     private void addLine(OverlayDrawing drawing, SceneShapes.Line line, SeenFrame frame) {
         addCurve(drawing, 0, 1, part -> {
-            Vector3d point = line.start().lerp(line.end(), part, new Vector3d());
+            Vector3d point = line.places().apply(part);
             return line.turn() == null
                     ? projection.position(frame, point)
                     : projection.position(event -> look(frame, line.turn(), point, event));

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.DoubleFunction;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.primitive.Bounds;
@@ -15,6 +16,7 @@ import tompkins.primitive.FlatPrimitive;
 import tompkins.primitive.Primitive;
 import tompkins.primitive.Rotation;
 import tompkins.primitive.SpherePrimitive;
+import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.TriangleMesh;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
@@ -26,7 +28,8 @@ import tompkins.world.InertialFrame;
  * with the box of all that it comes by.
  *
  * @param spheres spheres, without those that turn about an axis beside their centres
- * @param lines axes of rods, and edges of boxes and of flat pieces; not those of meshes
+ * @param lines axes of rods, edges of boxes and of flat pieces, and the rims of discs, lenses and cones; not those of
+ *     meshes
  * @param objects bounded objects
  * @param complete whether these are all
  * @param turnsRays whether the scene holds mirrors, glass or windows, in which objects are seen elsewhere
@@ -52,14 +55,13 @@ public record SceneShapes(
     public record Ball(FrameMotion motion, Vector3dc centre, double radius) {}
 
     /**
-     * A straight line with two ends.
+     * A line with two ends, or a circle.
      *
      * @param motion how its frame moves; null for the scene frame
      * @param turn how it turns there; null if it rests
-     * @param start one end in its frame, before anything turned
-     * @param end the other end
+     * @param places its points in its frame, before anything turned, from one end at 0 to the other at 1
      */
-    public record Line(FrameMotion motion, Turn turn, Vector3dc start, Vector3dc end) {}
+    public record Line(FrameMotion motion, Turn turn, DoubleFunction<Vector3d> places) {}
 
     /**
      * How something turns in its frame.
@@ -155,6 +157,16 @@ public record SceneShapes(
                     addLine(motion, turn, origin, corners.get(i), corners.get((i + 1) % corners.size()));
                 }
             }
+            List<Vector3d> rim = primitive.rim();
+            // rods have their axes instead, and cones the edge of their mantle
+            boolean isEnd = primitive instanceof FlatPrimitive && !(primitive.object() instanceof Disc);
+            if (!rim.isEmpty() && !isEnd) {
+                Vector3d middle = new Vector3d(origin).add(rim.get(0));
+                addLine(motion, turn, part -> {
+                    double angle = 2 * Math.PI * part;
+                    return new Vector3d(middle).fma(Math.cos(angle), rim.get(1)).fma(Math.sin(angle), rim.get(2));
+                });
+            }
         }
 
         /** Two corners of a box whose numbers differ by one bit have an edge between them. */
@@ -169,8 +181,14 @@ public record SceneShapes(
         }
 
         private void addLine(FrameMotion motion, Turn turn, Vector3dc origin, Vector3dc start, Vector3dc end) {
+            Vector3d from = start.add(origin, new Vector3d());
+            Vector3d to = end.add(origin, new Vector3d());
+            addLine(motion, turn, part -> from.lerp(to, part, new Vector3d()));
+        }
+
+        private void addLine(FrameMotion motion, Turn turn, DoubleFunction<Vector3d> places) {
             if (hasRoom(lines, MOST_LINES)) {
-                lines.add(new Line(motion, turn, start.add(origin, new Vector3d()), end.add(origin, new Vector3d())));
+                lines.add(new Line(motion, turn, places));
             }
         }
 

@@ -192,6 +192,11 @@ public final class CapPrimitive extends Primitive {
 
     /** That of its edge, or that of the whole sphere if the cap holds the point with it. */
     @Override
+    public List<Vector3d> rim() {
+        return rim(edge, axis, radius);
+    }
+
+    @Override
     public double minimumAlong(double nx, double ny, double nz) {
         double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
         double side = Math.copySign(length, curvature);

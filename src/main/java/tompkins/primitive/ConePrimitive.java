@@ -157,6 +157,11 @@ public final class ConePrimitive extends Primitive {
     }
 
     @Override
+    public List<Vector3d> rim() {
+        return rim(new Vector3d(tip).fma(height, axis), axis, baseRadius);
+    }
+
+    @Override
     public double minimumAlong(double nx, double ny, double nz) {
         double top = nx * tip.x + ny * tip.y + nz * tip.z;
         double rise = nx * axis.x + ny * axis.y + nz * axis.z;

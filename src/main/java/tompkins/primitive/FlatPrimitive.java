@@ -224,6 +224,15 @@ public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
     }
 
     @Override
+    public List<Vector3d> rim() {
+        Vector3d halfU = new Vector3d(spanUX, spanUY, spanUZ).div(2);
+        Vector3d halfV = new Vector3d(spanVX, spanVY, spanVZ).div(2);
+        return outline == Outline.ELLIPSE
+                ? List.of(new Vector3d(cornerX, cornerY, cornerZ).add(halfU).add(halfV), halfU, halfV)
+                : List.of();
+    }
+
+    @Override
     public double minimumAlong(double nx, double ny, double nz) {
         double corner = nx * cornerX + ny * cornerY + nz * cornerZ;
         double alongU = nx * spanUX + ny * spanUY + nz * spanUZ;

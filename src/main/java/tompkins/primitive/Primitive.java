@@ -216,6 +216,17 @@ public abstract class Primitive implements Boundary, Cloneable {
         throw new IllegalStateException("endless: " + description());
     }
 
+    /** The circle or ellipse at its edge: the centre, and two conjugate radii from there; empty if it has none. */
+    public List<Vector3d> rim() {
+        return List.of();
+    }
+
+    /** The circle about a unit vector. */
+    static List<Vector3d> rim(Vector3d centre, Vector3dc axis, double radius) {
+        Vector3d first = Vectors.firstAxis(axis).mul(radius);
+        return List.of(centre, first, axis.cross(first, new Vector3d()));
+    }
+
     /** Whether it stays the same when it is turned about an axis, a unit vector through a centre. */
     public boolean isRoundAbout(Vector3dc centre, Vector3dc axis) {
         return false;

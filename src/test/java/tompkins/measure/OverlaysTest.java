@@ -25,7 +25,10 @@ import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.render.Renderer;
 import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Cone;
 import tompkins.sceneobject.Cylinder;
+import tompkins.sceneobject.Disc;
+import tompkins.sceneobject.Lens;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.Rotating;
@@ -134,6 +137,38 @@ class OverlaysTest {
                 assertThat(hits(plan, place.x() - outwards.x, place.y() - outwards.y))
                         .as("inside %s", place)
                         .isTrue();
+            }
+        }
+    }
+
+    /** Rims of what is seen from the front are its edges in the picture. */
+    @ParameterizedTest(name = "{index}")
+    @MethodSource("cameras")
+    void rimsAreTheEdgesOfRoundPieces(Velocity velocity, Camera camera) {
+        for (FrameMotion motion : new FrameMotion[] {null, MOTION}) {
+            Studio empty = studio(velocity, camera);
+            Vector3d centre = point(empty, motion, 300, 260, 10);
+            Vector3d nearer = point(empty, motion, 300, 260, 9.5);
+            Vector3d back = centre.sub(nearer, new Vector3d());
+            Vector3d aslant = new Vector3d(back).add(0.1, -0.2, 0.1);
+            for (SceneObject round : List.of(
+                    new Disc("", centre, aslant, 0.5, LuminousSurface.DEFAULT),
+                    new Lens("", centre, back, 0.5, 0, 0.1, 0.1, LuminousSurface.DEFAULT),
+                    new Cone("", new Vector3d(centre).fma(0.1, back), centre, 0.5, true, LuminousSurface.DEFAULT))) {
+                Studio studio = empty.withScene(List.of(placed(motion, round)));
+                RenderPlan plan = RenderPlan.of(studio);
+                List<Vector2dc> places = places(draw(studio, OverlayKind.LINES), studio);
+
+                assertThat(places).hasSizeGreaterThan(30);
+                for (Vector2dc place : places) {
+                    Vector2d outwards = place.sub(300, 260, new Vector2d()).normalize(1);
+                    assertThat(hits(plan, place.x() + outwards.x, place.y() + outwards.y))
+                            .as("outside %s of %s", place, round)
+                            .isFalse();
+                    assertThat(hits(plan, place.x() - outwards.x, place.y() - outwards.y))
+                            .as("inside %s of %s", place, round)
+                            .isTrue();
+                }
             }
         }
     }
