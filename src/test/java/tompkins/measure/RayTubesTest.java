@@ -19,6 +19,7 @@ import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
+import tompkins.surface.Clear;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.Mirror;
@@ -68,6 +69,11 @@ class RayTubesTest {
             assertThat(rods.get(i).start().z()).isCloseTo(expected[i][0], within(1e-14));
             assertThat(rods.get(i).end().z()).isCloseTo(expected[i][1], within(1e-14));
         }
+        // the pieces of most of the light are the first, the fourth and the last
+        for (int i = 0; i < expected.length; i++) {
+            assertThat(rods.get(i).surface().equals(rods.get(0).surface())).isEqualTo(i % 3 == 0 && i != 6);
+        }
+        assertThat(rods).allMatch(Cylinder::caps);
         assertThat(parts(tubes, Sphere.class).stream().map(ball -> ball.centre().z()))
                 .containsExactly(5.0, 6.0, 5.0, 6.0);
         assertThat(tubes.objects())
@@ -105,12 +111,13 @@ class RayTubesTest {
         Disc window =
                 new Disc("window", new Vector3d(0, 0, 1), BACK, 2, new LorentzWindow(velocity, WindowAxes.FRAME, 1));
         SceneObject wall = new Plane("wall", new Vector3d(0, 0, 40), BACK, ColouredSurface.DEFAULT);
-        Studio moving = studio(wall).withVelocity(velocity).withCameraFrame(List.of(window));
+        Disc pane = new Disc("pane", new Vector3d(0, 0, 0.5), BACK, 2, Clear.DEFAULT);
+        Studio moving = studio(wall).withVelocity(velocity).withCameraFrame(List.of(window, pane));
 
         RayLife ray = middle(moving);
         Group tubes = RayTubes.of("ray", List.of(ray));
 
-        assertThat(ray.hits()).hasSize(2);
+        assertThat(ray.hits()).hasSize(3);
         assertThat(parts(tubes, Sphere.class))
                 .singleElement()
                 .satisfies(ball -> assertThat(ball.centre().z()).isCloseTo(40, within(1e-12)));
@@ -147,13 +154,14 @@ class RayTubesTest {
                 "focus",
                 new Plane("focus", new Vector3d(0, 0, 5), BACK, ColouredSurface.DEFAULT));
         SceneObject wall = new Plane("wall", new Vector3d(0, 0, 5), BACK, ColouredSurface.DEFAULT);
-        RenderPlan plan = RenderPlan.of(studio(wall).withCamera(lens));
+        RenderPlan plan = RenderPlan.of(studio(wall).withCamera(Descriptions.with(lens, "exposureTime", 4.0)));
 
-        List<RayLife> cone = RayCone.around(plan, 20, 15, 8, 0.5);
+        List<RayLife> cone = RayCone.around(plan, 20, 15, 8, 0.25);
 
         assertThat(cone).hasSize(8);
         assertThat(cone).allSatisfy(ray -> {
             assertThat(ray.segments().get(0).start().position().length()).isCloseTo(0.5, within(1e-15));
+            assertThat(ray.cameraStart().time()).isEqualTo(1);
             assertThat(ray.end().event().position().distance(0, 0, 5)).isLessThan(1e-14);
         });
     }

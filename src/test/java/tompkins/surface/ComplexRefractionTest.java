@@ -20,12 +20,15 @@ class ComplexRefractionTest {
 
     private final SplittableRandom random = new SplittableRandom(2009);
 
+    /** The ray that goes on; its light gets the share that it can bring. */
     private static Ray beyond(ComplexRefraction surface, Ray ray) {
         Primitive sheet = PrimitiveCollector.primitivesOf(
                         new Disc("sheet", new Vector3d(), new Vector3d(0, 0, -1), 10, surface))
                 .get(0);
         double distance = sheet.distance(ray, Primitive.NO_HIT);
-        return surface.respond(ray, sheet.hit(ray, distance), null).next();
+        Response response = surface.respond(ray, sheet.hit(ray, distance), null);
+        assertThat(response.factor().green()).isEqualTo(response.next().throughput);
+        return response.next();
     }
 
     /** A ray in a direction that meets the sheet at (1, 2, 0). */
@@ -104,7 +107,8 @@ class ComplexRefractionTest {
     @Test
     void withTheRatioOneNothingTurns() {
         Vector3d d = direction();
-        Ray next = beyond(new ComplexRefraction(1, 0, 1), ray(d.x, d.y, d.z));
+        Ray next = beyond(new ComplexRefraction(1, 0, 0.7), ray(d.x, d.y, d.z));
         assertThat(new Vector3d(next.dx, next.dy, next.dz)).isEqualTo(d);
+        assertThat(next.throughput).isEqualTo(0.7);
     }
 }
