@@ -1,6 +1,7 @@
 package tompkins.camera;
 
 import java.util.Arrays;
+import java.util.List;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
@@ -14,6 +15,12 @@ import tompkins.spacetime.SpaceTimeTransformation;
 
 /** A {@link ThinLensCamera}, ready for one picture. */
 final class ThinLensRays implements CameraRays {
+
+    /** So often the focus is sought in the direction of a chief ray; in focus on a plane, few times are enough. */
+    private static final int FOCUS_STEPS = 30;
+
+    /** Far below a pixel. */
+    private static final double FOCUS_ERROR = 1e-9;
 
     private final CameraAxes axes;
     private final Vector3dc centre;
@@ -86,6 +93,22 @@ final class ThinLensRays implements CameraRays {
                 : new Vector2d(
                         middleX + direction.dot(axes.right()) / ahead / slopePerColumn,
                         middleY - direction.dot(axes.up()) / ahead / slopePerRow);
+    }
+
+    @Override
+    public List<Vector2dc> positions(Vector3dc direction, double lensX, double lensY) {
+        Vector3d toLens = offset(lensX, lensY);
+        Vector3dc chief = direction;
+        double change = apertureRadius;
+        for (int i = 0; i < FOCUS_STEPS && change > FOCUS_ERROR; i++) {
+            // what is traced in the direction has its chief ray so much aside
+            Vector3d aside = toLens.mul(inverseFocusDistance(chief, new RayCounts()), new Vector3d());
+            double along = aside.dot(direction);
+            Vector3d next = aside.fma(Math.sqrt(along * along + 1 - aside.lengthSquared()) - along, direction);
+            change = next.distance(chief);
+            chief = next;
+        }
+        return positions(chief);
     }
 
     @Override

@@ -96,9 +96,8 @@ public final class RenderPlan {
         cameraLights = studio.lights().stream().flatMap(LightSource::atRest).toList();
         // last, because it follows a ray by this plan
         shift = studio.shiftsColours() ? LightShift.metered(this) : null;
-        boolean isDirect = around == null && !studio.camera().hasWideAperture();
         stars = studio.background() instanceof StarSky sky
-                ? new StarField(sky, studio, pictureRays, isDirect, shift)
+                ? new StarField(sky, studio, pictureRays, around == null, shift)
                 : null;
     }
 

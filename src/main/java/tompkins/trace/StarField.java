@@ -37,7 +37,7 @@ final class StarField {
     /**
      * The stars of a picture.
      *
-     * @param isDirect whether rays that meet nothing come straight from the sky: through a pinhole, and in vacuum
+     * @param isDirect whether rays that meet nothing come straight from the sky: in vacuum
      * @param shift what becomes of the light, or null if it stays as it is
      */
     StarField(StarSky sky, Studio studio, PictureRays pictures, boolean isDirect, LightShift shift) {
@@ -67,7 +67,13 @@ final class StarField {
                     .times(solidAngles[star] / (dopplerFactor * dopplerFactor)));
         }
         return pictures.views().stream()
-                .map(eye -> new StarPoints(pictures.of(eye), eye.width(), eye.height(), looks, lights))
+                .map(eye -> new StarPoints(
+                        pictures.of(eye),
+                        eye.width(),
+                        eye.height(),
+                        studio.camera().hasWideAperture(),
+                        looks,
+                        lights))
                 .toList();
     }
 

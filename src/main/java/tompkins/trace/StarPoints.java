@@ -6,6 +6,7 @@ import java.util.function.IntConsumer;
 import org.joml.Vector2dc;
 import org.joml.Vector3dc;
 import tompkins.camera.CameraRays;
+import tompkins.camera.ConcentricMap;
 import tompkins.ray.Colour;
 
 /**
@@ -13,7 +14,8 @@ import tompkins.ray.Colour;
  * shared by all threads.
  *
  * <p>A star is a spot of fixed width in pixels: a bell curve of the distance between star and centre of a pixel, whose
- * sum over all pixels is 1. So its light does not depend on the samples, nor on where in a pixel it stands.
+ * sum over all pixels is 1. So its light does not depend on the samples, nor on where in a pixel it stands. Out of
+ * focus it is many such spots, one for each of some points spread evenly over the lens.
  */
 final class StarPoints {
 
@@ -28,6 +30,9 @@ final class StarPoints {
 
     /** So far, in pixels, a spot reaches from its middle. */
     static final double RADIUS = EDGE * DEVIATION;
+
+    /** The most spots of all stars together, so that their places need little memory. */
+    private static final int MOST_SPOTS = 2_000_000;
 
     private final CameraRays camera;
     private final int cellsAcross;
@@ -44,24 +49,40 @@ final class StarPoints {
     /**
      * The stars of one picture.
      *
+     * @param wideAperture whether what is out of focus is blurred
      * @param directions unit vectors in the camera frame; null for a star that is not seen
      * @param lights for each star, its light: radiance of white times solid angle
      */
-    StarPoints(CameraRays camera, int width, int height, List<? extends Vector3dc> directions, List<Colour> lights) {
+    StarPoints(
+            CameraRays camera,
+            int width,
+            int height,
+            boolean wideAperture,
+            List<? extends Vector3dc> directions,
+            List<Colour> lights) {
         this.camera = camera;
         cellsAcross = (width + CELL - 1) / CELL;
         cellsDown = (height + CELL - 1) / CELL;
         List<Vector2dc> places = new ArrayList<>();
         List<Colour> colours = new ArrayList<>();
+        int most = (int) Math.sqrt((double) MOST_SPOTS / Math.max(1, directions.size()));
         for (int star = 0; star < directions.size(); star++) {
-            if (directions.get(star) == null) {
+            Vector3dc direction = directions.get(star);
+            if (direction == null) {
                 continue;
             }
-            for (Vector2dc place : camera.positions(directions.get(star))) {
-                if (Math.abs(place.x() - width / 2.0) < width / 2.0 + RADIUS
-                        && Math.abs(place.y() - height / 2.0) < height / 2.0 + RADIUS) {
-                    places.add(place);
-                    colours.add(lights.get(star));
+            int side = wideAperture ? Math.min(most, lensSide(camera, direction)) : 1;
+            Colour colour = lights.get(star).times(1.0 / (side * side));
+            for (int i = 0; i < side * side; i++) {
+                double radius = ConcentricMap.radius((i % side + 0.5) / side, (i / side + 0.5) / side);
+                double angle = ConcentricMap.angle((i % side + 0.5) / side, (i / side + 0.5) / side);
+                for (Vector2dc place :
+                        camera.positions(direction, radius * Math.cos(angle), radius * Math.sin(angle))) {
+                    if (Math.abs(place.x() - width / 2.0) < width / 2.0 + RADIUS
+                            && Math.abs(place.y() - height / 2.0) < height / 2.0 + RADIUS) {
+                        places.add(place);
+                        colours.add(colour);
+                    }
                 }
             }
         }
@@ -69,6 +90,14 @@ final class StarPoints {
         y = places.stream().mapToDouble(Vector2dc::y).toArray();
         light = colours.toArray(Colour[]::new);
         near = new CellLists(cellsAcross * cellsDown, x.length, this::forEachCell);
+    }
+
+    /** So many spots in a row, across the disc of a star out of focus, look smooth: they are half a pixel apart. */
+    private static int lensSide(CameraRays camera, Vector3dc direction) {
+        List<Vector2dc> left = camera.positions(direction, -1, 0);
+        List<Vector2dc> right = camera.positions(direction, 1, 0);
+        double blur = left.size() == 1 && right.size() == 1 ? left.get(0).distance(right.get(0)) : 0;
+        return blur < MOST_SPOTS ? 1 + (int) Math.ceil(2 * blur) : 1;
     }
 
     private void forEachCell(int star, IntConsumer user) {

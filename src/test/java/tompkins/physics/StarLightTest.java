@@ -396,16 +396,79 @@ class StarLightTest {
         }
     }
 
-    /** A camera with a wide aperture gets no more light of a star: the picture is the mean over the lens. */
+    /**
+     * A camera with a wide aperture of radius r gets no more light of a star; focused at the distance f it shows it as
+     * a disc whose slopes go to r/f, with half the square of that as the mean square.
+     */
     @ParameterizedTest
-    @CsvSource({"0, 16", "0.9, 16"})
-    void aWideApertureKeepsTheLight(double beta, int samples) {
+    @CsvSource({
+        "0, 16, 1000",
+        "0.9, 16, 1000",
+        "0, 1, 1",
+        "0, 2, 1",
+        "0, 4, 2",
+        "0.9, 1, 1",
+        "0.9, 3, 0.7",
+        "0, 1, 0.4",
+        "0, 4, -1"
+    })
+    void aWideApertureKeepsTheLight(double beta, int samples, double focus) {
+        double radius = 0.05;
         Studio studio = studio(look(30.3, 23.8, 64, 60), beta, 64, samples, 60);
         Camera open = Descriptions.with(
-                Descriptions.with(studio.camera(), "apertureRadius", 0.05),
+                Descriptions.with(studio.camera(), "apertureRadius", radius),
                 "focus",
-                new Plane("focus", new Vector3d(0, 0, 1000), new Vector3d(0, 0, -1), Photograph.RED));
+                new Plane("focus", new Vector3d(0, 0, focus), new Vector3d(0, 0, -1), Photograph.RED));
         expect(studio.withCamera(open), LIGHT, 30.3, 23.8);
+        double blur = radius / focus / (2 * Math.tan(Math.toRadians(30)) / 64);
+        LinearImage image = new Photograph(studio.withCamera(open)).image();
+        double sum = 0;
+        double squares = 0;
+        for (int row = 0; row < image.height(); row++) {
+            for (int column = 0; column < image.width(); column++) {
+                double light = image.value(column, row, 1);
+                double away = Math.hypot(column + 0.5 - 30.3, row + 0.5 - 23.8);
+                sum += light;
+                squares += light * away * away;
+            }
+        }
+        // the spot of a point has the standard deviation 0.7 each way, and ends at four times that
+        assertThat(squares / sum).isCloseTo(2 * 0.7 * 0.7 + blur * blur / 2, within(0.02 + 0.02 * blur * blur));
+    }
+
+    /** What covers half of the picture, and is in focus itself, hides half of the disc of a star. */
+    @Test
+    void whatIsInFocusCutsTheDiscOfAStar() {
+        Studio studio = studio(look(32.001, 24.001, 64, 60), 0, 64, 2, 60);
+        Camera open = Descriptions.with(
+                Descriptions.with(studio.camera(), "apertureRadius", 0.5),
+                "focus",
+                new Plane("focus", new Vector3d(0, 0, 5), new Vector3d(0, 0, -1), Photograph.RED));
+        Studio wide = studio.withCamera(open);
+        Parallelogram left = new Parallelogram(
+                "left", new Vector3d(-50, -50, 5), new Vector3d(50, 0, 0), new Vector3d(0, 100, 0), Photograph.RED);
+        assertThat(green(wide.withScene(List.of(left))) / green(wide)).isCloseTo(0.5, within(0.01));
+    }
+
+    /** One star, all speeds: in each picture its light is that of the law. */
+    @ParameterizedTest
+    @CsvSource({"UNCHANGED", "SEARCHLIGHT"})
+    void aSweepOfSpeedsKeepsTheLight(ColourLaw law) {
+        Vector3d star = inScene(look(20.3, 11.8, 64, 60), 0.3);
+        double least = Double.POSITIVE_INFINITY;
+        double most = 0;
+        for (int i = 0; i < 100; i++) {
+            double beta = 0.3 + 0.002 * i;
+            Vector3d look = inScene(star, -beta);
+            Studio studio = Descriptions.with(studio(look, beta, 64, 1, 60).withColours(law), "background", sky(star))
+                    .withVelocity(Velocity.of(0, 0, beta));
+            double factor = law == ColourLaw.UNCHANGED ? 1 : dopplerFactor(look, beta);
+            double flux = Spot.of(studio).flux() / (LIGHT * factor * factor);
+            least = Math.min(least, flux);
+            most = Math.max(most, flux);
+        }
+        assertThat(least).isGreaterThan(0.99);
+        assertThat(most).isLessThan(1.01);
     }
 
     /** While the speed is dragged a star moves by parts of pixels; a glimpse must show all of it in each picture. */
