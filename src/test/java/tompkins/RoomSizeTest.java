@@ -32,9 +32,9 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        26_719),
+                        26_843),
                 arguments("file, image", 4_512),
-                arguments("explain, lesson, measure, animation", 6_302),
+                arguments("explain, lesson, measure, animation", 6_320),
                 arguments("io, app", 7_921),
                 arguments("study", 4_549),
                 arguments("ui", 21_231));

@@ -1,9 +1,7 @@
 package tompkins.trace;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Deque;
 import java.util.List;
 import java.util.function.Function;
 import org.joml.Vector3d;
@@ -15,8 +13,7 @@ import tompkins.ray.Ray;
 
 /**
  * Rays through places of the picture near that of a sample, which share its place on the lens and its time. Those that
- * leave the scene remember their way: what they have met. All of them are followed, or those of one way alone. One for
- * each thread.
+ * leave the scene remember their way: what they have met. One for each thread.
  */
 final class NearbyRays implements PathObserver {
 
@@ -24,8 +21,10 @@ final class NearbyRays implements PathObserver {
 
     private final SampleTracer tracer;
 
-    /** The lengths of the way where the branches began that are being followed. */
-    private final Deque<Integer> forks = new ArrayDeque<>();
+    /** The ways up to where the branches began that are being followed. */
+    private long[] forks = new long[8];
+
+    private int forked;
 
     private EyeView eye;
     private SamplePositions places;
@@ -35,42 +34,7 @@ final class NearbyRays implements PathObserver {
     private long begun;
 
     private Leaving current;
-    private final Way way = new Way();
-
-    private final Way wanted = new Way();
-    private boolean wantsAll;
-
-    /** What a ray has met: for each hit, a number that stands for it and all before it. */
-    private static final class Way {
-
-        private long[] marks = new long[8];
-        private int length;
-
-        private void add(Frame frame, Hit hit, Primitive primitive) {
-            if (length == marks.length) {
-                marks = Arrays.copyOf(marks, 2 * length);
-            }
-            int inScene = frame == Frame.SCENE ? 1 : 0;
-            marks[length] = ((end() + inScene) * MIX + primitive.order()) * MIX + hit.part + 1;
-            length++;
-        }
-
-        private long end() {
-            return length == 0 ? 0 : marks[length - 1];
-        }
-
-        private void set(Way other) {
-            if (marks.length < other.length) {
-                marks = new long[other.marks.length];
-            }
-            System.arraycopy(other.marks, 0, marks, 0, other.length);
-            length = other.length;
-        }
-
-        private boolean beginsWith(Way other) {
-            return other.length <= length && (other.length == 0 || marks[other.length - 1] == other.end());
-        }
-    }
+    private long way;
 
     /** The rays of one place of the picture that leave the scene. Memory that is used again for other places. */
     static final class Leaving {
@@ -79,7 +43,7 @@ final class NearbyRays implements PathObserver {
         final Vector3d look = new Vector3d();
 
         private final List<Ray> rays = new ArrayList<>();
-        private final List<Way> ways = new ArrayList<>();
+        private long[] ways = new long[8];
         private int count;
 
         // the place, and the sample that it belongs to
@@ -98,13 +62,15 @@ final class NearbyRays implements PathObserver {
             count = 0;
         }
 
-        private void add(Ray ray, Way way) {
+        private void add(Ray ray, long way) {
             if (count == rays.size()) {
                 rays.add(Ray.blank());
-                ways.add(new Way());
+            }
+            if (count == ways.length) {
+                ways = Arrays.copyOf(ways, 2 * count);
             }
             rays.get(count).set(ray);
-            ways.get(count).set(way);
+            ways[count] = way;
             count++;
         }
 
@@ -120,12 +86,10 @@ final class NearbyRays implements PathObserver {
         }
 
         /** The ray that has taken a way; of several that one whose direction is nearest to that of another; or null. */
-        private Ray onWay(Way wanted, Ray ray) {
+        Ray onWay(long wanted, Ray ray) {
             int best = -1;
             for (int i = 0; i < count; i++) {
-                if (ways.get(i).length == wanted.length
-                        && wanted.beginsWith(ways.get(i))
-                        && (best < 0 || nearer(i, best, ray))) {
+                if (ways[i] == wanted && (best < 0 || nearer(i, best, ray))) {
                     best = i;
                 }
             }
@@ -143,6 +107,11 @@ final class NearbyRays implements PathObserver {
         /** A ray. */
         Ray ray(int number) {
             return rays.get(number);
+        }
+
+        /** The way of a ray. */
+        long way(int number) {
+            return ways[number];
         }
     }
 
@@ -173,41 +142,15 @@ final class NearbyRays implements PathObserver {
         return places.y(sample);
     }
 
-    /** Makes {@code memory} the rays of a place of the picture on all ways, if it is not that already. */
+    /** Makes {@code memory} the rays of a place of the picture, if it is not that already. */
     Leaving at(double x, double y, Leaving memory) {
         if (!memory.isAt(x, y, begun)) {
-            wantsAll = true;
-            trace(x, y, memory);
+            memory.begin(x, y, begun);
+            current = memory;
+            way = 0;
+            tracer.sampleBeside(eye, places, sample, x, y);
         }
         return memory;
-    }
-
-    /** From now on the way is wanted that one of some rays has taken. */
-    void want(Leaving leaving, int number) {
-        wanted.set(leaving.ways.get(number));
-    }
-
-    /**
-     * The ray of a place of the picture on the way that is wanted; of several that one whose direction is nearest to
-     * that of another; or null.
-     *
-     * @param memory of its own, or one that has all rays of the place or will get them
-     */
-    Ray onWay(double x, double y, Ray ray, boolean alone, Leaving memory) {
-        if (alone) {
-            wantsAll = false;
-            trace(x, y, memory);
-        } else {
-            at(x, y, memory);
-        }
-        return memory.onWay(wanted, ray);
-    }
-
-    private void trace(double x, double y, Leaving memory) {
-        memory.begin(x, y, begun);
-        current = memory;
-        way.length = 0;
-        tracer.sampleBeside(eye, places, sample, x, y);
     }
 
     @Override
@@ -217,22 +160,23 @@ final class NearbyRays implements PathObserver {
 
     @Override
     public void branches() {
-        forks.push(way.length);
+        if (forked == forks.length) {
+            forks = Arrays.copyOf(forks, 2 * forked);
+        }
+        forks[forked] = way;
+        forked++;
     }
 
     @Override
     public void returns() {
-        way.length = forks.pop();
+        forked--;
+        way = forks[forked];
     }
 
     @Override
     public void hits(Frame frame, Ray ray, Hit hit, Primitive primitive) {
-        way.add(frame, hit, primitive);
-    }
-
-    @Override
-    public boolean follows() {
-        return wantsAll || wanted.beginsWith(way);
+        int inScene = frame == Frame.SCENE ? 1 : 0;
+        way = ((way + inScene) * MIX + primitive.order()) * MIX + hit.part + 1;
     }
 
     @Override

@@ -27,11 +27,6 @@ interface PathObserver {
      */
     default void hits(Frame frame, Ray ray, Hit hit, Primitive primitive) {}
 
-    /** Whether the ray that has just hit something is wanted; else it ends there. */
-    default boolean follows() {
-        return true;
-    }
-
     /** The ray, or one that came from it, goes on and meets nothing else in a frame. */
     void leaves(Frame frame, Ray ray);
 }

@@ -167,9 +167,6 @@ final class RayTracer implements Tracer {
         Primitive primitive = (Primitive) hit.boundary;
         if (observer != null) {
             observer.hits(place, ray, hit, primitive);
-            if (!observer.follows()) {
-                return Response.ends(Colour.BLACK);
-            }
         }
         return hit.runs
                 ? new PointTracer(this, surroundings, lights, hit).respond(primitive.surface(), ray)

@@ -40,19 +40,19 @@ final class SkySlope {
     /**
      * Measures the slope at a place.
      *
-     * @param look the direction in which the rays of the place have left the camera
-     * @param central that of them which is on the way that is wanted
-     * @param alone whether to follow that way alone; else neighbours remember all their ways
-     * @return whether neighbours to the side, and above or below, have taken it, too
+     * @param here the rays of the place
+     * @param central one of them
+     * @param way its way
+     * @return whether neighbours to the side, and above or below, have taken the same way
      */
-    boolean measure(NearbyRays rays, double newX, double newY, Vector3d look, Ray central, boolean alone) {
+    boolean measure(NearbyRays rays, double newX, double newY, Leaving here, Ray central, long way) {
         x = newX;
         y = newY;
         ray.set(central);
-        if (!(measure(rays, STEP, 0, look, alone, toRight, right, lookRight)
-                        || measure(rays, -STEP, 0, look, alone, toLeft, right, lookRight))
-                || !(measure(rays, 0, STEP, look, alone, below, down, lookDown)
-                        || measure(rays, 0, -STEP, look, alone, above, down, lookDown))) {
+        if (!(measure(rays, STEP, 0, here, way, toRight, right, lookRight)
+                        || measure(rays, -STEP, 0, here, way, toLeft, right, lookRight))
+                || !(measure(rays, 0, STEP, here, way, below, down, lookDown)
+                        || measure(rays, 0, -STEP, here, way, above, down, lookDown))) {
             return false;
         }
         double area = right.cross(down, across).length();
@@ -65,18 +65,18 @@ final class SkySlope {
             NearbyRays rays,
             double byX,
             double byY,
-            Vector3d look,
-            boolean alone,
+            Leaving here,
+            long way,
             Leaving memory,
             Vector3d change,
             Vector3d lookChange) {
-        Ray aside = rays.onWay(x + byX, y + byY, ray, alone, memory);
+        Ray aside = rays.at(x + byX, y + byY, memory).onWay(way, ray);
         if (aside == null) {
             return false;
         }
         double step = byX + byY;
         change.set(aside.dx - ray.dx, aside.dy - ray.dy, aside.dz - ray.dz).div(step);
-        memory.look.sub(look, lookChange).div(step);
+        memory.look.sub(here.look, lookChange).div(step);
         return true;
     }
 

@@ -1,6 +1,7 @@
 package tompkins.trace;
 
-import java.util.Arrays;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Function;
 import tompkins.camera.EyeView;
 import tompkins.camera.SamplePositions;
@@ -52,13 +53,13 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
     private EyeView eye;
     private int column;
     private int row;
+    private long way;
     private Colour sum;
 
-    // the stars near a ray, with their directions and the largest brightness that each can have
-    private int near;
-    private int[] numbers = new int[8];
-    private double[][] directions = new double[8][3];
-    private double[] brightnesses = new double[8];
+    private final List<Near> near = new ArrayList<>();
+
+    /** A star that may be near a ray, its direction, and the most of its brightness that the pixel can get. */
+    private record Near(int star, double x, double y, double z, double brightness) {}
 
     /** The light of stars; the function makes a tracer of the same picture, without them, that an observer watches. */
     StarTracer(StarField stars, Function<PathObserver, SampleTracer> tracerFor) {
@@ -102,48 +103,38 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
         if (number < 0) {
             return Colour.BLACK;
         }
-        nearby.want(here, number);
-        if (!first.measure(nearby, nearby.x(), nearby.y(), here.look, here.ray(number), false)) {
+        way = here.way(number);
+        if (!first.measure(nearby, nearby.x(), nearby.y(), here, here.ray(number), way)) {
             return Colour.BLACK;
         }
         sum = Colour.BLACK;
-        near = 0;
+        near.clear();
         // the sample is not in the middle of its pixel
         stars.visit(ray, Math.min(WIDEST, (REACH + 1) * first.steepest()), this);
         double all = 0;
-        for (int i = 0; i < near; i++) {
-            all += brightnesses[i];
+        for (Near each : near) {
+            all += each.brightness;
         }
-        for (int i = 0; i < near; i++) {
-            boolean isFaint = first.ray().throughput < FAINT || brightnesses[i] < ONE_OF_MANY * all;
-            seek(numbers[i], directions[i][0], directions[i][1], directions[i][2], isFaint);
+        for (Near each : near) {
+            seek(each, first.ray().throughput < FAINT || each.brightness < ONE_OF_MANY * all);
         }
         return sum.times(1 / stars.solidAngle(eye, column, row));
     }
 
-    /** Keeps a star that may be so near, wherever it is near its place by the slope of the sample. */
+    /** Keeps a star, wherever it may be near its place by the slope of the sample. */
     @Override
     public void take(int star, double starX, double starY, double starZ) {
         first.aim(first.ray(), starX, starY, starZ);
         double aside = length(first.x() + first.stepX() - column - 0.5, first.y() + first.stepY() - row - 0.5);
         double share = StarPoints.share(Math.max(0, aside - ASTRAY), 0);
-        if (share == 0) {
-            return;
+        if (share > 0) {
+            near.add(new Near(star, starX, starY, starZ, share * stars.brightness(star)));
         }
-        if (near == numbers.length) {
-            numbers = Arrays.copyOf(numbers, 2 * near);
-            directions = Arrays.copyOf(directions, 2 * near);
-            brightnesses = Arrays.copyOf(brightnesses, 2 * near);
-        }
-        numbers[near] = star;
-        directions[near] = new double[] {starX, starY, starZ};
-        brightnesses[near] = stars.brightness(star) * share;
-        near++;
     }
 
-    private void seek(int star, double starX, double starY, double starZ, boolean isFaint) {
+    private void seek(Near star, boolean isFaint) {
         SkySlope slope = first;
-        slope.aim(slope.ray(), starX, starY, starZ);
+        slope.aim(slope.ray(), star.x, star.y, star.z);
         double stepX = slope.stepX();
         double stepY = slope.stepY();
         double part = 1;
@@ -151,40 +142,39 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
         for (int i = 0; i < TRIES && !isFaint && isNear(slope.x() + stepX, slope.y() + stepY); i++) {
             double x = slope.x() + part * stepX;
             double y = slope.y() + part * stepY;
-            Ray found = nearby.onWay(x, y, slope.ray(), true, there);
+            Ray found = nearby.at(x, y, there).onWay(way, slope.ray());
             beyondEdge = found == null;
             if (beyondEdge) {
                 part /= 2;
                 continue;
             }
-            slope.aim(found, starX, starY, starZ);
+            slope.aim(found, star.x, star.y, star.z);
             double length = length(stepX, stepY);
             double remainderX = slope.stepX() - (1 - part) * stepX;
             double remainderY = slope.stepY() - (1 - part) * stepY;
             if (length(remainderX, remainderY) <= LINEAR * part * length
                     && Math.abs(turn(found) / turn(slope.ray()) - 1) <= LINEAR) {
-                add(star, found, slope, x + slope.stepX(), y + slope.stepY());
+                add(star.star, found, slope, x + slope.stepX(), y + slope.stepY());
                 return;
             }
             SkySlope nearer = slope == next[0] ? next[1] : next[0];
-            if (length(slope.stepX(), slope.stepY()) >= length
-                    || !nearer.measure(nearby, x, y, there.look, found, true)) {
+            if (length(slope.stepX(), slope.stepY()) >= length || !nearer.measure(nearby, x, y, there, found, way)) {
                 part /= 2;
                 continue;
             }
             slope = nearer;
-            slope.aim(slope.ray(), starX, starY, starZ);
+            slope.aim(slope.ray(), star.x, star.y, star.z);
             stepX = slope.stepX();
             stepY = slope.stepY();
             part = 1;
             if (length(stepX, stepY) < SHORT) {
-                add(star, slope.ray(), slope, x + stepX, y + stepY);
+                add(star.star, slope.ray(), slope, x + stepX, y + stepY);
                 return;
             }
         }
         if (beyondEdge) {
             // as if what shows the star went on beyond its edge
-            add(star, slope.ray(), slope, slope.x() + stepX, slope.y() + stepY);
+            add(star.star, slope.ray(), slope, slope.x() + stepX, slope.y() + stepY);
         }
     }
 
