@@ -190,12 +190,12 @@ public final class CapPrimitive extends Primitive {
         return holds(farthest.x, farthest.y, farthest.z, axis, radius, curvature) ? distance + sphereRadius : ofEdge;
     }
 
-    /** That of its edge, or that of the whole sphere if the cap holds the point with it. */
     @Override
     public List<Vector3d> rim() {
         return rim(edge, axis, radius);
     }
 
+    /** That of its edge, or that of the whole sphere if the cap holds the point with it. */
     @Override
     public double minimumAlong(double nx, double ny, double nz) {
         double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
