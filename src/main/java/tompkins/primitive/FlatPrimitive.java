@@ -243,10 +243,19 @@ public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
 
     @Override
     public Bounds bounds() {
-        Vector3d corner = new Vector3d(cornerX, cornerY, cornerZ);
-        Vector3d endU = new Vector3d(spanUX, spanUY, spanUZ).add(corner);
-        Vector3d endV = new Vector3d(spanVX, spanVY, spanVZ).add(corner);
-        Bounds triangle = Bounds.around(corner, endU, endV);
-        return outline == Outline.TRIANGLE ? triangle : triangle.with(Bounds.around(endU.add(spanVX, spanVY, spanVZ)));
+        return new Bounds(
+                least(cornerX, spanUX, spanVX),
+                least(cornerY, spanUY, spanVY),
+                least(cornerZ, spanUZ, spanVZ),
+                -least(-cornerX, -spanUX, -spanVX),
+                -least(-cornerY, -spanUY, -spanVY),
+                -least(-cornerZ, -spanUZ, -spanVZ));
+    }
+
+    /** The least coordinate of the corners, without an object for each: a mesh has millions. */
+    private double least(double corner, double spanU, double spanV) {
+        double endU = corner + spanU;
+        double least = Math.min(corner, Math.min(endU, corner + spanV));
+        return outline == Outline.TRIANGLE ? least : Math.min(least, endU + spanV);
     }
 }
