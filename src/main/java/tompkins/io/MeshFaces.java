@@ -21,11 +21,9 @@ final class MeshFaces {
 
     private static final int MOST_TRIANGLES = 4_000_000;
 
-    private static final Pattern NUMBER = Pattern.compile(
-            "[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?|[+-]?(nan|inf|infinity)", Pattern.CASE_INSENSITIVE);
+    private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
 
-    /** A vertex, its texture coordinates and its normal. */
-    private static final Pattern CORNER = Pattern.compile("[+-]?\\d+(/[+-]?\\d*){0,2}");
+    private static final Pattern NO_NUMBER = Pattern.compile("[+-]?(nan|inf|infinity)", Pattern.CASE_INSENSITIVE);
 
     /** Names and groups, which say nothing of what is seen. */
     private static final Set<String> SILENT = Set.of("g", "o", "s", "mg");
@@ -112,30 +110,30 @@ final class MeshFaces {
             if (!statement.nextWord()) {
                 throw statement.mistake("a vertex must have three coordinates, has " + axis);
             }
-            String word = statement.word();
-            if (!NUMBER.matcher(word).matches()) {
-                throw statement.unclear();
-            }
-            double coordinate = number(word);
+            double coordinate = number(statement);
             if (!Double.isFinite(coordinate)) {
-                throw statement.mistake("coordinates must be finite, one was " + Problems.shortened(word));
+                String word = statement.word();
+                throw Double.isNaN(coordinate) && !NO_NUMBER.matcher(word).matches()
+                        ? statement.unclear()
+                        : statement.mistake("coordinates must be finite, one was " + Problems.shortened(word));
             }
             coordinates.addElement(coordinate);
         }
     }
 
-    /** The value of a number; not a number if it is written as a word. */
-    private static double number(String word) {
-        return Character.isLetter(word.charAt(word.length() - 1)) ? Double.NaN : Double.parseDouble(word);
+    /** The number that a word is; NaN if it is none. */
+    private static double number(ObjStatements statement) {
+        double number = statement.decimal();
+        return Double.isNaN(number) && DECIMAL.matcher(statement.word()).matches()
+                ? Double.parseDouble(statement.word())
+                : number;
     }
 
     /** Adds numbers that a mesh can do without: if they cannot be read, they are not a number. */
     private void addNumbers(ObjStatements statement, ResizableDoubleArray numbers, int count, String problem) {
         double sum = 0;
         for (int i = 0; i < count; i++) {
-            boolean isNumber =
-                    statement.nextWord() && NUMBER.matcher(statement.word()).matches();
-            double number = isNumber ? number(statement.word()) : Double.NaN;
+            double number = statement.nextWord() ? number(statement) : Double.NaN;
             numbers.addElement(Double.isFinite(number) ? number : Double.NaN);
             sum += numbers.getElement(numbers.getNumElements() - 1);
         }
@@ -160,51 +158,39 @@ final class MeshFaces {
         faceMaterials.add(material);
     }
 
+    /**
+     * Adds the numbers of a vertex, its texture coordinates and its normal: 1/2/3, where the last two may be missing.
+     */
     private void addCorner(ObjStatements statement) {
-        String word = statement.word();
-        if (!CORNER.matcher(word).matches()) {
+        long vertex = statement.wholeNumber();
+        long texture = statement.isNext('/') ? statement.wholeNumber() : 0;
+        long normal = statement.isNext('/') ? statement.wholeNumber() : 0;
+        if (vertex == 0 || !statement.isWordRead()) {
             throw statement.unclear();
-        }
-        int first = word.indexOf('/');
-        int second = first < 0 ? NONE : word.indexOf('/', first + 1);
-        corners.add(vertex(statement, first < 0 ? word : word.substring(0, first)));
-        String texture = first < 0 ? "" : word.substring(first + 1, second < 0 ? word.length() : second);
-        textureCorners.add(index(texture, textureCoordinates.getNumElements() / 2));
-        normalCorners.add(index(second < 0 ? "" : word.substring(second + 1), normals.getNumElements() / 3));
-    }
-
-    /** The vertex of a corner, counted from 0; it may still be missing. */
-    private int vertex(ObjStatements statement, String index) {
-        long number = wholeNumber(index);
-        if (number == 0) {
-            throw statement.unclear();
-        }
-        if (number > Integer.MAX_VALUE) {
-            throw statement.mistake(
-                    "a face names vertex " + Problems.shortened(index) + ", and numbers end at " + Integer.MAX_VALUE);
         }
         int vertices = coordinates.getNumElements() / 3;
-        if (number < -vertices) {
-            throw statement.mistake("a face names vertex " + Problems.shortened(index) + ", but there are only "
-                    + vertices + " above it");
+        if (vertex > Integer.MAX_VALUE) {
+            throw missing(statement, ", and numbers end at " + Integer.MAX_VALUE);
         }
-        return (int) (number > 0 ? number - 1 : vertices + number);
+        if (vertex < -vertices) {
+            throw missing(statement, ", but there are only " + vertices + " above it");
+        }
+        corners.add(index(vertex, vertices));
+        textureCorners.add(index(texture, textureCoordinates.getNumElements() / 2));
+        normalCorners.add(index(normal, normals.getNumElements() / 3));
+    }
+
+    private static ObjMistake missing(ObjStatements statement, String reason) {
+        String word = statement.word();
+        int end = word.indexOf('/');
+        String vertex = end < 0 ? word : word.substring(0, end);
+        return statement.mistake("a face names vertex " + Problems.shortened(vertex) + reason);
     }
 
     /** A number counted from 1, or backwards from the last so far, as one counted from 0; -1 if there is none. */
-    private static int index(String digits, int known) {
-        long number = digits.isEmpty() ? 0 : wholeNumber(digits);
+    private static int index(long number, int known) {
         long index = number > 0 ? number - 1 : number < 0 ? known + number : NONE;
         return index < 0 || index > Integer.MAX_VALUE ? NONE : (int) index;
-    }
-
-    /** The value of digits with a sign; numbers beyond 64 bits become the nearest that fits. */
-    private static long wholeNumber(String digits) {
-        try {
-            return Long.parseLong(digits);
-        } catch (NumberFormatException tooLong) {
-            return digits.startsWith("-") ? Long.MIN_VALUE : Long.MAX_VALUE;
-        }
     }
 
     /**

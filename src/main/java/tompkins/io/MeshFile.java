@@ -1,10 +1,6 @@
 package tompkins.io;
 
-import java.io.BufferedReader;
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import tompkins.file.FileException;
 import tompkins.file.WholeFile;
@@ -47,8 +43,7 @@ public final class MeshFile {
      */
     static MeshData read(byte[] file, String name, FileContentParser.Files others) throws FileException {
         MeshFaces faces = new MeshFaces(name, others);
-        ObjStatements statements = new ObjStatements(
-                new BufferedReader(new InputStreamReader(new ByteArrayInputStream(file), StandardCharsets.UTF_8)));
+        ObjStatements statements = new ObjStatements(file);
         try {
             while (statements.next()) {
                 faces.add(statements);
@@ -57,8 +52,6 @@ public final class MeshFile {
             faces.cut();
         } catch (ObjMistake mistake) {
             throw new FileException(name + ":" + mistake.line() + ": " + mistake.getMessage(), mistake);
-        } catch (IOException impossible) {
-            throw FileException.cannotRead(Path.of(name), impossible);
         }
         int[] corners = faces.corners();
         if (corners.length == 0) {

@@ -1,10 +1,6 @@
 package tompkins.io;
 
-import java.io.BufferedReader;
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -39,8 +35,7 @@ final class ObjMaterials {
     /** Reads a file of materials, named as seen from the folder of the scene. */
     void read(String name) {
         try {
-            ObjStatements statements = new ObjStatements(new BufferedReader(new InputStreamReader(
-                    new ByteArrayInputStream(files.bytes(name, "a file of materials")), StandardCharsets.UTF_8)));
+            ObjStatements statements = new ObjStatements(files.bytes(name, "a file of materials"));
             Map<String, String> properties = new LinkedHashMap<>();
             String material = null;
             while (statements.next()) {

@@ -1,7 +1,7 @@
 package tompkins.io;
 
-import java.io.BufferedReader;
-import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import tompkins.math.Precise;
 
 /**
  * The statements of an OBJ file one after the other, each cut into its words. A comment ends its line. A backslash at
@@ -27,61 +27,89 @@ final class ObjStatements {
         }
     }
 
-    private static final char BYTE_ORDER_MARK = '\uFEFF';
+    private static final String BYTE_ORDER_MARK = "\uFEFF";
 
     private static final char NEXT_LINE = '\u0085';
 
-    private final BufferedReader lines;
+    /** Larger whole numbers become this one; ten times as much still has a place in 64 bits. */
+    private static final long LARGEST = 1L << 59;
+
+    private final String file;
     private int linesRead;
     private int firstLine;
+
+    /** Where the next line begins. */
+    private int next;
+
+    /** The file, or a statement of several lines, and from where to where the statement is in it. */
     private String text = "";
+
+    private int start;
+    private int end;
+
     private int wordStart;
     private int wordEnd;
 
-    ObjStatements(BufferedReader lines) {
-        this.lines = lines;
+    /** What of the word was read as numbers ends here. */
+    private int at;
+
+    ObjStatements(byte[] file) {
+        this.file = new String(file, StandardCharsets.UTF_8);
+        next = this.file.startsWith(BYTE_ORDER_MARK) ? 1 : 0;
     }
 
     /** Goes to the next statement, before its first word; false after the last one. */
-    boolean next() throws IOException {
+    boolean next() {
         firstLine = linesRead + 1;
-        String line = line();
-        if (line == null) {
+        if (!nextLine()) {
             return false;
         }
-        text = isContinued(line) ? continued(line) : line;
-        wordEnd = 0;
+        text = file;
+        if (isContinued()) {
+            text = continued();
+            start = 0;
+            end = text.length();
+        }
+        wordEnd = start;
         return true;
     }
 
-    private String continued(String first) throws IOException {
+    private String continued() {
         StringBuilder joined = new StringBuilder();
-        String part = first;
-        while (part != null && isContinued(part)) {
-            joined.append(part, 0, part.length() - 1).append(' ');
-            part = line();
+        boolean more = true;
+        while (more) {
+            more = isContinued();
+            joined.append(file, start, more ? end - 1 : end).append(' ');
+            more = more && nextLine();
         }
-        return joined.append(part == null ? "" : part).toString();
+        return joined.toString();
     }
 
-    private static boolean isContinued(String line) {
-        return line.endsWith("\\");
+    private boolean isContinued() {
+        return end > start && file.charAt(end - 1) == '\\';
     }
 
-    /** The next line without its comment and the blanks at its end, or null after the last one. */
-    private String line() throws IOException {
-        String line = lines.readLine();
-        if (line == null) {
-            return null;
+    /** Goes to the next line, without its comment and the blanks at its end; false after the last one. */
+    private boolean nextLine() {
+        if (next >= file.length()) {
+            return false;
         }
         linesRead++;
-        int start = linesRead == 1 && !line.isEmpty() && line.charAt(0) == BYTE_ORDER_MARK ? 1 : 0;
-        int comment = line.indexOf('#');
-        int end = comment < 0 ? line.length() : comment;
-        while (end > start && isBlank(line.charAt(end - 1))) {
-            end--;
+        start = next;
+        end = start;
+        boolean comment = false;
+        for (; next < file.length() && !isLineEnd(file.charAt(next)); next++) {
+            comment |= file.charAt(next) == '#';
+            if (!comment && !isBlank(file.charAt(next))) {
+                end = next + 1;
+            }
         }
-        return line.substring(start, end);
+        next += file.startsWith("\r\n", next) ? 2 : 1;
+        return true;
+    }
+
+    private static boolean isLineEnd(char letter) {
+        return letter == '\n' || letter == '\r';
     }
 
     /** Blanks of all kinds, including those of typesetters; other control characters part no words. */
@@ -96,13 +124,14 @@ final class ObjStatements {
     /** Goes to the next word of the statement; false after the last one. */
     boolean nextWord() {
         wordStart = wordEnd;
-        while (wordStart < text.length() && isBlank(text.charAt(wordStart))) {
+        while (wordStart < end && isBlank(text.charAt(wordStart))) {
             wordStart++;
         }
         wordEnd = wordStart;
-        while (wordEnd < text.length() && !isBlank(text.charAt(wordEnd))) {
+        while (wordEnd < end && !isBlank(text.charAt(wordEnd))) {
             wordEnd++;
         }
+        at = wordStart;
         return wordEnd > wordStart;
     }
 
@@ -113,12 +142,70 @@ final class ObjStatements {
 
     /** What follows the word, without the blanks around it. */
     String rest() {
-        return text.substring(wordEnd).strip();
+        return text.substring(wordEnd, end).strip();
     }
 
     /** Whether the word is a given one, in small or capital letters. */
     boolean wordIs(String other) {
         return wordEnd - wordStart == other.length() && text.regionMatches(true, wordStart, other, 0, other.length());
+    }
+
+    /**
+     * The number that the word is, rounded as {@link Double#parseDouble} does; NaN if it is none, or written in a way
+     * that takes longer.
+     */
+    double decimal() {
+        boolean negative = isNext('-');
+        int first = at;
+        long digits = digits(0);
+        long power = 0;
+        if (isNext('.')) {
+            long point = at;
+            digits = digits(digits);
+            power = point - at;
+        }
+        if (isNext('e') || isNext('E')) {
+            power += wholeNumber();
+        }
+        if (!isWordRead() || at == first || !isDigit(text.charAt(first)) || !isDigit(text.charAt(at - 1))) {
+            return Double.NaN;
+        }
+        double size = digits == LARGEST ? Double.NaN : Precise.decimal(digits, power);
+        return negative ? -size : size;
+    }
+
+    /** The whole number that begins where the one before ended, with a sign or without; 0 if there is none. */
+    long wholeNumber() {
+        boolean negative = isNext('-');
+        if (!negative) {
+            isNext('+');
+        }
+        long size = digits(0);
+        return negative ? -size : size;
+    }
+
+    /** Whether all of the word was read as numbers. */
+    boolean isWordRead() {
+        return at == wordEnd;
+    }
+
+    private long digits(long before) {
+        long number = before;
+        for (; at < wordEnd && isDigit(text.charAt(at)); at++) {
+            number = Math.min(LARGEST, 10 * number + text.charAt(at) - '0');
+        }
+        return number;
+    }
+
+    private static boolean isDigit(char letter) {
+        return letter >= '0' && letter <= '9';
+    }
+
+    /** Goes past a letter of the word if it is next. */
+    boolean isNext(char letter) {
+        boolean isNext = at < wordEnd && text.charAt(at) == letter;
+        at += isNext ? 1 : 0;
+        return isNext;
     }
 
     /** The line where the statement begins, counted from 1. */
@@ -133,7 +220,8 @@ final class ObjStatements {
 
     /** The statement cannot be understood at all. */
     ObjMistake unclear() {
-        return mistake(Problems.quoted(text.strip()) + " cannot be understood; a vertex is written like \"v 0 1.5 -2\","
+        return mistake(Problems.quoted(text.substring(start, end).strip())
+                + " cannot be understood; a vertex is written like \"v 0 1.5 -2\","
                 + " a face like \"f 1 2 3\" with vertices counted from 1");
     }
 }

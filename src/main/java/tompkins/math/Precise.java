@@ -1,9 +1,38 @@
 package tompkins.math;
 
-/** Differences that cancel, evaluated without losing digits. All errors are in units of u = 2^-53. */
+import java.util.stream.DoubleStream;
+
+/** Arithmetic that would lose digits, evaluated without losing them. All errors are in units of u = 2^-53. */
 public final class Precise {
 
+    /** The least power of ten of {@link #decimal}: ten to the power of its size has a place in a double. */
+    public static final int LEAST_POWER = -22;
+
+    private static final double[] POWERS_OF_TEN =
+            DoubleStream.iterate(1, power -> 10 * power).limit(1 - LEAST_POWER).toArray();
+
     private Precise() {}
+
+    /**
+     * The double that is nearest to {@code digits 10^power}; NaN if twice the working precision does not tell, as half
+     * way between two doubles, or if the power is above 0 or below {@link #LEAST_POWER}.
+     *
+     * @param digits from 0 to 2^62
+     */
+    public static double decimal(long digits, long power) {
+        if (power > 0 || power < LEAST_POWER) {
+            return Double.NaN;
+        }
+        double divisor = POWERS_OF_TEN[(int) -power];
+        double high = digits;
+        double quotient = high / divisor;
+        // of digits and of the quotient, each without an error
+        double rest = (Math.fma(-quotient, divisor, high) + (digits - (long) high)) / divisor;
+        // 64 times as much as the rest may be wrong
+        double error = 0x1p-98 * quotient;
+        double nearest = quotient + (rest - error);
+        return nearest == quotient + (rest + error) ? nearest : Double.NaN;
+    }
 
     /**
      * The difference of products {@code a b - c d} with an error of at most 2 u of the result (Kahan; Jeannerod, Louvet

@@ -80,6 +80,37 @@ class MeshFileTest {
         assertThat(corners(mesh, 0)).isEqualTo(List.of(0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0));
     }
 
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "0.1",
+                "-0.30000000000000004",
+                "+.5",
+                "7.",
+                "1e3",
+                "2.5E-7",
+                "-1.2246467991473532E-16",
+                "4.9e-324",
+                "9007199254740993",
+                "0.1000000000000000055511151231257827021181583404541015625",
+                "1e-400",
+                "6.02e+23",
+                "123456789012345678901234567890",
+                "0.00000000000000000000000000000012",
+                "1.7976931348623157e308",
+            })
+    void numbersAreRoundedAsJavaDoes(String number) throws IOException {
+        MeshData mesh = read("v " + number + " 0 0\nv 1 2 0\nv 1 1 0\nf 1 2 3\n");
+
+        assertThat(mesh.coordinate(0, 0, 0)).isEqualTo(Double.parseDouble(number));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"e5", ".", ".e5", "5e", "5e+", "+", "5+5", "--5", "1.2.3", "1e2.5", "1e2e3", "0x1p3", "1d"})
+    void whatOnlyLooksLikeANumberIsRefused(String word) {
+        assertThatThrownBy(() -> read(SQUARE + "v 0 " + word + " 0\n")).hasMessageContaining("cannot be understood");
+    }
+
     @Test
     void numbersBelowZeroCountBackFromTheirFace() throws IOException {
         String text = "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 2 1 0\nf -4 -3 -1\n";
@@ -161,6 +192,7 @@ class MeshFileTest {
                 "v 1 nought 3        | 6: \"v 1 nought 3\" cannot be understood; a vertex is written like",
                 "v 1 NaN 3           | 6: coordinates must be finite, one was NaN",
                 "v 1 1e999 3         | 6: coordinates must be finite, one was 1e999",
+                "v 1 1e19999999999999999999 3 | 6: coordinates must be finite, one was 1e19999999999999999999",
                 "f one two three     | 6: \"f one two three\" cannot be understood; a vertex is written like",
                 "f 0 1 2             | 6: \"f 0 1 2\" cannot be understood; a vertex is written like \"v 0 1.5 -2\", a face"
                         + " like \"f 1 2 3\" with vertices counted from 1",
