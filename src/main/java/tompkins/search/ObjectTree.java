@@ -76,9 +76,14 @@ public final class ObjectTree {
 
     /** The primitives, in any order. */
     public List<Primitive> primitives() {
-        return Stream.of(bounded, unbounded)
-                .flatMap(List::stream)
-                .flatMap(each -> each instanceof RotatingGroup group ? group.members().stream() : Stream.of(each))
+        return Stream.concat(bounded.stream(), unbounded.stream())
+                .<Primitive>mapMulti((each, all) -> {
+                    if (each instanceof RotatingGroup group) {
+                        group.members().forEach(all);
+                    } else {
+                        all.accept(each);
+                    }
+                })
                 .toList();
     }
 
