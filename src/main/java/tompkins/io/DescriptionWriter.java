@@ -70,7 +70,7 @@ final class DescriptionWriter {
         List<RecordComponent> components = Descriptions.components(record.getClass());
         for (int i = 0; i < usual.size(); i++) {
             Object value = Descriptions.value(components.get(i), record);
-            if (!value.equals(usual.get(i))) {
+            if (!Descriptions.areEqual(value, usual.get(i))) {
                 members.put(components.get(i).getName(), tree(components.get(i).getGenericType(), value));
             }
         }
@@ -78,7 +78,7 @@ final class DescriptionWriter {
     }
 
     private static Object tree(Colour colour) {
-        return colour.equals(Colour.grey(colour.red()))
+        return Descriptions.areEqual(colour, Colour.grey(colour.red()))
                 ? (Object) colour.red()
                 : List.of(colour.red(), colour.green(), colour.blue());
     }

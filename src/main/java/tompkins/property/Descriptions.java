@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -95,6 +96,25 @@ public final class Descriptions {
     public static List<Object> values(Object description) {
         Standard standard = STANDARD.get(description.getClass());
         return description == standard.description ? standard.values : readValues(description);
+    }
+
+    /**
+     * Whether two values of a component are equal, told by their own components: the first time that Java compares
+     * records of a type, it makes code for that, which takes as long as many scenes.
+     */
+    public static boolean areEqual(Object first, Object second) {
+        if (first == second) {
+            return true;
+        }
+        if (first instanceof List<?> ours && second instanceof List<?> others) {
+            return ours.size() == others.size()
+                    && IntStream.range(0, ours.size()).allMatch(i -> areEqual(ours.get(i), others.get(i)));
+        }
+        if (first instanceof Record && first.getClass() == second.getClass()) {
+            return components(first.getClass()).stream()
+                    .allMatch(component -> areEqual(value(component, first), value(component, second)));
+        }
+        return !(first instanceof Record) && first.equals(second);
     }
 
     private static List<Object> readValues(Object description) {

@@ -158,7 +158,7 @@ public final class FrameTree {
         }
         Event outerOrigin = origin(motion.outer());
         Event innerOrigin = origin(motion);
-        FrameRoute.Step step = outerOrigin.equals(Event.ORIGIN) && innerOrigin.equals(Event.ORIGIN)
+        FrameRoute.Step step = outerOrigin.isOrigin() && innerOrigin.isOrigin()
                 ? new FrameRoute.Step(motion.start(), into(motion), Event.ORIGIN)
                 : new FrameRoute.Step(
                         lensIn(motion.outer()).minus(outerOrigin),

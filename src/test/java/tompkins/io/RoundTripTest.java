@@ -94,6 +94,10 @@ class RoundTripTest {
         Set<Object> different = new HashSet<>();
         for (int i = 0; i < INSTANCES; i++) {
             Object description = random.record(type);
+            Object other = random.record(type);
+            assertThat(Descriptions.areEqual(description, other)).isEqualTo(description.equals(other));
+            assertThat(Descriptions.areEqual(description, Descriptions.changed(description, (name, value) -> value)))
+                    .isTrue();
             different.add(description);
             assertReadBack(studioWith(description));
         }
