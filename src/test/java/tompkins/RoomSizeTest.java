@@ -32,10 +32,10 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        26_843),
+                        26_911),
                 arguments("file, image", 4_512),
                 arguments("explain, lesson, measure, animation", 6_320),
-                arguments("io, app", 7_921),
+                arguments("io, app", 7_983),
                 arguments("study", 4_549),
                 arguments("ui", 21_231));
     }
