@@ -11,9 +11,6 @@ final class GlimpseBudget {
     /** With this many samples of a pixel a picture is good enough to be looked at. */
     private static final double GOOD_ENOUGH = 0.165;
 
-    /** The rays of a picture that is not good enough may take so many times as long as all of it should. */
-    private static final double PATIENCE = 2.25;
-
     /** What is left of the greatest speed after each picture. */
     private static final double FADING = 0.98;
 
@@ -38,7 +35,8 @@ final class GlimpseBudget {
      */
     synchronized long most(long first, double firstSeconds, double seconds, int pixels) {
         rate = Math.max(first / firstSeconds, FADING * rate);
-        double needed = Math.min(GOOD_ENOUGH * pixels, PATIENCE * seconds * rate);
+        // where rays are slow the picture is coarse, so that it still follows the hand
+        double needed = Math.min(GOOD_ENOUGH * pixels, seconds * rate);
         return (long) Math.max(share > GOOD_ENOUGH ? share * pixels : 0, needed);
     }
 
