@@ -8,6 +8,7 @@ import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
+import java.util.List;
 
 /** A line of text in white on black in a corner of a picture. */
 public final class PictureLabel {
@@ -31,6 +32,8 @@ public final class PictureLabel {
     private static final double HEIGHT_SHARE = 1 / 28.0;
 
     private static final int SMALLEST = 9;
+
+    private static final String BETWEEN_PARTS = " \u00b7 ";
 
     private PictureLabel() {}
 
@@ -75,6 +78,32 @@ public final class PictureLabel {
         g.dispose();
     }
 
+    /**
+     * Writes parts of a text at the top, in the middle: beside each other where they have room, or one below the other.
+     *
+     * @return the room that is left below them
+     */
+    public static Rectangle paintParts(Graphics2D graphics, Font usual, List<String> parts, Rectangle picture) {
+        Rectangle room = picture;
+        String line = "";
+        for (String part : parts) {
+            String longer = line.isEmpty() ? part : line + BETWEEN_PARTS + part;
+            if (line.isEmpty() || fits(graphics, usual, longer, room.width)) {
+                line = longer;
+            } else {
+                room = paintLine(graphics, usual, line, room);
+                line = part;
+            }
+        }
+        return paintLine(graphics, usual, line, room);
+    }
+
+    private static Rectangle paintLine(Graphics2D graphics, Font usual, String line, Rectangle room) {
+        paint(graphics, usual, line, room, Corner.TOP_MIDDLE);
+        int height = height(graphics, usual);
+        return new Rectangle(room.x, room.y + height, room.width, room.height - height);
+    }
+
     /** How much of a picture labels at one of its edges take, with the gap between them and the edge. */
     public static int height(Graphics2D graphics, Font font) {
         return sizes(GAP, font) + graphics.getFontMetrics(font).getHeight() + 2 * sizes(HALF_MARGIN, font);
@@ -87,12 +116,14 @@ public final class PictureLabel {
     /** The usual font, or a smaller one if the text needs it and can still be read. */
     private static Font fitting(Graphics2D graphics, Font usual, String text, int width) {
         Font font = usual;
-        while (font.getSize2D() > SMALLEST
-                && graphics.getFontMetrics(font).stringWidth(text)
-                        > width - 2 * (sizes(GAP, font) + sizes(MARGIN, font))) {
+        while (font.getSize2D() > SMALLEST && !fits(graphics, font, text, width)) {
             font = font.deriveFont(Math.max(SMALLEST, font.getSize2D() - 1));
         }
         return font;
+    }
+
+    private static boolean fits(Graphics2D graphics, Font font, String text, int width) {
+        return graphics.getFontMetrics(font).stringWidth(text) <= width - 2 * (sizes(GAP, font) + sizes(MARGIN, font));
     }
 
     private static String shortened(String text, FontMetrics metrics, int room) {

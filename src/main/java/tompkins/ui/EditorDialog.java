@@ -79,9 +79,11 @@ final class EditorDialog {
         Keys.bindEscape(dialog.getRootPane(), () -> dialog.setVisible(giveBack()));
         fitToLook();
         Screens.moveBeside(dialog, window.frame());
-        // lamps are marked while it is there
-        dialog.getRootPane()
-                .addHierarchyListener(event -> window.view().canvas().repaint());
+        // while it is there lamps are marked, and a click chooses
+        dialog.getRootPane().addHierarchyListener(event -> {
+            window.view().canvas().repaint();
+            window.view().tellClicks();
+        });
     }
 
     /** Makes it as large as it needs to be, and not smaller than the user has made it. */

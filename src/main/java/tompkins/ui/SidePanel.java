@@ -141,7 +141,7 @@ final class SidePanel {
         add("section.plan", plan.component(), false);
         Naming.name(all, "panel.all");
         all.addActionListener(event -> showSections());
-        panel.add(all, "growx 0, alignx left, gapleft 6, gaptop 6");
+        panel.add(all, "growx 0, gapleft 6, gapright push, gaptop 6");
         Runnable update = () -> {
             show(model);
             showSections();

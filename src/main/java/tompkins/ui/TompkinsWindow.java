@@ -313,8 +313,8 @@ public final class TompkinsWindow {
         }
 
         @Override
-        public void picking(boolean picking) {
-            status.showPicking(picking);
+        public void clicks(PhotographView.Click now) {
+            status.show(now);
         }
 
         @Override

@@ -7,6 +7,8 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import tompkins.image.PictureLabel.Corner;
 
@@ -49,6 +51,23 @@ class PictureLabelTest {
     void aTextThatFitsKeepsItsSize() {
         assertThat(painted(TEXT, 700, Corner.BOTTOM_LEFT).getSize())
                 .isEqualTo(painted(TEXT, 900, Corner.BOTTOM_LEFT).getSize());
+    }
+
+    /** Parts that have no room beside each other stand below each other, in their usual size. */
+    @Test
+    void partsGoIntoAsManyLinesAsTheyNeed() {
+        Graphics2D graphics = new BufferedImage(800, 400, BufferedImage.TYPE_INT_RGB).createGraphics();
+        int line = PictureLabel.height(graphics, FONT);
+        List<String> parts = List.of("\u03b2 = 0.826, \u03b3 = 1.77", "on board 4.6, scene 5.2", "31 pictures/s");
+        List<Integer> lines = new ArrayList<>();
+        for (int width : new int[] {800, 550, 300, 100}) {
+            Rectangle below = PictureLabel.paintParts(graphics, FONT, parts, new Rectangle(10, 20, width, 400));
+            assertThat(below).isEqualTo(new Rectangle(10, below.y, width, 420 - below.y));
+            assertThat((below.y - 20) % line).isZero();
+            lines.add((below.y - 20) / line);
+        }
+        graphics.dispose();
+        assertThat(lines).containsExactly(1, 2, 3, 3);
     }
 
     /** Whatever stands in it, a label stays in its picture. */

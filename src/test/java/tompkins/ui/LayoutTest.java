@@ -55,10 +55,12 @@ import tompkins.ui.model.Shutters;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Pace;
+import tompkins.ui.ray.RaySection;
 import tompkins.ui.ride.RidePanel;
 import tompkins.ui.ride.RidePilot;
 import tompkins.ui.widget.Column;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.TabStrip;
 import tompkins.ui.widget.Texts;
 
 /**
@@ -174,7 +176,9 @@ class LayoutTest {
             assertThat(Stream.of("Speed", "Opening time", "Exposure time", "Direction x")
                             .filter(name -> isSeen(Components.find(column, JTextField.class, name))))
                     .containsExactly("Speed", "Opening time");
-            Components.find(column, JToggleButton.class, Texts.get("panel.all")).doClick();
+            JToggleButton all = Components.find(column, JToggleButton.class, Texts.get("panel.all"));
+            assertThat(all.getX()).as("below the rest, at the left").isLessThan(Look.pixels(1));
+            all.doClick();
             assertThat(isSeen(Components.find(column, JTextField.class, "Direction x")))
                     .isTrue();
             assertThat(side.width()).isGreaterThan(1366 * 28 / 100);
@@ -270,6 +274,50 @@ class LayoutTest {
             int needed = ride.component().getMinimumSize().width;
             Components.layOut(ride.component(), usual ? 450 : Math.max(needed, Look.pixels(40)));
             assertThat(LayoutProblems.in(ride.component())).isEmpty();
+        });
+    }
+
+    /** On a projector of 1024 x 768 a ride leaves most of the window to the picture. */
+    @Test
+    void theRideBarIsLow() {
+        WindowDriver.onEventThread(() -> {
+            use(Look.PROJECTOR, 1, Locale.ENGLISH);
+            RidePanel ride = new RidePanel(
+                    model, new Settings((Path) null), new RidePilot(model, message -> {}), () -> {}, studio -> {});
+            ride.setShown(true);
+            Components.layOut(ride.component(), 700);
+            Components.layOut(ride.component(), 700);
+            assertThat(LayoutProblems.in(ride.component())).isEmpty();
+            assertThat(ride.component().getPreferredSize().height).isLessThan(768 * 22 / 100);
+        });
+    }
+
+    /** What was made while it could not be seen follows the look, too. */
+    @Test
+    void aTabThatIsOpenedLateHasTheLookOfTheWindow() {
+        WindowDriver.onEventThread(() -> {
+            use(Look.LIGHT, 1, Locale.ENGLISH);
+            JLabel early = new JLabel("early");
+            TabStrip strip = new TabStrip();
+            strip.fill(TabStrip.Tab.RIDE, () -> early, shown -> {});
+            use(Look.PROJECTOR, 1, Locale.ENGLISH);
+            strip.open(TabStrip.Tab.RIDE);
+            assertThat(early.getFont().getSize())
+                    .isEqualTo(new JLabel().getFont().getSize());
+        });
+    }
+
+    /** On a projector the panel is slim, and a pinned ray is as wide as it. */
+    @Test
+    void aPinnedRayFitsIntoASlimPanel() {
+        WindowDriver.onEventThread(() -> {
+            use(Look.PROJECTOR, 1, Locale.ENGLISH);
+            RaySection ray = new RaySection(model, () -> {}, answer -> {}, part -> {});
+            ray.component().setVisible(true);
+            Column column = new Column();
+            column.add(ray.component(), "wmin 0");
+            Components.layOut(column, SidePanel.leastWidth() - 2 * BAR);
+            assertThat(LayoutProblems.in(column)).isEmpty();
         });
     }
 

@@ -23,5 +23,5 @@ public class SilentListener implements PhotographView.Listener {
     public void failed(String message) {}
 
     @Override
-    public void picking(boolean picking) {}
+    public void clicks(PhotographView.Click now) {}
 }

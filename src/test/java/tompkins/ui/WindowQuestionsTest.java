@@ -400,7 +400,7 @@ class WindowQuestionsTest {
         JToggleButton pick = driver.find(JToggleButton.class, "Pick a point to focus on");
         JLabel what = driver.find(JLabel.class, "status.what");
         driver.click(pick);
-        assertThat(what.getText()).isEqualTo(Texts.get("lens.picking"));
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PICK"));
         driver.key(KeyEvent.VK_ESCAPE);
         assertThat(pick.isSelected()).isFalse();
         driver.click(driver.find(PictureCanvas.class, "picture"));
@@ -454,7 +454,7 @@ class WindowQuestionsTest {
                 .asString()
                 .startsWith("Pixel ");
         driver.key(KeyEvent.VK_TAB);
-        assertThat(driver.find(JButton.class, "Edit object").isFocusOwner()).isTrue();
+        assertThat(driver.find(JButton.class, "Edit").isFocusOwner()).isTrue();
     }
 
     @Test

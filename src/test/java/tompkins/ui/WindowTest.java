@@ -224,7 +224,7 @@ class WindowTest {
         WindowDriver.onEventThread(() -> driver.window().model().set(Studios.sphere()));
         driver.completePicture();
         driver.click(driver.centre(driver.find(PictureCanvas.class, "picture")));
-        JButton edit = driver.find(JButton.class, "Edit object");
+        JButton edit = driver.find(JButton.class, "Edit");
         WindowDriver.await("the pinned ray", () -> edit.isShowing() && edit.isEnabled());
         WindowDriver.onEventThread(() -> edit.doClick());
         JTree tree = driver.find(JTree.class, "tree");

@@ -56,8 +56,8 @@ final class MeasurePanel extends Part {
         panel.add(Buttons.of("measure.clear", tool::clear));
         panel.add(contents, "wmin 0");
         panel.add(copy, "skip 1, wrap");
-        panel.add(chartPlace, "span, growx, wmin 0, wrap");
-        panel.add(results.component(), "span, growx, wmin 0, wrap");
+        panel.add(chartPlace, "span, split 2, w 60%, wmin 0");
+        panel.add(results.component(), "growx, wmin 0, aligny top, wrap");
         panel.add(otherResults.component(), "span, growx, wmin 0");
         panel.setVisible(false);
         panel.setName("measure");

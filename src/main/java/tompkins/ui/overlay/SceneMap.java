@@ -48,6 +48,9 @@ public final class SceneMap implements Overlay {
     /** Room around what is shown, as a share of it. */
     private static final double MARGIN = 0.1;
 
+    /** The width of a map on which there is nothing but the lens. */
+    private static final double EMPTY = 10;
+
     /** About so many circles, and at most so many, are in the larger side of the map. */
     private static final int CIRCLES = 4;
 
@@ -118,7 +121,8 @@ public final class SceneMap implements Overlay {
         /** From the scene to the map: all boxes and the lens have room. */
         private AffineTransform toMap() {
             Rectangle2D all = boxes.around();
-            double wide = Math.max(all.getWidth(), 1e-9);
+            boolean lensAlone = all.getWidth() == 0 && all.getHeight() == 0;
+            double wide = lensAlone ? EMPTY : Math.max(all.getWidth(), 1e-9);
             double high = Math.max(all.getHeight(), 1e-9);
             double share = 1 - 2 * MARGIN;
             double scale = Math.min(share * place.getWidth() / wide, share * place.getHeight() / high);

@@ -110,9 +110,13 @@ public final class Captions {
      * @param goesOn whether the speed has no more digits than can be read while they change
      */
     public static String of(RideMoment moment, boolean goesOn) {
+        return String.join(", ", parts(moment, goesOn));
+    }
+
+    /** The parts of that caption. */
+    public static List<String> parts(RideMoment moment, boolean goesOn) {
         Studio studio = moment.studio();
-        return String.join(
-                ", ",
+        return List.of(
                 motion(studio, goesOn ? brief(studio.velocity()) : studio.velocity()),
                 Texts.get("caption.ride", tenths(moment.properTime()), tenths(moment.sceneTime())));
     }

@@ -52,8 +52,8 @@ public final class PhotographView implements AutoCloseable {
          */
         void pinned(PixelProbe.Reading reading, String picture);
 
-        /** Whether the next click on the picture picks a point, from now on. */
-        void picking(boolean picking);
+        /** What a click in the picture does from now on. */
+        void clicks(Click now);
 
         /** There is no picture of the studio; the message says why. */
         void noPicture(String message);
@@ -73,6 +73,18 @@ public final class PhotographView implements AutoCloseable {
 
         /** Chooses what is seen at a place of a picture. */
         void choose(PixelProbe.Reading seen, Picture picture);
+    }
+
+    /** What a click in the picture does. */
+    public enum Click {
+        /** Pins the pixel, and follows its ray. */
+        PIN,
+        /** Picks the distance of what is seen. */
+        PICK,
+        /** Measures there. */
+        MEASURE,
+        /** Chooses what is seen, for the editor. */
+        CHOOSE
     }
 
     private final StudioModel model;
@@ -240,19 +252,34 @@ public final class PhotographView implements AutoCloseable {
     public void startPicking(DoublePredicate taker, Runnable ended) {
         picking = new Picking(taker, ended);
         canvas.setPicking(true);
-        listener.picking(true);
+        tellClicks();
     }
 
     /** Lets clicks on the picture pin pixels again. */
     public void stopPicking() {
         picking = null;
         canvas.setPicking(false);
-        listener.picking(false);
+        tellClicks();
     }
 
     /** Whether a click chooses what is seen, and neither picks, measures nor pins. */
     public boolean choosesByClick() {
-        return picking == null && measuring == null && menu != null && menu.chooses();
+        return click() == Click.CHOOSE;
+    }
+
+    private Click click() {
+        if (picking != null) {
+            return Click.PICK;
+        }
+        if (measuring != null) {
+            return Click.MEASURE;
+        }
+        return menu != null && menu.chooses() ? Click.CHOOSE : Click.PIN;
+    }
+
+    /** Tells what a click does from now on. */
+    public void tellClicks() {
+        listener.clicks(click());
     }
 
     /** Offers a menu from now on. */
@@ -264,6 +291,7 @@ public final class PhotographView implements AutoCloseable {
     public void setMeasuring(BiConsumer<Point2D, Picture> taker) {
         measuring = taker;
         canvas.setMeasuring(taker != null);
+        tellClicks();
     }
 
     /** Asks for the distance of what is seen at a place; where nothing is, it is that of the focus. */

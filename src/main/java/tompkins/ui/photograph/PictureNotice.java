@@ -36,8 +36,9 @@ final class PictureNotice {
         panel.add(problem.component(), "growx, wmin 0");
         panel.add(button, "alignx center, wmin 0");
         panel.setVisible(false);
-        canvas.setLayout(new MigLayout("novisualpadding, insets 10, fill", "[center]", "[top]"));
-        canvas.add(panel, "wmin 0");
+        // below what is written at the top of the picture
+        canvas.setLayout(new MigLayout("novisualpadding, insets 10, fill", "[center]", "[20%!][top]"));
+        canvas.add(panel, "cell 0 1, wmin 0");
     }
 
     /**

@@ -39,10 +39,10 @@ public final class StatusBar extends Part {
     private final Timer fading;
     private String failure;
 
-    /** The hint for the picture if there is nothing else to say. */
-    private String pictureHint = Texts.get("status.idle");
+    /** The hint for the picture if there is nothing else to say; empty if there is none. */
+    private String pictureHint = "";
 
-    private boolean picking;
+    private PhotographView.Click click = PhotographView.Click.PIN;
     private boolean panelFolded;
 
     /** The picture on the screen while the line says that it is being refined; otherwise null. */
@@ -96,10 +96,11 @@ public final class StatusBar extends Part {
 
     /** What is said if there is nothing else to say. */
     private String hint() {
-        if (picking) {
-            return Texts.get("lens.picking");
+        String usual = Texts.get("status.idle." + click);
+        if (click == PhotographView.Click.PICK) {
+            return usual;
         }
-        return panelFolded ? Texts.get("status.panelFolded") : pictureHint;
+        return panelFolded ? Texts.get("status.panelFolded") : pictureHint.isEmpty() ? usual : pictureHint;
     }
 
     /** Sets the line; if it is too long for the window, its tooltip shows the rest. */
@@ -220,7 +221,7 @@ public final class StatusBar extends Part {
             return Texts.get("status.empty");
         }
         return picture.warnings().isEmpty()
-                ? Texts.get("status.idle")
+                ? ""
                 : Texts.get("status.warning", picture.warnings().get(0));
     }
 
@@ -231,10 +232,10 @@ public final class StatusBar extends Part {
                 && !(studio.background() instanceof StarSky);
     }
 
-    /** Says whether the next click picks a point, until it does. */
-    public void showPicking(boolean isPicking) {
-        if (isPicking != picking) {
-            picking = isPicking;
+    /** Says what a click does from now on. */
+    public void show(PhotographView.Click now) {
+        if (now != click) {
+            click = now;
             showIdle();
         }
     }

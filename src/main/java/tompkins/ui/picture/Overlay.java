@@ -12,7 +12,7 @@ public interface Overlay {
      * @param picture the picture on the screen
      * @param bounds where that lies; larger than the canvas if it is enlarged
      * @param visible the part of it that is seen
-     * @param free the part of that which has no writing at its edges when two pictures are compared
+     * @param free the part of that which lies between titles and captions
      */
     void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible, Rectangle free);
 

@@ -35,9 +35,7 @@ record PicturePainter(
             clipped.clip(inUnits(pane.visible()));
             boolean right = seen.splits() && pane.isOther();
             label(clipped, title(pane), pane.visible(), right ? Corner.TOP_RIGHT : Corner.TOP_LEFT);
-            String caption =
-                    captions == null ? "" : captions.apply(pane.picture().studio());
-            label(clipped, caption, pane.visible(), right ? Corner.BOTTOM_RIGHT : Corner.BOTTOM_LEFT);
+            label(clipped, caption(pane), pane.visible(), right ? Corner.BOTTOM_RIGHT : Corner.BOTTOM_LEFT);
             clipped.dispose();
         }
         if (seen.splits()) {
@@ -87,15 +85,22 @@ record PicturePainter(
         }
     }
 
-    /** The visible part of the picture, in units of the canvas, without the lines that are written if there are two. */
+    /** The visible part of the picture, in units of the canvas, between titles and captions. */
     Rectangle free(Graphics2D g) {
         Rectangle free = inUnits(visible());
+        int line = PictureLabel.height(g, font);
         if (seen.showsTwo()) {
-            int line = PictureLabel.height(g, font);
             free.y += line;
-            free.height -= captions == null ? line : 2 * line;
+            free.height -= line;
+        }
+        if (seen.panes().stream().anyMatch(pane -> !caption(pane).isEmpty())) {
+            free.height -= line;
         }
         return free;
+    }
+
+    private String caption(PictureArrangement.Pane pane) {
+        return captions == null ? "" : captions.apply(pane.picture().studio());
     }
 
     private void label(Graphics2D g, String text, Rectangle bounds, Corner corner) {

@@ -72,7 +72,7 @@ public final class RaySection {
         JButton button = new JButton(Texts.get("ray.unpin"));
         button.setName(Texts.get("ray.unpin"));
         button.addActionListener(event -> unpin.run());
-        JPanel buttons = Rows.of("gap 6, wrap 2", "[][]push");
+        JPanel buttons = Rows.of("gap 4 6, wrap 2", "[][]push");
         buttons.add(edit);
         buttons.add(button);
         buttons.add(drawRay);
@@ -81,7 +81,7 @@ public final class RaySection {
         content.add(frames, "wmin 0");
         content.add(diagram, "wmin 0");
         content.add(story, "wmin 0");
-        content.add(buttons);
+        content.add(buttons, "wmin 0");
         section = new Section(Texts.get("ray.title"), content, true);
         section.component().setVisible(false);
     }

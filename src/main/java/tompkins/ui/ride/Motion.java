@@ -4,6 +4,8 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.geom.Point2D;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -212,43 +214,38 @@ public final class Motion {
     }
 
     private void paintLine(Graphics2D g, Rectangle free) {
-        String text = line();
-        if (!text.isEmpty()) {
+        List<String> parts = parts();
+        if (!parts.isEmpty()) {
             Font font = Look.captions();
-            PictureLabel.paint(g, font, text, free, PictureLabel.Corner.TOP_MIDDLE);
-            paintNews(g, font, free);
+            Rectangle below = PictureLabel.paintParts(g, font, parts, free);
+            String news = pilot.task().news();
+            if (!news.isEmpty()) {
+                // in a line of its own, where it can be read from the back row
+                PictureLabel.paint(g, font, news, below, PictureLabel.Corner.TOP_MIDDLE);
+            }
         }
     }
 
-    /** In a line of its own, where it can be read from the back row. */
-    private void paintNews(Graphics2D g, Font font, Rectangle free) {
-        String news = pilot.task().news();
-        if (!news.isEmpty()) {
-            int first = PictureLabel.height(g, font);
-            Rectangle below = new Rectangle(free.x, free.y + first, free.width, free.height - first);
-            PictureLabel.paint(g, font, news, below, PictureLabel.Corner.TOP_MIDDLE);
-        }
-    }
-
-    /** What the line at the top of the picture says; empty if the camera is not on a ride. */
-    private String line() {
+    /** What the line at the top of the picture says; nothing if the camera is not on a ride. */
+    private List<String> parts() {
         RideMoment moment = pilot.moment();
-        return moment == null || ride == null || !ride.isShown()
-                ? ""
-                : state() + Captions.of(moment, pilot.isRiding()) + rate();
+        List<String> parts = new ArrayList<>();
+        if (moment != null && ride != null && ride.isShown()) {
+            parts.addAll(state());
+            parts.addAll(Captions.parts(moment, pilot.isRiding()));
+            if (pilot.isRiding() && window.settings().number(PictureOverlays.RATE, 0) != 0) {
+                parts.add(reading.rate());
+            }
+        }
+        return parts;
     }
 
-    private String rate() {
-        boolean wanted = pilot.isRiding() && window.settings().number(PictureOverlays.RATE, 0) != 0;
-        return wanted ? " \u00b7 " + reading.rate() : "";
-    }
-
-    private String state() {
+    private List<String> state() {
         String key = pilot.isReplaying()
                 ? "ride.state.replay"
                 : pilot.isRecording()
                         ? "ride.state.recording"
                         : !pilot.isRiding() ? "ride.state.pause" : pilot.isBraking() ? "ride.state.brake" : "";
-        return key.isEmpty() ? "" : Texts.get(key) + " \u00b7 ";
+        return key.isEmpty() ? List.of() : List.of(Texts.get(key));
     }
 }

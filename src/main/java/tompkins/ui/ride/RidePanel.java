@@ -62,7 +62,7 @@ public final class RidePanel extends Part {
      */
     public RidePanel(StudioModel model, Settings settings, RidePilot pilot, Runnable flown, Consumer<Studio> exporter) {
         super(new JPanel(new MigLayout(
-                "novisualpadding, insets 0 4 0 4, fillx, hidemode 3, gap 6 4", "[pref!]12[pref!][grow,fill][]")));
+                "novisualpadding, insets 0 4 0 4, fillx, hidemode 3, gap 6 4", "[pref!]12[pref!][grow,fill][][]")));
         this.pilot = pilot;
         light = new ValueSlider(
                 Texts.get("ride.light"),
@@ -87,18 +87,15 @@ public final class RidePanel extends Part {
         offerRides(model, flown);
         panel.add(ride);
         Rows.add(panel, Texts.get("ride.light"), light.slider(), "wmin 60");
-        panel.add(units, "wrap");
-        // in a row of their own, for a narrow window
-        panel.add(record, "span, split 4");
+        panel.add(units);
+        panel.add(rides, "wmin 0");
+        panel.add(record, "newline, span, split 4");
         panel.add(replay);
         panel.add(export);
-        panel.add(rides, "gapleft push, wmin 0");
-        panel.add(LawPanel.quickView(model), "newline, span, split 2");
-        JPanel letters = Rows.of("gap 6", "push[][]");
-        Rows.add(letters, Texts.get("ride.keyboard"), keyboard, "wmin 0");
-        panel.add(letters, "growx, wmin 0, wrap");
+        panel.add(LawPanel.quickView(model), "gapleft push, wmin pref, wrap");
         panel.add(task.component(), "span, growx, wmin 0");
-        panel.add(keys.component(), "span, growx, wmin 0");
+        panel.add(keyboard, "span, split 2, wmin pref");
+        panel.add(keys.component(), "growx, wmin 0, wrap");
         panel.add(note.component(), "span, growx, wmin 0");
         panel.setVisible(false);
         setUnits(pilot.unitsPerSecond());

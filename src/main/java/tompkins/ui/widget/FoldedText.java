@@ -5,10 +5,14 @@ import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Point;
 import javax.swing.JComponent;
 import javax.swing.JToggleButton;
 import javax.swing.JViewport;
 import javax.swing.plaf.basic.BasicGraphicsUtils;
+import javax.swing.text.BadLocationException;
+import javax.swing.text.JTextComponent;
+import javax.swing.text.Utilities;
 
 /** A text of which a few lines are seen, and with a button all of it. */
 public final class FoldedText extends Part {
@@ -93,20 +97,32 @@ public final class FoldedText extends Part {
             return new Dimension(0, getPreferredSize().height);
         }
 
-        /** Ends the last line with an ellipsis where more follows. */
+        /** Ends the last line with an ellipsis, after a whole word, where more follows. */
         @Override
         protected void paintChildren(Graphics graphics) {
             super.paintChildren(graphics);
             JComponent text = note.component();
             if (getHeight() < text.getPreferredSize().height) {
                 FontMetrics font = text.getFontMetrics(text.getFont());
-                int left = getWidth() - font.stringWidth(ELLIPSIS);
+                int left = cutWord(getWidth() - font.stringWidth(ELLIPSIS));
                 graphics.setColor(panel.getBackground());
                 graphics.fillRect(left, getHeight() - font.getHeight(), getWidth() - left, font.getHeight());
                 graphics.setColor(text.getForeground());
                 graphics.setFont(text.getFont());
                 BasicGraphicsUtils.drawString(
                         text, (Graphics2D) graphics, ELLIPSIS, left, getHeight() - font.getDescent());
+            }
+        }
+
+        /** Where the word of the last line begins that would be cut at a place. */
+        private int cutWord(int place) {
+            JTextComponent text = (JTextComponent) note.component();
+            try {
+                int cut = text.viewToModel2D(new Point(place, getHeight() - 1));
+                return (int)
+                        text.modelToView2D(Utilities.getWordStart(text, cut)).getX();
+            } catch (BadLocationException impossible) {
+                throw new IllegalStateException(impossible);
             }
         }
     }

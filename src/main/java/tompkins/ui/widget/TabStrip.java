@@ -13,6 +13,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JToggleButton;
+import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 
@@ -81,7 +82,10 @@ public final class TabStrip extends Part {
         }
         Supplier<JComponent> maker = makers.remove(tab);
         if (maker != null) {
-            column.add(maker.get(), "wmin 0");
+            JComponent made = maker.get();
+            // the look may have changed since it was made
+            SwingUtilities.updateComponentTreeUI(made);
+            column.add(made, "wmin 0");
         }
         Tab before = open;
         open = tab;

@@ -93,7 +93,7 @@ class StatusBarTest {
         status.show(picture(Studios.sphere()));
         assertThat(what.getText()).isEqualTo(Texts.get("status.panelFolded"));
         status.showPanelFolded(false);
-        assertThat(what.getText()).isEqualTo(Texts.get("status.idle"));
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PIN"));
     }
 
     @Test
@@ -110,9 +110,9 @@ class StatusBarTest {
         status.show(picture(Studio.DEFAULT));
         assertThat(what.getText()).isEqualTo(Texts.get("status.empty"));
         status.show(picture(Studios.sphere()));
-        assertThat(what.getText()).isEqualTo(Texts.get("status.idle"));
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PIN"));
         status.show(picture(Descriptions.with(Studio.DEFAULT, "background", PanoramaBackground.DEFAULT)));
-        assertThat(what.getText()).as("the sky is there to be seen").isEqualTo(Texts.get("status.idle"));
+        assertThat(what.getText()).as("the sky is there to be seen").isEqualTo(Texts.get("status.idle.PIN"));
         status.say("something else");
         status.show(picture(Studio.DEFAULT));
         assertThat(what.getText()).isEqualTo("something else");
@@ -127,22 +127,26 @@ class StatusBarTest {
         status.show((PixelProbe.Reading) null);
         assertThat(what.getText()).isEqualTo("Warning: no ray met an object.");
         status.show(picture(Studios.sphere()));
-        assertThat(what.getText()).isEqualTo(Texts.get("status.idle"));
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PIN"));
     }
 
     /** A reading under the mouse, or a message, comes between. */
     @Test
     void thatAPointIsToBePickedIsSaidUntilItIs() {
-        status.showPicking(true);
-        assertThat(what.getText()).isEqualTo(Texts.get("lens.picking"));
+        status.show(PhotographView.Click.CHOOSE);
+        assertThat(what.getText()).contains("choose an object or a lamp").doesNotContain("ray");
+        status.show(PhotographView.Click.MEASURE);
+        assertThat(what.getText()).contains("measure there").doesNotContain("ray");
+        status.show(PhotographView.Click.PICK);
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PICK"));
         status.say("something else");
         status.show((PixelProbe.Reading) null);
         status.show(picture(Studios.sphere()));
-        assertThat(what.getText()).isEqualTo(Texts.get("lens.picking"));
-        status.showPicking(false);
-        assertThat(what.getText()).isEqualTo(Texts.get("status.idle"));
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PICK"));
+        status.show(PhotographView.Click.PIN);
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PIN"));
         status.say("nothing is there");
-        status.showPicking(false);
+        status.show(PhotographView.Click.PIN);
         assertThat(what.getText()).isEqualTo("nothing is there");
     }
 
@@ -155,7 +159,7 @@ class StatusBarTest {
             status.report("Saved");
             assertThat(what.getText()).isEqualTo("Saved");
         });
-        WindowDriver.await("the usual text", () -> what.getText().equals(Texts.get("status.idle")));
+        WindowDriver.await("the usual text", () -> what.getText().equals(Texts.get("status.idle.PIN")));
         assertThat(label(asking, "status.what").getText()).isEqualTo("Click in the picture");
         asking.stop();
     }

@@ -102,6 +102,19 @@ class PictureCanvasTest {
         assertThat(written().isEmpty()).isTrue();
     }
 
+    /** A map, for example, must not cover the caption. */
+    @Test
+    void overlaysAreToldOfTheRoomAboveTheCaption() {
+        List<Rectangle> rooms = new ArrayList<>();
+        canvas.addOverlay((g, picture, bounds, visible, free) -> rooms.add(free));
+        written();
+        canvas.setCaptions(studio -> "IIII");
+        Rectangle caption = written();
+        assertThat(rooms.get(0).getMaxY()).isEqualTo(HEIGHT);
+        assertThat(rooms.get(rooms.size() - 1).getMaxY()).isLessThanOrEqualTo(caption.y);
+        assertThat(rooms.get(rooms.size() - 1).y).isZero();
+    }
+
     @Test
     void eachOfTwoPicturesHasItsOwnCaption() {
         Picture now = pictures(Studio.DEFAULT).now();
@@ -115,7 +128,7 @@ class PictureCanvasTest {
             return "";
         });
         written();
-        assertThat(asked).containsExactlyInAnyOrder(now.studio(), other.studio());
+        assertThat(asked).containsOnly(now.studio(), other.studio());
     }
 
     @Test
