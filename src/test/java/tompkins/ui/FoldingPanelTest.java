@@ -2,11 +2,17 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.AWTEvent;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Insets;
 import java.awt.Rectangle;
+import java.awt.Toolkit;
+import java.awt.event.AWTEventListener;
+import java.awt.event.ComponentEvent;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JComponent;
 import javax.swing.JTextField;
@@ -56,6 +62,30 @@ class FoldingPanelTest {
         });
         WindowDriver.await("the panel", () -> window.side().isThere());
         assertThat(WindowDriver.onEventThread(this::roomBesidePicture)).isEqualTo(room);
+    }
+
+    /** What is laid out again and again keeps a processor busy as long as the window is open. */
+    @Test
+    void remarksComeToRest() throws InterruptedException {
+        AtomicInteger sizes = new AtomicInteger();
+        AWTEventListener listener = event -> {
+            if (event.getID() == ComponentEvent.COMPONENT_RESIZED && "remarks".equals(name(event))) {
+                sizes.incrementAndGet();
+            }
+        };
+        Toolkit.getDefaultToolkit().addAWTEventListener(listener, AWTEvent.COMPONENT_EVENT_MASK);
+        try {
+            WindowDriver.onEventThread(this::open);
+            WindowDriver.await("the remarks", () -> sizes.get() > 0);
+            Thread.sleep(500);
+            assertThat(sizes).hasValueLessThan(10);
+        } finally {
+            Toolkit.getDefaultToolkit().removeAWTEventListener(listener);
+        }
+    }
+
+    private static String name(AWTEvent event) {
+        return ((Component) event.getSource()).getName();
     }
 
     /** Where the picture is, and what the window leaves to the right of it and below, whatever borders it gets. */

@@ -21,15 +21,16 @@ public final class FoldedText extends Part {
     private static final String ELLIPSIS = " \u2026";
 
     private final Note note = new Note("");
+    private final JComponent lines = note.component();
     private final JToggleButton more = new JToggleButton();
     private final JViewport seen = new Lines();
 
     /** A folded text with a name, without words yet. */
     public FoldedText(String name) {
         super(Rows.column());
-        note.component().setName(name);
+        lines.setName(name);
         seen.setOpaque(false);
-        seen.setView(note.component());
+        seen.setView(lines);
         more.putClientProperty(FlatClientProperties.BUTTON_TYPE, FlatClientProperties.BUTTON_TYPE_TOOLBAR_BUTTON);
         more.putClientProperty(FlatClientProperties.STYLE, "font: $small.font; margin: 0,4,0,4; minimumWidth: 0");
         more.addItemListener(event -> fold());
@@ -71,22 +72,22 @@ public final class FoldedText extends Part {
 
         @Override
         public Dimension getPreferredSize() {
-            JComponent text = note.component();
-            Dimension size = text.getPreferredSize();
+            Dimension size = lines.getPreferredSize();
             return new Dimension(size.width, more.isSelected() ? size.height : Math.min(size.height, few()));
         }
 
         private int few() {
-            JComponent text = note.component();
-            return LINES * text.getFontMetrics(text.getFont()).getHeight();
+            return LINES * lines.getFontMetrics(lines.getFont()).getHeight();
         }
 
         @Override
         public void setBounds(int x, int y, int width, int height) {
             super.setBounds(x, y, width, height);
             // the height of wrapped text is known only when its width is
-            note.component().setSize(width, height);
-            more.setVisible(more.isSelected() || note.component().getPreferredSize().height > few());
+            if (lines.getWidth() != width) {
+                lines.setSize(width, height);
+            }
+            more.setVisible(more.isSelected() || lines.getPreferredSize().height > few());
             if (getPreferredSize().height != height) {
                 panel.revalidate();
             }
@@ -101,22 +102,21 @@ public final class FoldedText extends Part {
         @Override
         protected void paintChildren(Graphics graphics) {
             super.paintChildren(graphics);
-            JComponent text = note.component();
-            if (getHeight() < text.getPreferredSize().height) {
-                FontMetrics font = text.getFontMetrics(text.getFont());
+            if (getHeight() < lines.getPreferredSize().height) {
+                FontMetrics font = lines.getFontMetrics(lines.getFont());
                 int left = cutWord(getWidth() - font.stringWidth(ELLIPSIS));
                 graphics.setColor(panel.getBackground());
                 graphics.fillRect(left, getHeight() - font.getHeight(), getWidth() - left, font.getHeight());
-                graphics.setColor(text.getForeground());
-                graphics.setFont(text.getFont());
+                graphics.setColor(lines.getForeground());
+                graphics.setFont(lines.getFont());
                 BasicGraphicsUtils.drawString(
-                        text, (Graphics2D) graphics, ELLIPSIS, left, getHeight() - font.getDescent());
+                        lines, (Graphics2D) graphics, ELLIPSIS, left, getHeight() - font.getDescent());
             }
         }
 
         /** Where the word of the last line begins that would be cut at a place. */
         private int cutWord(int place) {
-            JTextComponent text = (JTextComponent) note.component();
+            JTextComponent text = (JTextComponent) lines;
             try {
                 int cut = text.viewToModel2D(new Point(place, getHeight() - 1));
                 return (int)
