@@ -1,8 +1,10 @@
 package tompkins.render;
 
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -25,6 +27,9 @@ final class Specks {
     /** Width and height of the smallest regions in pixels. */
     private static final int SIDE = 8;
 
+    /** Width in pixels of what is around the picture in {@link #variances}. */
+    private static final int BORDER = 2;
+
     /** So many specks of its own count as much as all that a region has from the wider one. */
     private static final double ENOUGH = 4;
 
@@ -39,6 +44,15 @@ final class Specks {
     private final PixelVariance pixels;
     private final BitSet found;
     private final BitSet untested;
+
+    /**
+     * The variance of the samples of each pixel, in a picture with a border of two pixels: 0 where a single sample
+     * tells nothing, infinite where there are none.
+     */
+    private final float[] variances;
+
+    /** From the upper left pixel of a square of two by two to the twelve around the square. */
+    private final int[] rim;
 
     /**
      * Half of the pixels are in each count, and each pixel asks the one without it: whether a speck was found in it
@@ -58,6 +72,12 @@ final class Specks {
         this.pixels = pixels;
         found = new BitSet(film.width() * film.height());
         untested = new BitSet(film.width() * film.height());
+        variances = variances(film);
+        int down = film.width() + 2 * BORDER;
+        rim = IntStream.of(-1, 0, 1, 2)
+                .flatMap(i -> IntStream.of(i - down, i + 2 * down, i * down - 1, i * down + 2))
+                .distinct()
+                .toArray();
         counts = Stream.generate(() -> Regions.of((film.width() + SIDE - 1) / SIDE, (film.height() + SIDE - 1) / SIDE))
                 .limit(2)
                 .toList();
@@ -87,8 +107,27 @@ final class Specks {
                 && isAlone(column, row, variance(column, row));
     }
 
+    private static float[] variances(Film film) {
+        float[] variances = new float[(film.width() + 2 * BORDER) * (film.height() + 2 * BORDER)];
+        Arrays.fill(variances, Float.POSITIVE_INFINITY);
+        IntStream.range(0, film.height()).parallel().forEach(row -> {
+            int place = (row + BORDER) * (film.width() + 2 * BORDER) + BORDER;
+            for (int pixel = film.pixel(0, row); pixel < film.pixel(0, row + 1); pixel++, place++) {
+                int samples = film.samples(pixel);
+                if (samples > 0) {
+                    variances[place] = samples == 1 ? 0 : (float) film.sampleVariance(pixel);
+                }
+            }
+        });
+        return variances;
+    }
+
     private double variance(int column, int row) {
-        return film.sampleVariance(film.pixel(column, row));
+        return variances[bordered(column, row)];
+    }
+
+    private int bordered(int column, int row) {
+        return (row + BORDER) * (film.width() + 2 * BORDER) + column + BORDER;
     }
 
     /** Whether all neighbours have several samples. */
@@ -122,35 +161,22 @@ final class Specks {
      * takes, and none of the twelve pixels around the square is similar.
      */
     private boolean isAlone(int column, int row, double variance) {
-        for (int top = row - 1; top <= row; top++) {
-            for (int left = column - 1; left <= column; left++) {
-                if (isQuietAround(left, top, SIMILAR * variance)) {
-                    return true;
-                }
-            }
-        }
-        return false;
+        int place = bordered(column, row);
+        int above = bordered(column, row - 1);
+        double most = SIMILAR * variance;
+        return isQuietAround(above - 1, most)
+                || isQuietAround(above, most)
+                || isQuietAround(place - 1, most)
+                || isQuietAround(place, most);
     }
 
-    private boolean isQuietAround(int left, int top, double mostVariance) {
-        for (int y = top - 1; y <= top + 2; y++) {
-            for (int x = left - 1; x <= left + 2; x++) {
-                boolean isInside = y >= top && y <= top + 1 && x >= left && x <= left + 1;
-                if (!isInside && !isQuiet(x, y, mostVariance)) {
-                    return false;
-                }
+    private boolean isQuietAround(int square, double mostVariance) {
+        for (int offset : rim) {
+            if (variances[square + offset] > mostVariance) {
+                return false;
             }
         }
         return true;
-    }
-
-    /** Whether a pixel has no more than a variance, as far as is known; of those without samples nothing is. */
-    private boolean isQuiet(int column, int row, double mostVariance) {
-        if (column < 0 || row < 0 || column >= film.width() || row >= film.height()) {
-            return false;
-        }
-        int samples = film.samples(film.pixel(column, row));
-        return samples == 1 || samples > 1 && variance(column, row) <= mostVariance;
     }
 
     /**

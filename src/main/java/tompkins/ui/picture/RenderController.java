@@ -27,6 +27,9 @@ public final class RenderController implements AutoCloseable {
      */
     private static final Duration LONGEST_WAIT = Duration.ofMillis(80);
 
+    /** A picture that takes less time tells its error only when it is complete: nobody would read it before. */
+    private static final Duration READABLE = Duration.ofMillis(500);
+
     /** The sum of the parts of the work may miss 1 by its rounding. */
     private static final double ALMOST_ONE = 1 - 1e-9;
 
@@ -255,9 +258,9 @@ public final class RenderController implements AutoCloseable {
 
         private void deliver(RenderJob rendered, boolean complete) {
             Duration time = Duration.ofNanos(System.nanoTime() - request.time);
-            // the error takes a moment to work out, so it is left out while the picture follows a hand
+            // the error takes a moment to work out, in which no samples are taken
             boolean tellsError =
-                    complete || System.nanoTime() - startTime > LONGEST_WAIT.toNanos() && !request.pace.isGlimpse();
+                    complete || System.nanoTime() - startTime > READABLE.toNanos() && !request.pace.isGlimpse();
             RenderReport report = tellsError ? rendered.report() : null;
             Picture picture = new Picture(
                     request.studio,
