@@ -259,6 +259,14 @@ public final class RenderJob {
         return film.image();
     }
 
+    /** The picture so far, to be looked at until it is complete: where few samples of a blur are noise, without it. */
+    public LinearImage preview() {
+        int samples = film.samples(0);
+        return plan.blurs() && film.comparesSamples() && samples > 1 && samples < AdaptiveSchedule.FIRST_SAMPLES
+                ? NoiseFilter.image(film)
+                : film.image();
+    }
+
     /** The plan of the picture. */
     public RenderPlan plan() {
         return plan;

@@ -265,7 +265,7 @@ public final class RenderController implements AutoCloseable {
             Picture picture = new Picture(
                     request.studio,
                     rendered.plan(),
-                    rendered.image(),
+                    complete ? rendered.image() : rendered.preview(),
                     complete,
                     time,
                     samples(rendered),

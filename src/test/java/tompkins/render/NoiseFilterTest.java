@@ -1,0 +1,54 @@
+package tompkins.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import tompkins.image.LinearImage;
+import tompkins.studio.PaperStudios;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+
+class NoiseFilterTest {
+
+    /** Against a picture of many samples with another seed. */
+    @Test
+    void fewSamplesOfABlurLookLikeMany() throws InterruptedException {
+        Studio figure = PaperStudios.fig3a();
+        Studio small = figure.withSettings(figure.settings().withSize(320, 240));
+        try (Renderer renderer = new Renderer()) {
+            Studio otherSeed = small.withSettings(small.settings().withSeed(7));
+            LinearImage many = renderer.render(RenderPlan.of(otherSeed), new Quality.Samples(128))
+                    .image();
+            RenderJob four = renderer.render(RenderPlan.of(small), new Quality.Samples(4));
+            double unfiltered = difference(four.image(), many);
+            assertThat(difference(four.preview(), many)).isLessThan(unfiltered / 2);
+            RenderJob sixteen = renderer.render(RenderPlan.of(small), new Quality.Samples(16));
+            assertThat(sixteen.preview().rgb()).isEqualTo(sixteen.image().rgb());
+        }
+    }
+
+    private static double difference(LinearImage image, LinearImage other) {
+        double sum = 0;
+        for (int i = 0; i < image.rgb().length; i++) {
+            sum += Math.pow(image.rgb()[i] - other.rgb()[i], 2);
+        }
+        return Math.sqrt(sum / image.rgb().length);
+    }
+
+    /** A sharp edge and a bright pixel, without variance. */
+    @Test
+    void whatIsNoNoiseStays() {
+        Film film = new Film(40, 30, 1, true);
+        for (int pixel = 0; pixel < film.pixels(); pixel++) {
+            double light = pixel == 500 ? 0.5 : pixel % 40 < 17 ? 0.2 : 0.8;
+            film.add(pixel, light, light, light, 1);
+            film.add(pixel, light, light, light, 1);
+        }
+        LinearImage filtered = NoiseFilter.image(film);
+        LinearImage image = film.image();
+        for (int i = 0; i < image.rgb().length; i++) {
+            assertThat(filtered.rgb()[i]).isCloseTo(image.rgb()[i], within(1e-3f));
+        }
+    }
+}
