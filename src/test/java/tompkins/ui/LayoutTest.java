@@ -288,7 +288,7 @@ class LayoutTest {
             Components.layOut(ride.component(), 700);
             Components.layOut(ride.component(), 700);
             assertThat(LayoutProblems.in(ride.component())).isEmpty();
-            assertThat(ride.component().getPreferredSize().height).isLessThan(768 * 22 / 100);
+            assertThat(ride.component().getPreferredSize().height).isLessThan(768 / 4);
         });
     }
 

@@ -132,6 +132,8 @@ class MeasureToolTest {
         WindowDriver.await("the circle", () -> results().startsWith("half-angle"));
         double slope = 0.3 * Math.tan(Math.toRadians(10));
         assertThat(number("half-angle")).isCloseTo(Math.toDegrees(Math.atan(slope)), within(0.1));
+        JTextArea text = driver.find(JTextArea.class, "measure.results");
+        assertThat(text.getWidth()).as("without a chart").isGreaterThan(panel().getWidth() * 9 / 10);
 
         WindowDriver.onEventThread(() -> kinds.setSelectedItem(MeasureKind.PROFILE));
         JButton clear = driver.find(JButton.class, "Clear");
@@ -147,6 +149,7 @@ class MeasureToolTest {
                 driver.find(ChartPanel.class, "Profile").getChart().getXYPlot().getDataset();
         assertThat(curves.getSeriesCount()).as("red, green, blue").isEqualTo(3);
         assertThat(curves.getItemCount(0)).isGreaterThan(200);
+        assertThat(text.getWidth()).as("beside the chart").isBetween(panel().getWidth() / 4, panel().getWidth() / 2);
         if (TestRun.THOROUGH) {
             assertThat(copied())
                     .startsWith("pixel_x [pixels],pixel_y [pixels],")

@@ -60,7 +60,7 @@ class WindowPicturesTest {
     /** On board, between the halt before the tower and the flight through its gate. */
     private static final double RIDE_TIME = 5;
 
-    private static final long LARGEST = 100_000;
+    private static final long LARGEST = 125_000;
 
     /** The pictures. */
     enum Shot {

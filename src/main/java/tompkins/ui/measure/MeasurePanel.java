@@ -56,8 +56,11 @@ final class MeasurePanel extends Part {
         panel.add(Buttons.of("measure.clear", tool::clear));
         panel.add(contents, "wmin 0");
         panel.add(copy, "skip 1, wrap");
-        panel.add(chartPlace, "span, split 2, w 60%, wmin 0");
-        panel.add(results.component(), "growx, wmin 0, aligny top, wrap");
+        // the numbers beside the chart, or alone
+        JPanel found = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, hidemode 3"));
+        found.add(chartPlace, "w 60%, wmin 0");
+        found.add(results.component(), "pushx, growx, wmin 0, aligny top");
+        panel.add(found, "span, growx, wmin 0, wrap");
         panel.add(otherResults.component(), "span, growx, wmin 0");
         panel.setVisible(false);
         panel.setName("measure");
