@@ -92,6 +92,9 @@ public final class VariedStudios {
             new FixedPointSurfaceShutter(),
             new ArbitraryPlaneShutter(-1, new Vector3d(0, 0, 1), new Vector3d(0.3, 0.2, 1)));
 
+    /** A hundred or two: each is sought behind all the glass and in all the mirrors. */
+    private static final StarSky FEW_STARS = Descriptions.with(StarSky.DEFAULT, "limit", 3.0);
+
     private VariedStudios() {}
 
     /** All of them, with names. */
@@ -235,10 +238,10 @@ public final class VariedStudios {
                 Named.of("Galilean world", studio.withTransformation(TransformationLaw.GALILEAN)),
                 Named.of("searchlight effect", studio.withColours(ColourLaw.SEARCHLIGHT)),
                 Named.of("shifted colours", studio.withColours(ColourLaw.DOPPLER)),
-                Named.of("stars", Descriptions.with(studio, "background", StarSky.DEFAULT)),
+                Named.of("stars", Descriptions.with(studio, "background", FEW_STARS)),
                 Named.of(
                         "stars in shifted colours",
-                        Descriptions.with(studio.withColours(ColourLaw.DOPPLER), "background", StarSky.DEFAULT)),
+                        Descriptions.with(studio.withColours(ColourLaw.DOPPLER), "background", FEW_STARS)),
                 Named.of("far from the origin", late.withScene(List.of(nearTheCamera))),
                 Named.of("big lattice", moving(List.of(bigLattice()))));
     }
