@@ -24,6 +24,9 @@ final class NoiseFilter {
     /** Squared differences of nine pixels and three channels that nobody sees, where samples happen to be equal. */
     private static final float INVISIBLE = 3e-4f;
 
+    /** More light and more variance become this: sums of all that a pixel is compared with stay finite. */
+    private static final float BRIGHTEST = 1e36f;
+
     private final int width;
     private final int height;
 
@@ -48,9 +51,9 @@ final class NoiseFilter {
             for (int column = -BORDER; column < width + BORDER; column++) {
                 int pixel = film.pixel(inside(column, width), inside(row, height));
                 int place = place(column, row);
-                variance[place] = (float) (film.sampleVariance(pixel) / growth);
+                variance[place] = (float) Math.min(BRIGHTEST, film.sampleVariance(pixel) / growth);
                 for (int channel = 0; channel < 3; channel++) {
-                    light[channel][place] = rgb[3 * pixel + channel];
+                    light[channel][place] = Math.min(BRIGHTEST, rgb[3 * pixel + channel]);
                 }
             }
         });

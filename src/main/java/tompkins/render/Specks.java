@@ -115,7 +115,7 @@ final class Specks {
             for (int pixel = film.pixel(0, row); pixel < film.pixel(0, row + 1); pixel++, place++) {
                 int samples = film.samples(pixel);
                 if (samples > 0) {
-                    variances[place] = samples == 1 ? 0 : (float) film.sampleVariance(pixel);
+                    variances[place] = samples == 1 ? 0 : (float) Math.min(Float.MAX_VALUE, film.sampleVariance(pixel));
                 }
             }
         });

@@ -23,7 +23,6 @@ final class NearbyRays implements PathObserver {
 
     /** The ways up to where the branches began that are being followed. */
     private long[] forks = new long[8];
-
     private int forked;
 
     private EyeView eye;
@@ -163,14 +162,12 @@ final class NearbyRays implements PathObserver {
         if (forked == forks.length) {
             forks = Arrays.copyOf(forks, 2 * forked);
         }
-        forks[forked] = way;
-        forked++;
+        forks[forked++] = way;
     }
 
     @Override
     public void returns() {
-        forked--;
-        way = forks[forked];
+        way = forks[--forked];
     }
 
     @Override
