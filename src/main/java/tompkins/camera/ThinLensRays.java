@@ -16,10 +16,10 @@ import tompkins.spacetime.SpaceTimeTransformation;
 /** A {@link ThinLensCamera}, ready for one picture. */
 final class ThinLensRays implements CameraRays {
 
-    /** So often the focus is sought in the direction of a chief ray; in focus on a plane, few times are enough. */
+    /** The most steps in which a chief ray is sought; with a plane in focus a few are enough. */
     private static final int FOCUS_STEPS = 30;
 
-    /** Far below a pixel. */
+    /** The last step, in radians: far below a pixel. */
     private static final double FOCUS_ERROR = 1e-9;
 
     private final CameraAxes axes;
@@ -99,7 +99,7 @@ final class ThinLensRays implements CameraRays {
     public List<Vector2dc> positions(Vector3dc direction, double lensX, double lensY) {
         Vector3d toLens = offset(lensX, lensY);
         Vector3dc chief = direction;
-        double change = apertureRadius;
+        double change = apertureRadius > 0 ? 1 : 0;
         for (int i = 0; i < FOCUS_STEPS && change > FOCUS_ERROR; i++) {
             // what is traced in the direction has its chief ray so much aside
             Vector3d aside = toLens.mul(inverseFocusDistance(chief, new RayCounts()), new Vector3d());
