@@ -73,7 +73,10 @@ final class Convergence {
         return renderer.render(plan, quality).report().time().toNanos() / 1e6;
     }
 
-    /** Milliseconds to the first picture of the window that differs from the whole one by no more than wanted. */
+    /**
+     * Milliseconds to the first picture of the window that differs from the whole one by no more than wanted; infinite
+     * if there is none.
+     */
     private static double firstLook(Renderer renderer, RenderPlan plan, LinearImage whole) throws InterruptedException {
         AtomicLong seen = new AtomicLong();
         long start = System.nanoTime();
@@ -86,7 +89,7 @@ final class Convergence {
             }
         });
         renderer.startCoarse(plan, new Quality.Samples(RANDOM_SAMPLES), looks).await();
-        return seen.get() / 1e6;
+        return seen.get() == 0 ? Double.POSITIVE_INFINITY : seen.get() / 1e6;
     }
 
     private static double difference(LinearImage image, LinearImage other) {
