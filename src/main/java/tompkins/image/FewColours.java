@@ -20,7 +20,7 @@ public final class FewColours {
 
     /**
      * A copy of an opaque picture with a palette. The pixels whose colours differ most are parted at their mean, again
-     * and again; each part gets its mean colour. A picture that has no more colours keeps them.
+     * and again; each part gets its mean colour. A picture with no more than 256 colours keeps them.
      */
     public static BufferedImage of(BufferedImage picture) {
         int width = picture.getWidth();
@@ -101,7 +101,7 @@ public final class FewColours {
             return (int) (pixel >> Byte.SIZE * channel) & 0xFF;
         }
 
-        /** Brings the pixels below the mean of the widest channel to the front, and says where the others begin. */
+        /** Brings the pixels up to the mean of the widest channel to the front, and says where the others begin. */
         int split() {
             int low = from;
             int high = to;

@@ -6,7 +6,7 @@ import java.util.Set;
 public enum OverlayKind {
     /** The predicted outlines of spheres. */
     OUTLINES,
-    /** The axes of rods, the edges of flat pieces and the rims of round ones: hyperbolas in the picture, and others. */
+    /** The axes of rods and the edges of flat pieces, hyperbolas in the picture; and the rims of round pieces. */
     LINES,
     /** The same, and the outlines, as a camera at rest sees them from the same position at the same time. */
     AT_REST,

@@ -99,8 +99,8 @@ public final class Descriptions {
     }
 
     /**
-     * Whether two values of a component are equal, told by their own components: the first time that Java compares
-     * records of a type, it makes code for that, which takes as long as many scenes.
+     * Whether two values of a component are equal; records are compared component by component. Java's own comparison
+     * makes code for each type of records when it is first used, which makes the start of the program longer.
      */
     public static boolean areEqual(Object first, Object second) {
         if (first == second) {

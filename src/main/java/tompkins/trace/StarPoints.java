@@ -38,12 +38,12 @@ final class StarPoints {
     private final int cellsAcross;
     private final int cellsDown;
 
-    // the places of all stars, and their colours
+    // the places of all spots, and the light of each
     private final double[] x;
     private final double[] y;
     private final Colour[] light;
 
-    /** The stars near each cell. */
+    /** The spots near each cell. */
     private final CellLists near;
 
     /**
@@ -100,11 +100,11 @@ final class StarPoints {
         return blur < MOST_SPOTS ? 1 + (int) Math.ceil(2 * blur) : 1;
     }
 
-    private void forEachCell(int star, IntConsumer user) {
-        int right = cell(x[star] + RADIUS, cellsAcross);
-        int bottom = cell(y[star] + RADIUS, cellsDown);
-        for (int row = cell(y[star] - RADIUS, cellsDown); row <= bottom; row++) {
-            for (int column = cell(x[star] - RADIUS, cellsAcross); column <= right; column++) {
+    private void forEachCell(int spot, IntConsumer user) {
+        int right = cell(x[spot] + RADIUS, cellsAcross);
+        int bottom = cell(y[spot] + RADIUS, cellsDown);
+        for (int row = cell(y[spot] - RADIUS, cellsDown); row <= bottom; row++) {
+            for (int column = cell(x[spot] - RADIUS, cellsAcross); column <= right; column++) {
                 user.accept(row * cellsAcross + column);
             }
         }
@@ -119,10 +119,10 @@ final class StarPoints {
         int cell = cell(row, cellsDown) * cellsAcross + cell(column, cellsAcross);
         Colour sum = null;
         for (int i = near.begin(cell); i < near.end(cell); i++) {
-            int star = near.number(i);
-            double share = share(column + 0.5 - x[star], row + 0.5 - y[star]);
+            int spot = near.number(i);
+            double share = share(column + 0.5 - x[spot], row + 0.5 - y[spot]);
             if (share > 0) {
-                Colour more = light[star].times(share);
+                Colour more = light[spot].times(share);
                 sum = sum == null ? more : sum.plus(more);
             }
         }

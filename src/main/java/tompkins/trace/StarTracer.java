@@ -28,7 +28,7 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
     /** By this part of a step directions may differ from those of the slope at its start. */
     private static final double LINEAR = 0.003;
 
-    /** For rays that bring no more than this, such as those that glass mirrors, the slope of the sample is enough. */
+    /** For rays that bring no more, such as those that glass mirrors many times, the slope of the sample is enough. */
     private static final double FAINT = 0.003;
 
     /** So is it for a star that brings no more than this part of what the pixel gets of all stars. */
