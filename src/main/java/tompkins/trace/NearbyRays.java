@@ -23,6 +23,7 @@ final class NearbyRays implements PathObserver {
 
     /** The ways up to where the branches began that are being followed. */
     private long[] forks = new long[8];
+
     private int forked;
 
     private EyeView eye;
