@@ -32,7 +32,7 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        27_106),
+                        27_131),
                 arguments("file, image", 4_543),
                 arguments("explain, lesson, measure, animation", 6_320),
                 arguments("io, app", 7_983),

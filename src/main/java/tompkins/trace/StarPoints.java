@@ -3,6 +3,7 @@ package tompkins.trace;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 import org.joml.Vector2dc;
 import org.joml.Vector3dc;
 import tompkins.camera.CameraRays;
@@ -35,6 +36,8 @@ final class StarPoints {
     private static final int MOST_SPOTS = 2_000_000;
 
     private final CameraRays camera;
+    private final int width;
+    private final int height;
     private final int cellsAcross;
     private final int cellsDown;
 
@@ -61,25 +64,31 @@ final class StarPoints {
             List<? extends Vector3dc> directions,
             List<Colour> lights) {
         this.camera = camera;
+        this.width = width;
+        this.height = height;
         cellsAcross = (width + CELL - 1) / CELL;
         cellsDown = (height + CELL - 1) / CELL;
         List<Vector2dc> places = new ArrayList<>();
         List<Colour> colours = new ArrayList<>();
-        int most = (int) Math.sqrt((double) MOST_SPOTS / Math.max(1, directions.size()));
+        int[] sides = directions.stream()
+                .mapToInt(direction -> direction == null ? 0 : wideAperture ? lensSide(direction) : 1)
+                .toArray();
+        double spots =
+                IntStream.of(sides).mapToDouble(side -> (double) side * side).sum();
+        double fewer = Math.min(1, Math.sqrt(MOST_SPOTS / spots));
         for (int star = 0; star < directions.size(); star++) {
             Vector3dc direction = directions.get(star);
-            if (direction == null) {
+            if (sides[star] == 0) {
                 continue;
             }
-            int side = wideAperture ? Math.min(most, lensSide(camera, direction)) : 1;
+            int side = Math.max(1, (int) (fewer * sides[star]));
             Colour colour = lights.get(star).times(1.0 / (side * side));
             for (int i = 0; i < side * side; i++) {
                 double radius = ConcentricMap.radius((i % side + 0.5) / side, (i / side + 0.5) / side);
                 double angle = ConcentricMap.angle((i % side + 0.5) / side, (i / side + 0.5) / side);
                 for (Vector2dc place :
                         camera.positions(direction, radius * Math.cos(angle), radius * Math.sin(angle))) {
-                    if (Math.abs(place.x() - width / 2.0) < width / 2.0 + RADIUS
-                            && Math.abs(place.y() - height / 2.0) < height / 2.0 + RADIUS) {
+                    if (isNear(place, RADIUS)) {
                         places.add(place);
                         colours.add(colour);
                     }
@@ -92,12 +101,27 @@ final class StarPoints {
         near = new CellLists(cellsAcross * cellsDown, x.length, this::forEachCell);
     }
 
-    /** So many spots in a row, across the disc of a star out of focus, look smooth: they are half a pixel apart. */
-    private static int lensSide(CameraRays camera, Vector3dc direction) {
+    /**
+     * So many spots in a row, across the disc of a star out of focus, look smooth: they are half a pixel apart in a
+     * small disc, and a pixel in a large one. 0 if the disc is not in the picture.
+     */
+    private int lensSide(Vector3dc direction) {
         List<Vector2dc> left = camera.positions(direction, -1, 0);
         List<Vector2dc> right = camera.positions(direction, 1, 0);
-        double blur = left.size() == 1 && right.size() == 1 ? left.get(0).distance(right.get(0)) : 0;
-        return blur < MOST_SPOTS ? 1 + (int) Math.ceil(2 * blur) : 1;
+        double blur = left.size() == 1 && right.size() == 1 ? left.get(0).distance(right.get(0)) : Double.NaN;
+        if (!(blur < MOST_SPOTS)) {
+            return 1;
+        }
+        // from its left edge; with the surface in focus aslant it may be higher than wide
+        return isNear(left.get(0), RADIUS + 2 * blur)
+                ? (int) Math.min(1 + Math.ceil(2 * blur), 4 + Math.ceil(blur))
+                : 0;
+    }
+
+    /** Whether a place lies in the picture, or not farther from it than a distance in pixels. */
+    private boolean isNear(Vector2dc place, double distance) {
+        return Math.abs(place.x() - width / 2.0) < width / 2.0 + distance
+                && Math.abs(place.y() - height / 2.0) < height / 2.0 + distance;
     }
 
     private void forEachCell(int spot, IntConsumer user) {
