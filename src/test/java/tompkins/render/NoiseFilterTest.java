@@ -51,4 +51,18 @@ class NoiseFilterTest {
             assertThat(filtered.rgb()[i]).isCloseTo(image.rgb()[i], within(1e-3f));
         }
     }
+
+    /** The searchlight effect can be so strong; sums of such variances are infinite in single precision. */
+    @Test
+    void lightBeyondAllMeasureStaysANumber() {
+        Film film = new Film(10, 10, 1, true);
+        for (int pixel = 0; pixel < film.pixels(); pixel++) {
+            film.add(pixel, pixel % 2 == 0 ? 1.5e19 : 0, 0, 0, 1);
+            film.add(pixel, pixel % 2 == 0 ? 0 : 1.5e19, 0, 0, 1);
+        }
+        LinearImage filtered = NoiseFilter.image(film);
+        for (int i = 0; i < filtered.rgb().length; i += 3) {
+            assertThat(filtered.rgb()[i]).isCloseTo(0.75e19f, within(1e13f));
+        }
+    }
 }
