@@ -32,12 +32,12 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        27_131),
+                        27_159),
                 arguments("file, image", 4_543),
                 arguments("explain, lesson, measure, animation", 6_320),
                 arguments("io, app", 7_983),
                 arguments("study", 4_549),
-                arguments("ui", 21_296));
+                arguments("ui", 21_298));
     }
 
     @ParameterizedTest

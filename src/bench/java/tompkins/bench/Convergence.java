@@ -78,17 +78,18 @@ final class Convergence {
      * if there is none.
      */
     private static double firstLook(Renderer renderer, RenderPlan plan, LinearImage whole) throws InterruptedException {
+        Quality aim = new Quality.Samples(RANDOM_SAMPLES);
         AtomicLong seen = new AtomicLong();
         long start = System.nanoTime();
         RenderListener looks = RenderListener.afterEachPass(job -> {
-            LinearImage preview = job.preview();
+            LinearImage preview = job.preview(aim);
             long now = System.nanoTime();
             if (seen.get() == 0 && difference(preview, whole) <= FIRST_LOOK) {
                 seen.set(now - start);
                 job.cancel();
             }
         });
-        renderer.startCoarse(plan, new Quality.Samples(RANDOM_SAMPLES), looks).await();
+        renderer.startCoarse(plan, aim, looks).await();
         return seen.get() == 0 ? Double.POSITIVE_INFINITY : seen.get() / 1e6;
     }
 

@@ -24,6 +24,9 @@ import tompkins.trace.SampleTracer;
  */
 public final class RenderJob {
 
+    /** Larger pictures are shown with their noise: to filter takes 44 bytes a pixel for a moment. */
+    private static final int MOST_FILTERED = 4_000_000;
+
     private final RenderPlan plan;
     private final Schedule schedule;
     private final List<Pass> passes = new ArrayList<>();
@@ -259,12 +262,19 @@ public final class RenderJob {
         return film.image();
     }
 
-    /** The picture so far, to be looked at until it is complete: where few samples of a blur are noise, without it. */
-    public LinearImage preview() {
+    /**
+     * The picture so far, to be looked at until it has a quality. Where few samples of a blur are noise it is without
+     * that, unless the picture will stay as noisy.
+     */
+    public LinearImage preview(Quality aim) {
         int samples = film.samples(0);
-        return plan.blurs() && film.comparesSamples() && samples > 1 && samples < AdaptiveSchedule.FIRST_SAMPLES
-                ? NoiseFilter.image(film)
-                : film.image();
+        boolean staysNoisy = aim instanceof Quality.Samples few && few.samples() < AdaptiveSchedule.FIRST_SAMPLES;
+        boolean isNoisy = plan.blurs()
+                && film.comparesSamples()
+                && samples > 1
+                && samples < AdaptiveSchedule.FIRST_SAMPLES
+                && film.pixels() <= MOST_FILTERED;
+        return isNoisy && !staysNoisy ? NoiseFilter.image(film) : film.image();
     }
 
     /** The plan of the picture. */

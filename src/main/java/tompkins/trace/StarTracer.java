@@ -56,10 +56,20 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
     private long way;
     private Colour sum;
 
+    /** Stars near the ray of now, the first of a list that is used again. */
     private final List<Near> near = new ArrayList<>();
 
+    private int nearCount;
+
     /** A star that may be near a ray, its direction, and the most of its brightness that the pixel can get. */
-    private record Near(int star, double x, double y, double z, double brightness) {}
+    private static final class Near {
+
+        private int star;
+        private double x;
+        private double y;
+        private double z;
+        private double brightness;
+    }
 
     /** The light of stars; the function makes a tracer of the same picture, without them, that an observer watches. */
     StarTracer(StarField stars, Function<PathObserver, SampleTracer> tracerFor) {
@@ -108,15 +118,15 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
             return Colour.BLACK;
         }
         sum = Colour.BLACK;
-        near.clear();
+        nearCount = 0;
         // the sample is not in the middle of its pixel
         stars.visit(ray, Math.min(WIDEST, (REACH + 1) * first.steepest()), this);
         double all = 0;
-        for (Near each : near) {
-            all += each.brightness;
+        for (int i = 0; i < nearCount; i++) {
+            all += near.get(i).brightness;
         }
-        for (Near each : near) {
-            seek(each, first.ray().throughput < FAINT || each.brightness < ONE_OF_MANY * all);
+        for (int i = 0; i < nearCount; i++) {
+            seek(near.get(i), first.ray().throughput < FAINT || near.get(i).brightness < ONE_OF_MANY * all);
         }
         return sum.times(1 / stars.solidAngle(eye, column, row));
     }
@@ -128,7 +138,15 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
         double aside = length(first.x() + first.stepX() - column - 0.5, first.y() + first.stepY() - row - 0.5);
         double share = StarPoints.share(Math.max(0, aside - ASTRAY), 0);
         if (share > 0) {
-            near.add(new Near(star, starX, starY, starZ, share * stars.brightness(star)));
+            if (nearCount == near.size()) {
+                near.add(new Near());
+            }
+            Near added = near.get(nearCount++);
+            added.star = star;
+            added.x = starX;
+            added.y = starY;
+            added.z = starZ;
+            added.brightness = share * stars.brightness(star);
         }
     }
 

@@ -114,6 +114,7 @@ public final class TompkinsWindow {
         strip.fill(TabStrip.Tab.MEASURE, measure::component, measure::setOn);
         strip.fill(TabStrip.Tab.LESSON, lesson::component, lesson::setShown);
         model.follow(this::offerLesson);
+        // it asks for the editor and the full screen, made below, only when they are chosen
         menus = new Menus(this);
         frame.setJMenuBar(menus.bar());
         editor = new EditorDialog(parts, dialogs, menus::bindKeys, () -> motion.pace() == Pace.HAND);

@@ -90,7 +90,7 @@ public final class ComparedPicture implements AutoCloseable {
             studio = wanted;
             asked = pace.get();
             size = sizes.apply(wanted);
-            if (kept != null && studio == kept.studio() && kept.isOfSize(size)) {
+            if (kept != null && kept.complete() && studio == kept.studio() && kept.isOfSize(size)) {
                 controller.stop();
                 set(kept);
             } else {

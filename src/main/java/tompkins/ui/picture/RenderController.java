@@ -265,7 +265,7 @@ public final class RenderController implements AutoCloseable {
             Picture picture = new Picture(
                     request.studio,
                     rendered.plan(),
-                    complete ? rendered.image() : rendered.preview(),
+                    complete ? rendered.image() : rendered.preview(Quality.of(request.studio)),
                     complete,
                     time,
                     samples(rendered),

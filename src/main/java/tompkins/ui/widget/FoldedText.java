@@ -6,6 +6,7 @@ import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Point;
+import java.awt.geom.Rectangle2D;
 import javax.swing.JComponent;
 import javax.swing.JToggleButton;
 import javax.swing.JViewport;
@@ -21,16 +22,16 @@ public final class FoldedText extends Part {
     private static final String ELLIPSIS = " \u2026";
 
     private final Note note = new Note("");
-    private final JComponent lines = note.component();
+    private final JTextComponent text = (JTextComponent) note.component();
     private final JToggleButton more = new JToggleButton();
     private final JViewport seen = new Lines();
 
     /** A folded text with a name, without words yet. */
     public FoldedText(String name) {
         super(Rows.column());
-        lines.setName(name);
+        text.setName(name);
         seen.setOpaque(false);
-        seen.setView(lines);
+        seen.setView(text);
         more.putClientProperty(FlatClientProperties.BUTTON_TYPE, FlatClientProperties.BUTTON_TYPE_TOOLBAR_BUTTON);
         more.putClientProperty(FlatClientProperties.STYLE, "font: $small.font; margin: 0,4,0,4; minimumWidth: 0");
         more.addItemListener(event -> fold());
@@ -72,22 +73,22 @@ public final class FoldedText extends Part {
 
         @Override
         public Dimension getPreferredSize() {
-            Dimension size = lines.getPreferredSize();
+            Dimension size = text.getPreferredSize();
             return new Dimension(size.width, more.isSelected() ? size.height : Math.min(size.height, few()));
         }
 
         private int few() {
-            return LINES * lines.getFontMetrics(lines.getFont()).getHeight();
+            return LINES * text.getFontMetrics(text.getFont()).getHeight();
         }
 
         @Override
         public void setBounds(int x, int y, int width, int height) {
             super.setBounds(x, y, width, height);
             // the height of wrapped text is known only when its width is
-            if (lines.getWidth() != width) {
-                lines.setSize(width, height);
+            if (text.getWidth() != width) {
+                text.setSize(width, height);
             }
-            more.setVisible(more.isSelected() || lines.getPreferredSize().height > few());
+            more.setVisible(more.isSelected() || text.getPreferredSize().height > few());
             if (getPreferredSize().height != height) {
                 panel.revalidate();
             }
@@ -102,25 +103,25 @@ public final class FoldedText extends Part {
         @Override
         protected void paintChildren(Graphics graphics) {
             super.paintChildren(graphics);
-            if (getHeight() < lines.getPreferredSize().height) {
-                FontMetrics font = lines.getFontMetrics(lines.getFont());
+            if (getHeight() < text.getPreferredSize().height) {
+                FontMetrics font = text.getFontMetrics(text.getFont());
                 int left = cutWord(getWidth() - font.stringWidth(ELLIPSIS));
                 graphics.setColor(panel.getBackground());
                 graphics.fillRect(left, getHeight() - font.getHeight(), getWidth() - left, font.getHeight());
-                graphics.setColor(lines.getForeground());
-                graphics.setFont(lines.getFont());
+                graphics.setColor(text.getForeground());
+                graphics.setFont(text.getFont());
                 BasicGraphicsUtils.drawString(
-                        lines, (Graphics2D) graphics, ELLIPSIS, left, getHeight() - font.getDescent());
+                        text, (Graphics2D) graphics, ELLIPSIS, left, getHeight() - font.getDescent());
             }
         }
 
         /** Where the word of the last line begins that would be cut at a place. */
         private int cutWord(int place) {
-            JTextComponent text = (JTextComponent) lines;
             try {
                 int cut = text.viewToModel2D(new Point(place, getHeight() - 1));
-                return (int)
-                        text.modelToView2D(Utilities.getWordStart(text, cut)).getX();
+                Rectangle2D word = text.modelToView2D(Utilities.getWordStart(text, cut));
+                boolean beganBefore = word.getY() < text.modelToView2D(cut).getY();
+                return beganBefore ? 0 : (int) word.getX();
             } catch (BadLocationException impossible) {
                 throw new IllegalStateException(impossible);
             }
