@@ -7,6 +7,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import tompkins.image.LinearImage;
+import tompkins.image.PictureDifference;
 import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
 import tompkins.render.Quality;
@@ -84,22 +85,13 @@ final class Convergence {
         RenderListener looks = RenderListener.afterEachPass(job -> {
             LinearImage preview = job.preview(aim);
             long now = System.nanoTime();
-            if (seen.get() == 0 && difference(preview, whole) <= FIRST_LOOK) {
+            if (seen.get() == 0 && PictureDifference.ofLight(preview, whole) <= FIRST_LOOK) {
                 seen.set(now - start);
                 job.cancel();
             }
         });
         renderer.startCoarse(plan, aim, looks).await();
         return seen.get() == 0 ? Double.POSITIVE_INFINITY : seen.get() / 1e6;
-    }
-
-    private static double difference(LinearImage image, LinearImage other) {
-        double squares = 0;
-        for (int i = 0; i < image.rgb().length; i++) {
-            double difference = image.rgb()[i] - other.rgb()[i];
-            squares += difference * difference;
-        }
-        return Math.sqrt(squares / image.rgb().length);
     }
 
     private Measure samples() throws InterruptedException {

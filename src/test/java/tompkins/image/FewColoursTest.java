@@ -22,19 +22,6 @@ class FewColoursTest {
         return picture;
     }
 
-    /** The root of the mean square of the difference, in all pixels of a channel. */
-    private static double difference(BufferedImage one, BufferedImage other, int shift) {
-        double sum = 0;
-        for (int row = 0; row < SIDE; row++) {
-            for (int column = 0; column < SIDE; column++) {
-                int difference =
-                        (one.getRGB(column, row) >> shift & 0xFF) - (other.getRGB(column, row) >> shift & 0xFF);
-                sum += difference * difference;
-            }
-        }
-        return Math.sqrt(sum) / SIDE;
-    }
-
     private static int colours(BufferedImage picture) {
         return ((IndexColorModel) picture.getColorModel()).getMapSize();
     }
@@ -46,7 +33,7 @@ class FewColoursTest {
         BufferedImage few = FewColours.of(picture);
         assertThat(colours(few)).isEqualTo(256);
         for (int shift = 0; shift < 24; shift += 8) {
-            assertThat(difference(picture, few, shift)).isZero();
+            assertThat(PictureDifference.ofLevels(picture, few, shift)).isZero();
         }
     }
 
@@ -67,8 +54,8 @@ class FewColoursTest {
         BufferedImage few = FewColours.of(picture);
         assertThat(colours(few)).isEqualTo(256);
         double best = Math.sqrt((16 * 16 - 1) / 12.0 + 0.25);
-        assertThat(difference(picture, few, 16)).isCloseTo(best, within(1e-9));
-        assertThat(difference(picture, few, 0)).isCloseTo(best, within(1e-9));
-        assertThat(difference(picture, few, 8)).isZero();
+        assertThat(PictureDifference.ofLevels(picture, few, 16)).isCloseTo(best, within(1e-9));
+        assertThat(PictureDifference.ofLevels(picture, few, 0)).isCloseTo(best, within(1e-9));
+        assertThat(PictureDifference.ofLevels(picture, few, 8)).isZero();
     }
 }

@@ -14,8 +14,8 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import tompkins.animation.RideFilm;
 import tompkins.image.BufferedImages;
-import tompkins.image.Levels;
 import tompkins.image.LinearImage;
+import tompkins.image.PictureDifference;
 import tompkins.io.StudioReader;
 import tompkins.studio.RideMoment;
 import tompkins.studio.Studio;
@@ -84,7 +84,7 @@ class GlimpseTest {
                 RenderPlan plan = plan(studio);
                 RenderJob job = glimpse(plan, samples);
                 assertThat(samples(job)).isLessThan(samples + 0.01);
-                differences.add(Levels.difference(levels(plan, job.image()), wholeLevels(plan)));
+                differences.add(PictureDifference.ofLevels(levels(plan, job.image()), wholeLevels(plan)));
             }
         }
         Collections.sort(differences);

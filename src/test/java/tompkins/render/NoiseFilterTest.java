@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
+import tompkins.image.PictureDifference;
 import tompkins.studio.PaperStudios;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
@@ -21,23 +22,15 @@ class NoiseFilterTest {
             LinearImage many = renderer.render(RenderPlan.of(otherSeed), new Quality.Samples(128))
                     .image();
             RenderJob four = renderer.render(RenderPlan.of(small), new Quality.Samples(4));
-            double unfiltered = difference(four.image(), many);
+            double unfiltered = PictureDifference.ofLight(four.image(), many);
             Quality good = new Quality.TargetError(0.01);
-            assertThat(difference(four.preview(good), many)).isLessThan(unfiltered / 2);
+            assertThat(PictureDifference.ofLight(four.preview(good), many)).isLessThan(unfiltered / 2);
             assertThat(four.preview(new Quality.Samples(8)).rgb())
                     .as("no noisier in the end than before")
                     .isEqualTo(four.image().rgb());
             RenderJob sixteen = renderer.render(RenderPlan.of(small), new Quality.Samples(16));
             assertThat(sixteen.preview(good).rgb()).isEqualTo(sixteen.image().rgb());
         }
-    }
-
-    private static double difference(LinearImage image, LinearImage other) {
-        double sum = 0;
-        for (int i = 0; i < image.rgb().length; i++) {
-            sum += Math.pow(image.rgb()[i] - other.rgb()[i], 2);
-        }
-        return Math.sqrt(sum / image.rgb().length);
     }
 
     /** A sharp edge and a bright pixel, without variance. */

@@ -14,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
+import tompkins.image.PictureDifference;
 import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.ray.PixelPicture;
@@ -68,7 +69,7 @@ class SparseLightTest {
 
         assertThat(mean(job.image())).isCloseTo(area / (3 * HALF_WIDTH * HALF_WIDTH), withinPercentage(2));
         assertThat(job.report().error()).isLessThanOrEqualTo(error);
-        assertThat(distance(job.image(), many(studio))).isLessThan(1.25 * error);
+        assertThat(PictureDifference.ofLight(job.image(), many(studio))).isLessThan(1.25 * error);
     }
 
     /** Stars of one pixel in a panorama that is not filtered, before a fast camera: 1 in 1000 pixels. */
@@ -91,8 +92,8 @@ class SparseLightTest {
 
         LinearImage right = many(studio);
         assertThat(mean(job.image())).isCloseTo(mean(right), withinPercentage(3));
-        assertThat(distance(job.image(), right)).isLessThan(1.25 * 0.003);
-        assertThat(job.report().error()).isBetween(0.5 * distance(job.image(), right), 0.003);
+        assertThat(PictureDifference.ofLight(job.image(), right)).isLessThan(1.25 * 0.003);
+        assertThat(job.report().error()).isBetween(0.5 * PictureDifference.ofLight(job.image(), right), 0.003);
     }
 
     private static Studio studio(double angle) {
@@ -112,14 +113,5 @@ class SparseLightTest {
             sum += value;
         }
         return sum / image.rgb().length;
-    }
-
-    private static double distance(LinearImage image, LinearImage other) {
-        double sum = 0;
-        for (int i = 0; i < image.rgb().length; i++) {
-            double difference = image.rgb()[i] - other.rgb()[i];
-            sum += difference * difference;
-        }
-        return Math.sqrt(sum / image.rgb().length);
     }
 }

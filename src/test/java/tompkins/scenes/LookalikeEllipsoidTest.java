@@ -14,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.PanoramicCamera;
 import tompkins.image.LinearImage;
+import tompkins.image.PictureDifference;
 import tompkins.primitive.Primitive;
 import tompkins.property.Descriptions;
 import tompkins.ray.Hit;
@@ -117,7 +118,7 @@ class LookalikeEllipsoidTest {
         double[] difference = new double[3];
         for (int i = 0; i < difference.length; i++) {
             LinearImage panorama = panorama(figure, 400 << i);
-            difference[i] = difference(photograph, SceneFiles.render(painted(moving, panorama)));
+            difference[i] = PictureDifference.ofLight(photograph, SceneFiles.render(painted(moving, panorama)));
         }
         assertThat(difference[0] / difference[1]).isCloseTo(2, within(0.2));
         assertThat(difference[1] / difference[2]).isCloseTo(2, within(0.2));
@@ -165,14 +166,5 @@ class LookalikeEllipsoidTest {
         Velocity velocity = moving.velocity();
         Surface surface = new PictureSurface(picture, true, true, true);
         return moving.withVelocity(Velocity.REST).withScene(List.of(lookalike(velocity, surface)));
-    }
-
-    private static double difference(LinearImage one, LinearImage other) {
-        double sum = 0;
-        for (int i = 0; i < one.rgb().length; i++) {
-            double difference = one.rgb()[i] - other.rgb()[i];
-            sum += difference * difference;
-        }
-        return Math.sqrt(sum / one.rgb().length);
     }
 }

@@ -12,8 +12,8 @@ import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3d;
 import tompkins.image.BufferedImages;
-import tompkins.image.Levels;
 import tompkins.image.LinearImage;
+import tompkins.image.PictureDifference;
 import tompkins.image.ToneCurve;
 import tompkins.io.StudioReader;
 import tompkins.render.Quality;
@@ -214,7 +214,7 @@ public final class RideBenchmark {
                             .image();
                     ToneCurve curve = shown.now().studio().settings().toneCurve();
                     double difference =
-                            Levels.difference(shown.nowImage(), BufferedImages.toBufferedImage(whole, curve));
+                            PictureDifference.ofLevels(shown.nowImage(), BufferedImages.toBufferedImage(whole, curve));
                     sum += difference * difference;
                 }
                 differences.add(Math.sqrt(sum / Math.max(1, second.size())));
