@@ -41,7 +41,7 @@ final class CapFace extends Face {
     }
 
     @Override
-    double bend(TurningPath path) {
+    double bend(TurningPath path, double reach) {
         return 2 * (Math.abs(curvature) * path.speed * path.speed + path.bend * steepness(path));
     }
 

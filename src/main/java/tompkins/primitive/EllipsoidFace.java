@@ -32,12 +32,18 @@ final class EllipsoidFace extends Face {
         return axis.dot(path.x - centre.x(), path.y - centre.y(), path.z - centre.z());
     }
 
+    /** The distance of the present place from the middle, counted in semi-axes. */
+    private double size(TurningPath path) {
+        return length(along(path, first), along(path, second), along(path, third));
+    }
+
+    private static double length(double x, double y, double z) {
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+
     @Override
     double value(TurningPath path) {
-        double x = along(path, first);
-        double y = along(path, second);
-        double z = along(path, third);
-        double size = Math.sqrt(x * x + y * y + z * z);
+        double size = size(path);
         return (size - 1) * (size + 1);
     }
 
@@ -50,8 +56,16 @@ final class EllipsoidFace extends Face {
     }
 
     @Override
-    double bend(TurningPath path) {
-        return 2 * stretch * stretch * (path.speed * path.speed + path.bend * (path.farthest + centre.length()));
+    double bend(TurningPath path, double reach) {
+        double speed = Math.min(
+                length(
+                                first.dot(path.vx, path.vy, path.vz),
+                                second.dot(path.vx, path.vy, path.vz),
+                                third.dot(path.vx, path.vy, path.vz))
+                        + stretch * path.bend * reach,
+                stretch * path.speed);
+        double size = Math.min(size(path) + speed * reach, stretch * (path.farthest + centre.length()));
+        return 2 * (speed * speed + stretch * path.bend * size);
     }
 
     @Override

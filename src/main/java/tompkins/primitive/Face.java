@@ -29,8 +29,13 @@ public abstract sealed class Face permits RoundFace, CapFace, EllipsoidFace, Fla
     /** How fast it grows there along the path. */
     abstract double slope(TurningPath path);
 
-    /** The most by which that changes, on the present piece of the path. */
-    abstract double bend(TurningPath path);
+    /**
+     * The most by which that changes in a unit of distance, near the present place. Where it is far above the truth, a
+     * ray that runs along the face is cut into very many pieces.
+     *
+     * @param reach how near, to both sides
+     */
+    abstract double bend(TurningPath path, double reach);
 
     /** The most that rounding leaves of the function, on that piece. */
     abstract double error(TurningPath path);
@@ -40,14 +45,15 @@ public abstract sealed class Face permits RoundFace, CapFace, EllipsoidFace, Fla
 
     /** The first distance on a piece of a path at which it meets the face; {@link Primitive#NO_HIT} if none. */
     public final double first(TurningPath path, double from, double to) {
-        return from < to ? first(path, from, to, bend(path), error(path)) : Primitive.NO_HIT;
+        return from < to ? first(path, from, to, error(path)) : Primitive.NO_HIT;
     }
 
-    private double first(TurningPath path, double from, double to, double bend, double error) {
+    private double first(TurningPath path, double from, double to, double error) {
         double half = (to - from) / 2;
         double middle = from + half;
         path.go(middle);
         double slope = Math.abs(slope(path));
+        double bend = bend(path, half);
         if (Math.abs(value(path)) > (slope + bend * half / 2) * half + error) {
             return Primitive.NO_HIT;
         }
@@ -58,8 +64,8 @@ public abstract sealed class Face permits RoundFace, CapFace, EllipsoidFace, Fla
         if (bend * half * half <= error || half <= TOUCHING * to) {
             return Primitive.NO_HIT;
         }
-        double near = first(path, from, middle, bend, error);
-        return near < Primitive.NO_HIT ? near : first(path, middle, to, bend, error);
+        double near = first(path, from, middle, error);
+        return near < Primitive.NO_HIT ? near : first(path, middle, to, error);
     }
 
     /** The root between two places between which the function grows or falls all the way. */
@@ -98,7 +104,7 @@ public abstract sealed class Face permits RoundFace, CapFace, EllipsoidFace, Fla
     /** The distance up to which a path that starts on the face surely does not meet it again. */
     public final double leaving(TurningPath path) {
         path.go(0);
-        double bend = bend(path);
+        double bend = bend(path, path.length);
         return bend > 0 ? Math.max(Math.abs(slope(path)) / bend, Math.sqrt(8 * error(path) / bend)) : Primitive.NO_HIT;
     }
 }

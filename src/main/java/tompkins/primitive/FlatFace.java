@@ -55,8 +55,8 @@ final class FlatFace extends Face {
     }
 
     @Override
-    double bend(TurningPath path) {
-        return path.bend;
+    double bend(TurningPath path, double reach) {
+        return path.bendAlong(normal);
     }
 
     @Override

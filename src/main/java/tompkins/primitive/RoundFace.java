@@ -69,9 +69,24 @@ final class RoundFace extends Face {
     }
 
     @Override
-    double bend(TurningPath path) {
-        double distance = path.farthest + baseDistance;
-        return 2 * ((1 + slope * slope) * path.speed * path.speed + path.bend * (distance + slope * reach(distance)));
+    double bend(TurningPath path, double reach) {
+        double along = along(path);
+        double px = path.x - baseX - along * axisX;
+        double py = path.y - baseY - along * axisY;
+        double pz = path.z - baseZ - along * axisZ;
+        double squaredSpeed = path.vx * path.vx + path.vy * path.vy + path.vz * path.vz;
+        double climb = path.vx * axisX + path.vy * axisY + path.vz * axisZ;
+        double steepness = 1 + slope * slope;
+        double drift = path.bend * reach;
+        double speed = Math.min(Math.sqrt(squaredSpeed) + drift, path.speed);
+        // along the axis of a cylinder and along the mantle of a cone it does not grow at all
+        double square = Math.min(
+                Math.abs(squaredSpeed - steepness * climb * climb) + 2 * steepness * speed * drift,
+                steepness * path.speed * path.speed);
+        double largest = path.farthest + baseDistance;
+        double distance = Math.min(Math.sqrt(px * px + py * py + pz * pz) + speed * reach, largest);
+        double width = Math.min(Math.abs(radius + slope * along) + slope * speed * reach, radius + slope * largest);
+        return 2 * (square + path.bend * (distance + slope * width));
     }
 
     @Override

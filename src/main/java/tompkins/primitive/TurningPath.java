@@ -1,6 +1,7 @@
 package tompkins.primitive;
 
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
@@ -47,7 +48,8 @@ public final class TurningPath {
     private double entry;
     private double exit;
 
-    // bounds on the present piece
+    // the length of the present piece, and bounds on it
+    double length;
     double farthest;
     double speed;
     double bend;
@@ -181,11 +183,20 @@ public final class TurningPath {
      * @param reach largest distance from the axis on it
      */
     public void take(double from, double to, double reach) {
+        length = to - from;
         farthest = Math.sqrt(Math.max(squaredSize(from), squaredSize(to)));
         double turning = turning();
         speed = 1 + turning * reach;
         bend = turning * (2 + turning * reach);
         rounding = ROUNDING * (size + to + farthest);
+    }
+
+    /** By how much the speed along a unit vector changes at most: along the axis it is that of the ray. */
+    double bendAlong(Vector3dc direction) {
+        double acrossX = direction.y() * axisZ - direction.z() * axisY;
+        double acrossY = direction.z() * axisX - direction.x() * axisZ;
+        double acrossZ = direction.x() * axisY - direction.y() * axisX;
+        return bend * Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ);
     }
 
     private double squaredSize(double at) {

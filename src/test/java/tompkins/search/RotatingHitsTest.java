@@ -2,7 +2,9 @@ package tompkins.search;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
@@ -182,6 +184,37 @@ class RotatingHitsTest {
                 assertThat(tree(flat).nearest(ray, nearest)).isEqualTo(expected);
             }
         }
+    }
+
+    /** In the plane of a face, and through a long tube, a ray stays near a face all the way. */
+    @Test
+    void raysAlongFacesAreQuick() {
+        Vector3d up = new Vector3d(0, 0, 1);
+        Box table = new Box("", new Vector3d(-1, -1, 0), new Vector3d(1, 1, 1), DULL);
+        ObjectTree turntable = tree(new Rotating("", new Vector3d(), up, 0.4, 0, List.of(table)));
+        double length = 1e6;
+        SceneObject tube = new Cylinder("", new Vector3d(1e-6, 0, 0), new Vector3d(1e-6, 0, length), 1e-3, false, DULL);
+        SceneObject end =
+                new Parallelogram("", new Vector3d(-1, -1, length), new Vector3d(2, 0, 0), new Vector3d(0, 2, 0), DULL);
+        ObjectTree peepShow = tree(new Rotating("", new Vector3d(), up, 1e-12, 0, List.of(tube, end)));
+        NearestHit nearest = new NearestHit(new RayCounts());
+
+        assertTimeoutPreemptively(Duration.ofSeconds(20), () -> {
+            for (int i = 0; i < RAYS; i++) {
+                double y = 0.9 * inUnit();
+                double time = 20 * inUnit();
+                assertThat(turntable.nearest(Ray.from(-3, y, 1e-9, 1, 0, 0, time), nearest))
+                        .isTrue();
+                double above = nearest.distance();
+                assertThat(turntable.nearest(Ray.from(-3, y, 0, 1, 0, 0, time), nearest))
+                        .isTrue();
+                assertThat(nearest.distance()).isCloseTo(above, within(1e-8));
+
+                assertThat(peepShow.nearest(Ray.from(0, 5e-4 * y, -1, 0, 0, 1, time), nearest))
+                        .isTrue();
+                assertThat(nearest.distance()).isCloseTo(length + 1, within(1e-8));
+            }
+        });
     }
 
     /** Where it does not turn, it is placed: bit for bit. */
