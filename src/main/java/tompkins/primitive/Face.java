@@ -61,7 +61,7 @@ public abstract sealed class Face permits RoundFace, CapFace, EllipsoidFace, Fla
             return root(path, from, to);
         }
         // what is left of the function on this piece is no more than rounding
-        if (bend * half * half <= error || half <= TOUCHING * to) {
+        if (bend * half * half <= error || half <= TOUCHING * to || path.isGivenUp()) {
             return Primitive.NO_HIT;
         }
         double near = first(path, from, middle, error);

@@ -17,6 +17,9 @@ public final class TurningPath {
 
     private static final double ROUNDING = 0x1p-50;
 
+    /** At how many places a ray is looked at: some ten thousand turns while it passes. */
+    private static final int MOST_PLACES = 1 << 18;
+
     /** The largest speed of a point that is still below 1, whatever rounding does to its components. */
     private static final double FASTEST = 1 - 0x1p-50;
 
@@ -44,6 +47,7 @@ public final class TurningPath {
     double vy;
     double vz;
     private double distance;
+    private int places;
 
     private double entry;
     private double exit;
@@ -88,6 +92,7 @@ public final class TurningPath {
                         rotation.centre().y(),
                         rotation.centre().z());
         distance = Double.NaN;
+        places = 0;
         found = null;
         foundDistance = Primitive.NO_HIT;
     }
@@ -107,6 +112,7 @@ public final class TurningPath {
             return;
         }
         distance = newDistance;
+        places++;
         double px = startX + distance * dx;
         double py = startY + distance * dy;
         double pz = startZ + distance * dz;
@@ -125,6 +131,11 @@ public final class TurningPath {
         vx = qx * cosine + (axisY * qz - axisZ * qy) * sine + axisX * vAlong;
         vy = qy * cosine + (axisZ * qx - axisX * qz) * sine + axisY * vAlong;
         vz = qz * cosine + (axisX * qy - axisY * qx) * sine + axisZ * vAlong;
+    }
+
+    /** Whether it was looked at so often that what it meets from here on is left open. */
+    boolean isGivenUp() {
+        return places > MOST_PLACES;
     }
 
     /**

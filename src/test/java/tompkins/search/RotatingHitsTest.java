@@ -217,6 +217,21 @@ class RotatingHitsTest {
         });
     }
 
+    /** Light that almost stands still among what turns: nobody waits until all turns are searched. */
+    @Test
+    void aMillionTurnsAreNotWaitedFor() {
+        ObjectTree tree = tree(turning(SPEED, new Group("", shapes().toList())));
+        NearestHit nearest = new NearestHit(new RayCounts());
+
+        assertTimeoutPreemptively(Duration.ofSeconds(20), () -> {
+            for (int i = 0; i < RAYS / 10; i++) {
+                Ray ray = ray();
+                ray.setInFrame(ray, ray.x, ray.y, ray.z, ray.dx, ray.dy, ray.dz, ray.time, 1e8, 1, 1);
+                tree.nearest(ray, nearest);
+            }
+        });
+    }
+
     /** Where it does not turn, it is placed: bit for bit. */
     @Test
     void withoutSpeedItIsPlaced() {
