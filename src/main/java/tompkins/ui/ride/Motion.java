@@ -198,11 +198,11 @@ public final class Motion {
         }
     }
 
-    /** Shows a recorded ride. */
+    /** Shows the recorded ride of the scene. */
     public void replayRide() {
         takeEntries();
         strip.open(TabStrip.Tab.RIDE);
-        pilot.replay();
+        pilot.replayScene();
     }
 
     private RidePanel ridePanel() {
