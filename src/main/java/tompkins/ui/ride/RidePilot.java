@@ -240,12 +240,13 @@ public final class RidePilot {
         task.begin(ride);
     }
 
-    /** Rides from the start of a ride of the scene. */
+    /** Rides from the start of a ride of the scene; a challenge waits there until it is read. */
     void begin(Ride ride) {
         setRiding(false);
         attempt(() -> {
             goToStart(ride);
-            setRiding(true);
+            setRiding(ride.challenge().isEmpty());
+            tell();
         });
     }
 

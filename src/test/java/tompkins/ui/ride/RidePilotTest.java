@@ -230,6 +230,21 @@ class RidePilotTest {
         });
     }
 
+    /** Otherwise time is lost while the task is read. */
+    @Test
+    void aChallengeWaitsForItsRider() {
+        RideGoal there = new RideGoal(new Vector3d(0, 0, 1), 0.01, 1, 2, 1, 0);
+        onEventThread(() -> {
+            pilot.begin(Descriptions.with(FIRST, "challenge", List.of(there)));
+            assertThat(pilot.isRiding()).isFalse();
+            assertThat(lens().distance(0, 0, -4)).isLessThan(1e-12);
+            assertThat(pilot.moment().properTime()).isZero();
+            pilot.setRiding(true);
+            assertThat(pilot.task().text()).isEqualTo("Hold W.");
+        });
+        WindowDriver.await("its clock", () -> pilot.moment().properTime() > 0);
+    }
+
     @Test
     void insideAnObjectThereIsOneColour() throws InterruptedException {
         Studio outside = Studios.sphere().withVelocity(Velocity.REST);
