@@ -37,7 +37,7 @@ class RoomSizeTest {
                 arguments("explain, lesson, measure, animation", 6_320),
                 arguments("io, app", 7_983),
                 arguments("study", 4_549),
-                arguments("ui", 21_298));
+                arguments("ui", 21_355));
     }
 
     @ParameterizedTest

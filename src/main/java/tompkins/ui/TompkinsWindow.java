@@ -180,9 +180,13 @@ public final class TompkinsWindow {
     }
 
     private void beginLesson() {
+        JComponent keys = view.canvas();
         if (lesson.begin()) {
             strip.open(TabStrip.Tab.LESSON);
+            keys = lesson.entry();
         }
+        // what had them may have nothing to do in this scene
+        SwingUtilities.invokeLater(keys::requestFocusInWindow);
     }
 
     private void offerLesson() {

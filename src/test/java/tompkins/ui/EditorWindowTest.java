@@ -156,6 +156,18 @@ class EditorWindowTest {
                 .getText();
     }
 
+    /** As long as the editor is there a click chooses, except while clicks measure. */
+    @Test
+    void theLineAtTheBottomSaysWhatAClickDoes() {
+        WindowDriver.await("choosing", () -> said().equals("Click to choose an object or a lamp; drag to move it."));
+        driver.menu("menu.measure");
+        WindowDriver.await("measuring", () -> said().equals("Click in the picture to measure there."));
+        driver.menu("menu.measure");
+        WindowDriver.await("choosing again", () -> said().startsWith("Click to choose"));
+        WindowDriver.onEventThread(() -> editors().forEach(dialog -> dialog.setVisible(false)));
+        WindowDriver.await("pinning", () -> said().equals(Texts.get("status.idle.PIN")));
+    }
+
     @Test
     void picturesAreChosenFromTheFolderOfTheScene() throws IOException {
         WindowDriver.onEventThread(() ->

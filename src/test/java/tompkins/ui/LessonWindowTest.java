@@ -115,6 +115,20 @@ class LessonWindowTest {
                                 .equals(each.getAccessibleContext().getAccessibleName())));
     }
 
+    /** From the menu on, without a search for the question: the first prediction has the keys. */
+    @Test
+    void aLessonIsAnsweredByKeys() {
+        begin();
+        JRadioButton first = driver.find(JRadioButton.class, "Only the front face, but narrower.");
+        WindowDriver.await("the keys at the first prediction", first::isFocusOwner);
+        assertThat(first.isSelected()).isFalse();
+        driver.key(KeyEvent.VK_SPACE);
+        driver.key(KeyEvent.VK_TAB);
+        driver.key(KeyEvent.VK_SPACE);
+        JButton next = driver.find(JButton.class, Texts.get("lesson.next.LOOK"));
+        WindowDriver.await("the answer", next::isEnabled);
+    }
+
     @Test
     void aLessonLeadsFromThePredictionToItsNumbers() {
         begin();
@@ -142,6 +156,10 @@ class LessonWindowTest {
         assertThat(numbers.get(2)).isEqualTo("0.0030");
         assertThat(Double.parseDouble(numbers.get(4))).isCloseTo(0.6, within(0.001));
         assertThat(drawnMarks()).as("where that was").isGreaterThan(50);
+        driver.menu("menu.measure");
+        assertThat(drawnMarks()).as("behind another tab").isZero();
+        driver.click(driver.find(JToggleButton.class, Texts.get("strip.name", Texts.get("strip.LESSON"))));
+        assertThat(drawnMarks()).as("back again").isGreaterThan(50);
         driver.click(step("REASON"));
         assertThat(drawnMarks()).isZero();
     }

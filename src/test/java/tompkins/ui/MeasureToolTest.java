@@ -17,6 +17,7 @@ import java.util.regex.Pattern;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import org.jfree.chart.ChartPanel;
 import org.jfree.data.xy.XYDataset;
@@ -31,6 +32,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.widget.Texts;
 
 /** Measures by clicks in a real window. */
 @Timeout(300)
@@ -120,6 +122,16 @@ class MeasureToolTest {
         // what is measured is no pin
         driver.key(KeyEvent.VK_ESCAPE);
         WindowDriver.await("the end", () -> !panel().isVisible());
+    }
+
+    @Test
+    void theLineAtTheBottomSaysThatAClickMeasures() {
+        JLabel what = driver.find(JLabel.class, "status.what");
+        // off the picture, where nothing is read
+        driver.move(driver.centre(what));
+        WindowDriver.await("measuring", () -> what.getText().equals("Click in the picture to measure there."));
+        driver.key(KeyEvent.VK_ESCAPE);
+        WindowDriver.await("pinning", () -> what.getText().equals(Texts.get("status.idle.PIN")));
     }
 
     @Test

@@ -234,6 +234,54 @@ class PhotographViewTest {
         return watched;
     }
 
+    /** Picking comes before measuring, and that before choosing; each gives the click back when it ends. */
+    @Test
+    void whatAClickDoesIsTold() {
+        List<PhotographView.Click> told = new ArrayList<>();
+        PhotographView.Listener listener = new SilentListener() {
+            @Override
+            public void clicks(PhotographView.Click now) {
+                told.add(now);
+            }
+        };
+        try (PhotographView watched = withPicture(listener)) {
+            WindowDriver.onEventThread(() -> {
+                watched.setMeasuring((place, picture) -> {});
+                watched.startPicking(distance -> true, () -> {});
+                watched.endPicking();
+                watched.setMeasuring(null);
+                watched.setMenu(new ChoosingMenu());
+                watched.tellClicks();
+                watched.setMeasuring((place, picture) -> {});
+                watched.setMeasuring(null);
+            });
+            assertThat(told)
+                    .containsExactly(
+                            PhotographView.Click.MEASURE,
+                            PhotographView.Click.PICK,
+                            PhotographView.Click.MEASURE,
+                            PhotographView.Click.PIN,
+                            PhotographView.Click.CHOOSE,
+                            PhotographView.Click.MEASURE,
+                            PhotographView.Click.CHOOSE);
+        }
+    }
+
+    /** A menu whose clicks choose, as with the editor open. */
+    private static final class ChoosingMenu implements PhotographView.Menu {
+
+        @Override
+        public void show(PixelProbe.Reading seen, Picture picture, Point2D place, Point at) {}
+
+        @Override
+        public boolean chooses() {
+            return true;
+        }
+
+        @Override
+        public void choose(PixelProbe.Reading seen, Picture picture) {}
+    }
+
     private static void doubleClick(PictureCanvas canvas, int x, int y) {
         for (int count = 1; count <= 2; count++) {
             for (int event : new int[] {MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED}) {

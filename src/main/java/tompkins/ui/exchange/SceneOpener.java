@@ -153,8 +153,6 @@ public final class SceneOpener {
         beginLesson.run();
         saver.hold(file, studio);
         EntryField.in(window.frame()).forEach(EntryField::revert);
-        // what had the keys may have nothing to do in this scene
-        SwingUtilities.invokeLater(window.view().canvas()::requestFocusInWindow);
     }
 
     /** Whether files can be dropped on the window, and what becomes of them. */

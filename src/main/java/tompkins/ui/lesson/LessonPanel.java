@@ -71,6 +71,9 @@ public final class LessonPanel extends Part {
     /** Whether it is to be seen where there is a lesson. */
     private boolean wanted = true;
 
+    /** What is drawn into the picture while the lesson is shown. */
+    private List<LessonResult> drawn = List.of();
+
     /** What the strip was made for. */
     private LessonPlan shown = NoLesson.DEFAULT;
 
@@ -127,16 +130,27 @@ public final class LessonPanel extends Part {
         return shown instanceof Lesson;
     }
 
+    /** What takes the keys when the lesson begins: its first prediction. */
+    public JComponent entry() {
+        return lesson == null ? again : question.entry();
+    }
+
     /** Shows the lesson, or hides it. */
     public void setShown(boolean now) {
         wanted = now;
+        draw(drawn);
         panel.setVisible(wanted && shown instanceof Lesson);
+    }
+
+    private void draw(List<LessonResult> results) {
+        drawn = results;
+        drawer.accept(wanted ? results : List.of());
     }
 
     private void update() {
         if (measured != null && !model.studio().equals(measured)) {
             measured = null;
-            drawer.accept(List.of());
+            draw(List.of());
         }
         LessonPlan plan = model.studio().lesson();
         if (!plan.equals(shown)) {
@@ -217,7 +231,7 @@ public final class LessonPanel extends Part {
 
     private void show(Step other) {
         step = other;
-        drawer.accept(List.of());
+        draw(List.of());
         cards.show(step.page);
         if (step.compareTo(farthest) > 0) {
             farthest = step;
@@ -321,7 +335,7 @@ public final class LessonPanel extends Part {
             if (found.problem == null) {
                 page.show(found.results);
                 if (model.studio().equals(measured)) {
-                    drawer.accept(found.results);
+                    draw(found.results);
                 }
             } else {
                 page.showProblem(found.problem);

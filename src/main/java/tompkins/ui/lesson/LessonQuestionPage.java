@@ -82,6 +82,11 @@ final class LessonQuestionPage extends Part {
         answers.add(text, "wmin 0");
     }
 
+    /** The first prediction. */
+    JComponent entry() {
+        return buttons.get(0);
+    }
+
     /** Takes no other answer any more: the picture has been seen. */
     void close() {
         buttons.forEach(button -> button.setEnabled(false));

@@ -9,7 +9,11 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.UnaryOperator;
+import tompkins.camera.Camera;
+import tompkins.camera.CameraMotion;
+import tompkins.math.RigidMotion;
 import tompkins.measure.LessonStudio;
+import tompkins.studio.LensEvent;
 import tompkins.studio.Studio;
 import tompkins.ui.widget.Faults;
 
@@ -96,6 +100,21 @@ public final class StudioModel {
     /** The studio as it was opened or last saved. */
     public Studio opened() {
         return current.opened();
+    }
+
+    /** Whether the camera is where it was when the studio was opened or last saved, looks there and is as fast. */
+    public boolean isAtHome() {
+        Camera now = studio().camera();
+        Camera home = opened().camera();
+        return studio().velocity().equals(opened().velocity())
+                && now.position().equals(home.position())
+                && now.viewDirection().equals(home.viewDirection());
+    }
+
+    /** The studio with its camera where it was then, and when; what lens it has, and what is seen, stay. */
+    public Studio atHome() {
+        RigidMotion turn = CameraMotion.between(studio().camera(), opened().camera());
+        return LensEvent.moved(studio(), LensEvent.inScene(opened()), opened().velocity(), turn.rotation());
     }
 
     /** Whether the studio differs from what was opened or saved. */

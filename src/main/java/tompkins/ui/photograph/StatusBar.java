@@ -97,10 +97,11 @@ public final class StatusBar extends Part {
     /** What is said if there is nothing else to say. */
     private String hint() {
         String usual = Texts.get("status.idle." + click);
-        if (click == PhotographView.Click.PICK) {
-            return usual;
-        }
-        return panelFolded ? Texts.get("status.panelFolded") : pictureHint.isEmpty() ? usual : pictureHint;
+        return switch (click) {
+            case PICK, MEASURE -> usual;
+            case CHOOSE -> pictureHint.isEmpty() ? usual : pictureHint;
+            case PIN -> panelFolded ? Texts.get("status.panelFolded") : pictureHint.isEmpty() ? usual : pictureHint;
+        };
     }
 
     /** Sets the line; if it is too long for the window, its tooltip shows the rest. */

@@ -198,11 +198,11 @@ public final class Motion {
         }
     }
 
-    /** Shows a recorded ride. */
+    /** Shows the recorded ride of the scene. */
     public void replayRide() {
         takeEntries();
         strip.open(TabStrip.Tab.RIDE);
-        pilot.replay();
+        pilot.replayScene();
     }
 
     private RidePanel ridePanel() {
@@ -231,7 +231,7 @@ public final class Motion {
         RideMoment moment = pilot.moment();
         List<String> parts = new ArrayList<>();
         if (moment != null && ride != null && ride.isShown()) {
-            parts.addAll(state());
+            parts.addAll(state(moment));
             parts.addAll(Captions.parts(moment, pilot.isRiding()));
             if (pilot.isRiding() && window.settings().number(PictureOverlays.RATE, 0) != 0) {
                 parts.add(reading.rate());
@@ -240,12 +240,14 @@ public final class Motion {
         return parts;
     }
 
-    private List<String> state() {
+    private List<String> state(RideMoment moment) {
         String key = pilot.isReplaying()
                 ? "ride.state.replay"
                 : pilot.isRecording()
                         ? "ride.state.recording"
-                        : !pilot.isRiding() ? "ride.state.pause" : pilot.isBraking() ? "ride.state.brake" : "";
+                        : pilot.isRiding()
+                                ? pilot.isBraking() ? "ride.state.brake" : ""
+                                : moment.properTime() == 0 ? "ride.state.ready" : "ride.state.pause";
         return key.isEmpty() ? List.of() : List.of(Texts.get(key));
     }
 }

@@ -23,6 +23,7 @@ import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Range;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.ValueSlider;
 
 /** The bar of a ride: it begins and pauses it, records, replays and exports it, and says how fast light is. */
@@ -50,6 +51,7 @@ public final class RidePanel extends Part {
     private final Note task = new Note("");
     private final ValueSlider light;
     private final JComboBox<String> keyboard = new JComboBox<>();
+    private final Updating updating = new Updating();
     private double told;
     private final Note keys = new Note("");
     private final Note note = new Note("");
@@ -115,10 +117,10 @@ public final class RidePanel extends Part {
                 rides.setModel(new DefaultComboBoxModel<>(offered.toArray(Ride[]::new)));
             }
         };
-        rides.addActionListener(event -> {
+        rides.addActionListener(event -> updating.unless(() -> {
             pilot.begin((Ride) rides.getSelectedItem());
             flown.run();
-        });
+        }));
         model.follow(update);
     }
 
@@ -185,6 +187,11 @@ public final class RidePanel extends Part {
         record.setSelected(pilot.isRecording());
         record.setText(Texts.get(pilot.isRecording() ? "ride.stopRecording" : "ride.record"));
         task.setText((pilot.task().text() + "\n" + pilot.task().news()).strip());
+        if (pilot.task().ride() != null) {
+            // none while the camera flies from elsewhere
+            updating.during(
+                    () -> rides.setSelectedIndex(shown.indexOf(pilot.task().ride())));
+        }
         if (pilot.unitsPerSecond() != told) {
             light.show(pilot.unitsPerSecond());
             setUnits(pilot.unitsPerSecond());
@@ -193,9 +200,9 @@ public final class RidePanel extends Part {
     }
 
     private void updateButtons() {
-        boolean recorded = pilot.canReplay() && !pilot.isRecording();
-        replay.setEnabled(recorded);
-        export.setEnabled(recorded);
+        boolean flown = !pilot.beginning().ride().isEmpty() && !pilot.isRecording();
+        replay.setEnabled(flown);
+        export.setEnabled(flown);
     }
 
     private void export(Consumer<Studio> exporter) {

@@ -49,12 +49,16 @@ public final class RidePilot {
     private final RideTask task = new RideTask();
 
     private RideMoment moment;
+
+    /** Takes note of what is flown by hand; null before that. */
     private RideRecorder recorder;
 
-    /** Where the ride begins that was shown last, or that was there before one by hand; null if there was none. */
-    private Studio replayed;
+    /** Whether that will be kept in the scene. */
+    private boolean keeps;
 
+    /** The ride that is shown, or was shown last; null if it was flown by hand. */
     private RideFilm film;
+
     private double filmTime;
     private long lastTick;
 
@@ -85,12 +89,12 @@ public final class RidePilot {
 
     /** Whether the ride is recorded. */
     public boolean isRecording() {
-        return recorder != null;
+        return keeps;
     }
 
     /** Whether a recorded ride is shown. */
     public boolean isReplaying() {
-        return film != null;
+        return isRiding() && film != null;
     }
 
     /** The gesture to which all changes of a ride belong. */
@@ -100,7 +104,8 @@ public final class RidePilot {
 
     /** The present moment of the ride, which may be paused; null if the camera has been moved elsewhere since. */
     public RideMoment moment() {
-        return moment != null && moment.studio().equals(model.studio()) ? moment : null;
+        Studio now = model.studio();
+        return moment == null || !moment.isOf(now) ? null : moment.with(now);
     }
 
     /**
@@ -108,8 +113,8 @@ public final class RidePilot {
      * other coordinates; null if the camera is not on a ride, nor on one that pauses.
      */
     public Studio atRest() {
-        Studio now = model.studio();
-        return moment == null || !moment.isOf(now) ? null : moment.with(now).atRest();
+        RideMoment now = moment();
+        return now == null ? null : now.atRest();
     }
 
     /** Where thrust is wished, at once: each component from -1 to 1, to the right, up and forwards. */
@@ -149,13 +154,12 @@ public final class RidePilot {
 
     /** Goes back to where the ride began; a recording ends there, too. */
     public void home() {
-        if (recorder != null) {
+        if (keeps) {
             setRecording(false);
         } else if (start != null && moment() != null) {
             wish.zero();
             braking = false;
-            film = null;
-            moment = RideMoment.start(model.studio().withCamera(start.camera()).withVelocity(start.velocity()));
+            flyFrom(RideMoment.start(model.studio().withCamera(start.camera()).withVelocity(start.velocity())));
             task.restart(true);
             tell();
             model.look(moment.studio(), gesture);
@@ -203,56 +207,51 @@ public final class RidePilot {
     private void begin() {
         if (moment() == null) {
             List<Ride> rides = model.studio().rides();
-            if (isPhotograph() && !rides.isEmpty()) {
+            if (model.isAtHome() && !rides.isEmpty()) {
                 attempt(() -> goToStart(rides.get(0)));
             }
             if (moment() == null) {
-                task.clear();
                 startFrom(model.studio());
             }
+        } else if (film != null) {
+            flyFrom(moment());
         }
         stopThrust();
         lastTick = System.nanoTime();
         timer.start();
     }
 
-    /** Whether the camera is where the scene has it. */
-    private boolean isPhotograph() {
-        Studio opened = model.opened();
-        Studio now = model.studio();
-        return now.velocity().equals(opened.velocity()) && now.camera().equals(opened.camera());
+    private void startFrom(Studio beginning) {
+        start = beginning;
+        task.clear();
+        flyFrom(RideMoment.start(beginning));
     }
 
-    private void startFrom(Studio beginning) {
-        // a ride by hand leaves the place where the recorded one begins
-        for (Studio left : List.of(model.studio(), beginning)) {
-            if (!left.ride().isEmpty()) {
-                replayed = left;
-            }
-        }
-        start = beginning;
-        moment = RideMoment.start(beginning);
+    private void flyFrom(RideMoment now) {
+        film = null;
+        moment = now;
+        recorder = new RideRecorder(now.studio());
     }
 
     private void goToStart(Ride ride) {
         unitsPerSecond = ride.lightSpeed();
-        startFrom(ride.start(model.studio()));
+        startFrom(ride.start(model.atHome()));
         model.look(moment.studio(), gesture);
         task.begin(ride);
     }
 
-    /** Rides from the start of a ride of the scene. */
+    /** Rides from the start of a ride of the scene; a challenge waits there until it is read. */
     void begin(Ride ride) {
         setRiding(false);
         attempt(() -> {
             goToStart(ride);
-            setRiding(true);
+            setRiding(ride.challenge().isEmpty());
+            tell();
         });
     }
 
     private void end() {
         timer.stop();
-        film = null;
         keepRecording();
         model.endGesture(gesture);
     }
@@ -263,56 +262,59 @@ public final class RidePilot {
             setRiding(false);
             return;
         }
-        film = null;
         setRiding(true);
-        moment = RideMoment.start(model.studio());
+        flyFrom(RideMoment.start(model.studio()));
         task.restart(true);
-        recorder = new RideRecorder(model.studio());
+        keeps = true;
         tell();
     }
 
     /** The scene goes back to where the recorded ride begins, with the ride in it. */
     private void keepRecording() {
-        if (recorder == null) {
+        if (!keeps) {
             return;
         }
-        Studio recorded = recorder.studio();
-        double seconds = recorder.seconds();
-        recorder = null;
-        if (!recorded.ride().isEmpty()) {
-            model.adjust(recorded, gesture);
-            teller.accept(Texts.get("ride.recorded", String.format(Locale.ROOT, "%.1f", seconds)));
+        keeps = false;
+        Studio flown = recorder.studio();
+        if (!flown.ride().isEmpty()) {
+            model.adjust(flown, gesture);
+            teller.accept(Texts.get("ride.recorded", String.format(Locale.ROOT, "%.1f", recorder.seconds())));
         }
     }
 
-    /** Whether there is a recorded ride to show. */
-    public boolean canReplay() {
-        return !beginning().ride().isEmpty();
-    }
-
-    /** Where the recorded ride begins, if there is one to show; otherwise the present studio. */
+    /** Where what can be replayed begins: the flight that the ride comes with, or what was flown; else the present. */
     public Studio beginning() {
-        Studio now = model.studio();
-        return now.ride().isEmpty() && replayed != null && moment() != null ? replayed : now;
+        return moment() == null ? model.studio() : start.ride().isEmpty() ? recorder.studio() : start;
     }
 
-    /**
-     * Shows the ride that begins with the present studio; if that is on a ride, the one that was shown last or was
-     * there before.
-     */
+    /** Shows the ride that begins with {@link #beginning}. */
     public void replay() {
         setRiding(false);
-        Studio beginning = beginning();
+        replay(beginning(), moment() != null);
+    }
+
+    /** Shows the ride that is recorded in the scene, also after others; if there is none, as {@link #replay}. */
+    public void replayScene() {
+        setRiding(false);
+        Studio opened = model.opened();
+        if (model.studio().ride().isEmpty() && !opened.ride().isEmpty()) {
+            replay(opened, false);
+        } else {
+            replay();
+        }
+    }
+
+    private void replay(Studio beginning, boolean same) {
         if (beginning.ride().isEmpty()) {
             teller.accept(Texts.get("ride.nothingRecorded"));
             return;
         }
         attempt(() -> {
             film = new RideFilm(beginning);
-            replayed = beginning;
             filmTime = 0;
             moment = film.moment(0.0);
-            task.restart(beginning == start);
+            start = same ? start : beginning;
+            task.restart(same);
             model.look(moment.studio(), gesture);
             lastTick = System.nanoTime();
             timer.start();
@@ -369,14 +371,11 @@ public final class RidePilot {
     }
 
     private void step(Vector3dc thrust, double properTime) {
-        if (properTime <= 0) {
-            return;
-        }
-        RideMoment next = moment.after(thrust, properTime);
-        if (recorder != null) {
+        if (properTime > 0) {
+            RideMoment next = moment.after(thrust, properTime);
             recorder.add(moment.studio(), thrust, properTime, properTime / unitsPerSecond, next.studio());
+            go(next);
         }
-        go(next);
     }
 
     private void go(RideMoment next) {

@@ -9,14 +9,14 @@ import tompkins.ui.widget.Texts;
 /** What to try on a ride, and how far that is done. */
 final class RideTask {
 
-    private String task = "";
+    private Ride ride;
     private ChallengeProgress progress = ChallengeProgress.NONE;
     private String news = "";
 
     /** Begins the task of a ride. */
-    void begin(Ride ride) {
-        task = ride.task();
-        progress = ChallengeProgress.start(ride);
+    void begin(Ride begun) {
+        ride = begun;
+        progress = ChallengeProgress.start(begun);
         news = "";
     }
 
@@ -51,9 +51,14 @@ final class RideTask {
         return Texts.get(key, Numbers.brief(now.properTime()), Numbers.brief(now.sceneTime()));
     }
 
+    /** The ride of the scene that is flown; another one if it is none of them, null before the first. */
+    Ride ride() {
+        return ride;
+    }
+
     /** What to try; empty if nothing is said. */
     String text() {
-        return task;
+        return ride == null ? "" : ride.task();
     }
 
     /** That the challenge is met, or can no more be; empty before. */

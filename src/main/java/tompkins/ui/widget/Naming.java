@@ -31,7 +31,10 @@ public final class Naming {
         name(component, Texts.get(key), Texts.get(key + "Tip"));
     }
 
-    /** Shows the items of a combo box by their names; a letter chooses the next one whose name begins with it. */
+    /**
+     * Shows the items of a combo box by their names, and its own name if none is chosen; a letter chooses the next one
+     * whose name begins with it.
+     */
     public static <T> void items(JComboBox<T> box, Function<? super T, String> name) {
         items(box, name, item -> null);
     }
@@ -45,7 +48,7 @@ public final class Naming {
             public Component getListCellRendererComponent(
                     JList<?> list, Object item, int index, boolean selected, boolean focused) {
                 super.getListCellRendererComponent(
-                        list, item == null ? "" : name.apply((T) item), index, selected, focused);
+                        list, item == null ? box.getName() : name.apply((T) item), index, selected, focused);
                 setIcon(item == null ? null : drawing.apply((T) item));
                 return this;
             }

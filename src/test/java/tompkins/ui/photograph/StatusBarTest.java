@@ -96,6 +96,23 @@ class StatusBarTest {
         assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PIN"));
     }
 
+    /** Neither a folded panel nor a warning may hide it: whoever measures waits for a click. */
+    @Test
+    void whatAClickDoesIsSaidInANarrowWindow() {
+        status.showPanelFolded(true);
+        status.show(picture(Studios.sphere(), "all is black"));
+        status.show(PhotographView.Click.MEASURE);
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.MEASURE"));
+        status.show(PhotographView.Click.PICK);
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PICK"));
+        status.show(PhotographView.Click.CHOOSE);
+        assertThat(what.getText()).isEqualTo("Warning: all is black.");
+        status.show(picture(Studios.sphere()));
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.CHOOSE"));
+        status.show(PhotographView.Click.PIN);
+        assertThat(what.getText()).isEqualTo(Texts.get("status.panelFolded"));
+    }
+
     @Test
     void aWideApertureThatDoesNotBlurIsSpokenOf() {
         Studio wide = Studio.DEFAULT.withCamera(Descriptions.with(Studio.DEFAULT.camera(), "apertureRadius", 0.2));

@@ -12,7 +12,10 @@ import org.joml.Vector3dc;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import tompkins.camera.Aim;
+import tompkins.camera.Camera;
 import tompkins.camera.CameraMotion;
+import tompkins.camera.FieldOfView;
 import tompkins.image.LinearImage;
 import tompkins.property.Descriptions;
 import tompkins.render.Quality;
@@ -64,7 +67,7 @@ class RidePilotTest {
             assertThat(lens().distance(0, 0, -4)).isLessThan(1e-12);
             assertThat(pilot.task().text()).isEqualTo("Hold W.");
             assertThat(pilot.unitsPerSecond()).isEqualTo(2);
-            assertThat(pilot.beginning()).as("of the recorded ride").isEqualTo(photograph);
+            assertThat(pilot.beginning().ride()).as("nothing is flown yet").isEmpty();
             pilot.setRiding(false);
             model.undo();
             assertThat(model.studio()).isEqualTo(photograph);
@@ -128,13 +131,118 @@ class RidePilotTest {
             pilot.replay();
         });
         WindowDriver.await("the end", () -> !pilot.isRiding());
-        Matcher clocks = Pattern.compile("Challenge met: (\\S+) on board, (\\S+) in the scene")
+        Matcher clocks = Pattern.compile("Challenge met: on board (\\S+), scene (\\S+) time units")
                 .matcher(WindowDriver.onEventThread(() -> String.join("\n", told)));
         assertThat(clocks.find()).as("%s", told).isTrue();
         double aboard = Double.parseDouble(clocks.group(1));
         double scene = Double.parseDouble(clocks.group(2));
         assertThat(aboard).isBetween(0.31, 0.75);
         assertThat(scene / aboard).isCloseTo(1.25, within(0.01));
+    }
+
+    /** A ride without a flight of its own does not lead to that of the photograph, which has its own command. */
+    @Test
+    void whatWasFlownIsReplayed() {
+        Vector3d aside = new Vector3d(1, 0, 0);
+        onEventThread(() -> {
+            pilot.begin(SECOND);
+            pilot.setThrust(aside);
+        });
+        WindowDriver.await("some way", () -> pilot.moment().properTime() > 0.2);
+        onEventThread(() -> {
+            pilot.setRiding(false);
+            double aboard = pilot.moment().properTime();
+            pilot.replay();
+            assertThat(pilot.isReplaying()).isTrue();
+            assertThat(lens().distance(0, 5, 0)).isLessThan(1e-9);
+            assertThat(pilot.task().text()).isEqualTo("Look down.");
+            assertThat(aboard).isCloseTo(flownSeconds(), within(1e-9));
+        });
+        WindowDriver.await("the end", () -> !pilot.isRiding());
+        onEventThread(() -> {
+            assertThat(pilot.moment().properTime()).isCloseTo(flownSeconds(), within(1e-9));
+            pilot.replayScene();
+            assertThat(pilot.beginning()).isEqualTo(photograph);
+            pilot.setRiding(false);
+            // whoever takes over flies anew
+            pilot.begin(SECOND);
+            assertThat(pilot.beginning().ride()).isEmpty();
+        });
+    }
+
+    /** Light covers a unit in a second of the second ride. */
+    private double flownSeconds() {
+        return pilot.beginning().ride().stream().mapToDouble(RideLeg::seconds).sum();
+    }
+
+    /** Its legs say where the camera flies as it looks, and its clocks show the time of the photograph. */
+    @Test
+    void eachRideBeginsAsThePhotographLooksAndWhenItIsTaken() {
+        double time = LensEvent.inScene(photograph).time();
+        onEventThread(() -> pilot.begin(FIRST));
+        WindowDriver.await("some time", () -> pilot.moment().properTime() > 0.1);
+        onEventThread(() -> {
+            pilot.setRiding(false);
+            Camera turned =
+                    new Aim(0.5, 0.2).turn(FieldOfView.zoomed(model.studio().camera(), 0.5));
+            model.set(model.studio().withCamera(turned));
+            pilot.begin(SECOND);
+            pilot.setRiding(false);
+            Camera camera = model.studio().camera();
+            assertThat(LensEvent.inScene(model.studio()).time()).isCloseTo(time, within(1e-9));
+            assertThat(camera.viewDirection().angle(photograph.camera().viewDirection()))
+                    .isCloseTo(0, within(1e-7));
+            assertThat(camera.horizontalAngleDegrees()).isEqualTo(turned.horizontalAngleDegrees());
+        });
+    }
+
+    /** A brighter or a wider picture is of the same place. */
+    @Test
+    void anotherLensDoesNotKeepARideFromItsStart() {
+        onEventThread(() -> {
+            model.set(photograph.withCamera(Descriptions.with(photograph.camera(), "exposureStops", 1.0)));
+            pilot.setRiding(true);
+            assertThat(pilot.task().text()).isEqualTo("Hold W.");
+            assertThat(model.studio().camera().exposureStops()).isEqualTo(1);
+        });
+    }
+
+    /** Otherwise a challenge would be lost by looking around while it pauses. */
+    @Test
+    void aRideGoesOnAfterALookAroundInAPause() {
+        onEventThread(() -> {
+            pilot.begin(SECOND);
+            pilot.setThrust(new Vector3d(1, 0, 0));
+        });
+        WindowDriver.await("some way", () -> pilot.moment().properTime() > 0.1);
+        onEventThread(() -> {
+            pilot.setRiding(false);
+            double aboard = pilot.moment().properTime();
+            Studio paused = model.studio();
+            model.set(paused.withCamera(FieldOfView.zoomed(paused.camera(), 0.5)));
+            pilot.setRiding(true);
+            assertThat(pilot.moment().properTime()).isEqualTo(aboard);
+            assertThat(pilot.task().text()).isEqualTo("Look down.");
+            pilot.setRiding(false);
+            // another place is another ride
+            model.set(paused.withCamera(CameraMotion.shifted(paused.camera(), new Vector3d(1, 0, 0))));
+            assertThat(pilot.moment()).isNull();
+        });
+    }
+
+    /** Otherwise time is lost while the task is read. */
+    @Test
+    void aChallengeWaitsForItsRider() {
+        RideGoal there = new RideGoal(new Vector3d(0, 0, 1), 0.01, 1, 2, 1, 0);
+        onEventThread(() -> {
+            pilot.begin(Descriptions.with(FIRST, "challenge", List.of(there)));
+            assertThat(pilot.isRiding()).isFalse();
+            assertThat(lens().distance(0, 0, -4)).isLessThan(1e-12);
+            assertThat(pilot.moment().properTime()).isZero();
+            pilot.setRiding(true);
+            assertThat(pilot.task().text()).isEqualTo("Hold W.");
+        });
+        WindowDriver.await("its clock", () -> pilot.moment().properTime() > 0);
     }
 
     @Test

@@ -8,6 +8,8 @@ import java.util.Map;
 import javax.accessibility.AccessibleContext;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JList;
 import org.junit.jupiter.api.Test;
 
 class NamingTest {
@@ -38,6 +40,19 @@ class NamingTest {
             chosen.add((Integer) numbers.getSelectedItem());
         }
         assertThat(chosen).containsExactly(2, 3, 10, 2, 1, 1, 1);
+    }
+
+    @Test
+    void aBoxWithoutAChoiceSaysWhatItIsFor() {
+        JComboBox<Integer> numbers = new JComboBox<>(new Integer[] {1, 2});
+        Naming.name(numbers, "Numbers", "");
+        Naming.items(numbers, Integer::toBinaryString);
+        JList<Integer> list = new JList<>();
+        assertThat(((JLabel) numbers.getRenderer().getListCellRendererComponent(list, 2, -1, false, false)).getText())
+                .isEqualTo("10");
+        assertThat(((JLabel) numbers.getRenderer().getListCellRendererComponent(list, null, -1, false, false))
+                        .getText())
+                .isEqualTo("Numbers");
     }
 
     @Test
