@@ -33,9 +33,9 @@ class RoomSizeTest {
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
                         27_159),
-                arguments("file, image", 4_543),
-                arguments("explain, lesson, measure, animation", 6_320),
-                arguments("io, app", 7_983),
+                arguments("file, image", 4_549),
+                arguments("explain, lesson, measure, animation", 6_327),
+                arguments("io, app", 8_006),
                 arguments("study", 4_549),
                 arguments("ui", 21_355));
     }

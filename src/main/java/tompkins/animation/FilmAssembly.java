@@ -15,6 +15,8 @@ import tompkins.render.Progress;
 /** Makes one film of the frames in a folder, which may have been taken on several machines. */
 public final class FilmAssembly {
 
+    private static final int MOST_FRAMES = (int) (RideFilm.LONGEST * Animation.HIGHEST_FRAME_RATE) + 1;
+
     private final FrameFolder folder;
     private final Optional<FramePlace> place;
     private final int count;
@@ -23,7 +25,7 @@ public final class FilmAssembly {
     /**
      * Looks at the frames of a folder.
      *
-     * @throws MistakeException if there are none, or they belong to several films
+     * @throws MistakeException if there are none, they belong to several films, or to one that is too long
      * @throws FileException if the folder cannot be read
      */
     public FilmAssembly(FrameFolder folder) throws FileException {
@@ -39,6 +41,10 @@ public final class FilmAssembly {
             requirePlace(frame);
         }
         count = place.map(FramePlace::frames).orElse(whole.last() + 1);
+        if (count > MOST_FRAMES) {
+            throw new MistakeException(folder.file(whole.last()) + ": is a frame of a film of " + count
+                    + " frames; a film has at most " + MOST_FRAMES);
+        }
         missing = new FrameSelection(IntStream.range(0, count)
                 .filter(frame -> !whole.contains(frame))
                 .boxed()

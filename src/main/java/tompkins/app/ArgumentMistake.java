@@ -144,9 +144,9 @@ final class ArgumentMistake {
      */
     private static Optional<String> unknownOption(CommandSpec command, String... words) {
         return Stream.of(words)
-                .filter(word -> word.startsWith("--"))
-                .map(ArgumentMistake::name)
-                .filter(name -> name.length() > 2 && command.findOption(name) == null)
+                .filter(word -> word.matches("(?s)--?[A-Za-z].*"))
+                .map(word -> word.startsWith("--") ? name(word) : word.substring(0, 2))
+                .filter(name -> command.findOption(name) == null)
                 .findFirst()
                 .map(name -> unknown(name, command));
     }

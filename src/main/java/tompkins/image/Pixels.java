@@ -24,16 +24,18 @@ record Pixels(int width, int height, float[] rgba) {
     }
 
     /**
-     * Refuses floating point that is no number of light.
+     * Refuses floating point that is no number of light, and no opacity.
      *
-     * @throws FileException if a value is infinite or not a number
+     * @throws FileException if a value is infinite or not a number, or an opacity not from 0 to 1
      */
     void requireFinite(String name) throws FileException {
         for (int i = 0; i < rgba.length; i++) {
-            if (!Float.isFinite(rgba[i])) {
+            boolean opacity = i % 4 == 3;
+            if (!Float.isFinite(rgba[i]) || opacity && (rgba[i] < 0 || rgba[i] > 1)) {
                 int pixel = i / 4;
-                throw new FileException(name + ": pixel (" + pixel % width + ", " + pixel / width + ") has a value of "
-                        + rgba[i] + "; those of a picture must be finite");
+                throw new FileException(name + ": pixel (" + pixel % width + ", " + pixel / width + ") has "
+                        + (opacity ? "an opacity of " : "a value of ") + rgba[i] + "; "
+                        + (opacity ? "opacities must be from 0 to 1" : "those of a picture must be finite"));
             }
         }
     }

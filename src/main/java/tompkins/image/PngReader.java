@@ -19,6 +19,7 @@ final class PngReader {
     private static final int GREY = 0;
     private static final int RGB = 2;
     private static final int PALETTE = 3;
+    private static final String COLOURS = "PLTE";
     private static final String TRANSPARENCY = "tRNS";
     private static final String APPLE = "CgBI";
 
@@ -47,10 +48,12 @@ final class PngReader {
         ByteArrayOutputStream plain = new ByteArrayOutputStream(file.length);
         PngChunk.writeSignature(plain);
         int[] transparent = {};
+        int colours = colourType == PALETTE ? 0 : 1 << bitDepth;
         Orientation orientation = Orientation.TOP_LEFT;
         for (PngChunk chunk : PngChunk.all(file)) {
             if (tellsPixels(chunk.type(), colourType)) {
                 chunk.write(plain);
+                colours = chunk.type().equals(COLOURS) ? chunk.data().length / 3 : colours;
             } else if (chunk.type().equals(TRANSPARENCY)) {
                 transparent = levels(chunk.data(), colourType == GREY ? 1 : colourType == RGB ? 3 : 0, bitDepth);
             } else if (chunk.type().equals("eXIf")) {
@@ -58,7 +61,7 @@ final class PngReader {
             }
         }
         BufferedImage image = LibraryReader.image(PictureEncoding.PNG, plain.toByteArray(), name);
-        float[] palette = image.getColorModel() instanceof IndexColorModel colours ? colours(colours) : null;
+        float[] palette = image.getColorModel() instanceof IndexColorModel model ? colours(model, colours) : null;
         Pixels pixels = PixelDecoder.decode(image.getRaster(), palette);
         if (transparent.length > 0) {
             clear(pixels, image.getRaster(), transparent);
@@ -69,7 +72,7 @@ final class PngReader {
     private static boolean tellsPixels(String type, int colourType) {
         return switch (type) {
             case "IHDR", "IDAT", "IEND" -> true;
-            case "PLTE", TRANSPARENCY -> colourType == PALETTE;
+            case COLOURS, TRANSPARENCY -> colourType == PALETTE;
             default -> false;
         };
     }
@@ -88,9 +91,10 @@ final class PngReader {
         return levels;
     }
 
-    private static float[] colours(IndexColorModel model) {
-        float[] palette = new float[4 * model.getMapSize()];
-        for (int i = 0; i < model.getMapSize(); i++) {
+    /** The colours that the file has; the library adds as many as there are numbers for. */
+    private static float[] colours(IndexColorModel model, int count) {
+        float[] palette = new float[4 * Math.min(count, model.getMapSize())];
+        for (int i = 0; i < palette.length / 4; i++) {
             palette[4 * i] = model.getRed(i) / 255f;
             palette[4 * i + 1] = model.getGreen(i) / 255f;
             palette[4 * i + 2] = model.getBlue(i) / 255f;

@@ -67,7 +67,11 @@ public final class Assignments {
                 StudioPath.parse(assignment.path()).orElse(StudioPath.ROOT).steps();
         if (steps.isEmpty()) {
             problems.add(
-                    number, 0, "", "must begin with the path of a key, " + EXAMPLES + ", was " + assignment.path());
+                    number,
+                    0,
+                    "",
+                    "must begin with the path of a key, " + EXAMPLES + ", was "
+                            + Problems.shortened(assignment.path()));
             return;
         }
         Map<String, Member> inner = parts;

@@ -58,8 +58,9 @@ final class FaceTriangulation {
         if (size > 3) {
             Vector3d[] positions = positions(corners, from, to);
             Vector3d normal = normal(positions);
-            if (normal.lengthSquared() > 0 && !isFan(positions, normal)) {
-                return size <= MOST_CORNERS && addConcave(from, flat(positions, normal));
+            if (!isFan(positions, normal)) {
+                // without a normal as much of it runs clockwise as does not
+                return size <= MOST_CORNERS && normal.lengthSquared() > 0 && addConcave(from, flat(positions, normal));
             }
         }
         for (int i = 2; i < size; i++) {
@@ -118,8 +119,8 @@ final class FaceTriangulation {
         double backwards = 0;
         Vector3d cross = new Vector3d();
         for (int i = 2; i < positions.length; i++) {
-            backwards +=
-                    Math.max(0, -positions[i - 1].cross(positions[i], cross).dot(normal) / area);
+            positions[i - 1].cross(positions[i], cross);
+            backwards += area == 0 ? cross.length() : Math.max(0, -cross.dot(normal) / area);
         }
         return backwards <= TOLERANCE * area;
     }

@@ -21,7 +21,7 @@ final class MeshFaces {
 
     private static final int MOST_TRIANGLES = 4_000_000;
 
-    private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
+    private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d++\\.?\\d*+|\\.\\d++)([eE][+-]?\\d++)?");
 
     private static final Pattern NO_NUMBER = Pattern.compile("[+-]?(nan|inf|infinity)", Pattern.CASE_INSENSITIVE);
 
@@ -87,7 +87,7 @@ final class MeshFaces {
         } else if (statement.wordIs("vn")) {
             addNumbers(statement, normals, 3, "a normal (vn) cannot be read");
         } else if (statement.wordIs("mtllib")) {
-            library.read(ObjMaterials.beside(name, statement.rest()));
+            library.read(name, statement.rest());
         } else if (statement.wordIs("usemtl")) {
             material = materialNumbers.computeIfAbsent(statement.rest(), this::newMaterial);
         } else if (!SILENT.contains(statement.word())) {

@@ -3,6 +3,8 @@ package tompkins.io;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import tompkins.image.PictureFile;
 import tompkins.ray.Colour;
@@ -32,28 +34,41 @@ final class ObjMaterials {
         return materials.get(name);
     }
 
-    /** Reads a file of materials, named as seen from the folder of the scene. */
-    void read(String name) {
+    /** Reads one file of materials whose name may have blanks, or several, named as seen from the mesh. */
+    void read(String mesh, String names) {
+        String name = beside(mesh, names);
+        List<String> words = List.of(names.split("\\s+"));
         try {
-            ObjStatements statements = new ObjStatements(files.bytes(name, "a file of materials"));
-            Map<String, String> properties = new LinkedHashMap<>();
-            String material = null;
-            while (statements.next()) {
-                if (!statements.nextWord()) {
-                    continue;
-                }
-                String key = statements.word();
-                if (key.equals("newmtl")) {
-                    add(name, material, properties);
-                    material = statements.rest();
-                } else {
-                    properties.put(key, statements.rest());
-                }
-            }
-            add(name, material, properties);
+            read(name, new ObjStatements(files.bytes(name, "a file of materials")));
         } catch (IOException missing) {
-            notes.add(name, "its materials are not shown: " + missing.getMessage());
+            if (words.size() > 1 && words.stream().allMatch(ObjMaterials::endsAsUsual)) {
+                words.forEach(word -> read(mesh, word));
+            } else {
+                notes.add(name, "its materials are not shown: " + missing.getMessage());
+            }
         }
+    }
+
+    private static boolean endsAsUsual(String name) {
+        return name.toLowerCase(Locale.ROOT).endsWith(".mtl");
+    }
+
+    private void read(String file, ObjStatements statements) {
+        Map<String, String> properties = new LinkedHashMap<>();
+        String material = null;
+        while (statements.next()) {
+            if (!statements.nextWord()) {
+                continue;
+            }
+            String key = statements.word();
+            if (key.equals("newmtl")) {
+                add(file, material, properties);
+                material = statements.rest();
+            } else {
+                properties.put(key, statements.rest());
+            }
+        }
+        add(file, material, properties);
     }
 
     private void add(String file, String material, Map<String, String> properties) {

@@ -21,10 +21,13 @@ public final class Spelling {
      * similar.
      */
     public static String hint(String word, Collection<String> known) {
+        if (word.length() > LONGEST) {
+            return "";
+        }
         String best = null;
         int fewest = Integer.MAX_VALUE;
         for (String candidate : known) {
-            int changes = word.length() > LONGEST ? fewest : changes(plain(word), plain(candidate));
+            int changes = changes(plain(word), plain(candidate));
             // a word that would have to change all its letters is not similar
             boolean like = changes <= Math.max(1, candidate.length() / 3)
                     && changes < plain(candidate).length();

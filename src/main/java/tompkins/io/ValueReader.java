@@ -37,7 +37,7 @@ final class ValueReader {
         if (!(value instanceof JsonNumber number)) {
             return refuse(value, path, "a number");
         }
-        if (!Character.isDigit(number.text().charAt(number.text().length() - 1))) {
+        if (Character.isLetter(number.text().charAt(number.text().length() - 1))) {
             return refuse(value, path, "a finite number");
         }
         double result = Double.parseDouble(number.text());

@@ -20,9 +20,10 @@ final class LessonText {
     /** A text that may be empty and is not longer than a number of letters. */
     static String optional(String property, String text, int longest) {
         Require.present(property, text);
-        if (text.length() > longest) {
+        int letters = text.codePointCount(0, text.length());
+        if (letters > longest) {
             throw new InvalidPropertyException(
-                    property, "at most " + longest + " letters long, to fit beside the picture", text.length());
+                    property, "at most " + longest + " letters long, to fit beside the picture", letters);
         }
         return text;
     }

@@ -11,7 +11,7 @@ public final class MetricSpeed {
     /** The speed of light in metres per second, by the definition of the metre. */
     private static final double LIGHT = 299_792_458;
 
-    private static final Pattern WRITTEN = Pattern.compile("(.*?)\\s*(k?)m/s");
+    private static final Pattern WRITTEN = Pattern.compile("(.*?)(k?)m/s");
 
     private MetricSpeed() {}
 

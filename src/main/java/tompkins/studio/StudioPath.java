@@ -4,7 +4,7 @@ import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
@@ -30,11 +30,9 @@ public record StudioPath(List<Object> steps) {
 
     private static final String AXES = "xyz";
 
-    /** A name, and places in its list and in the lists of that. */
-    private static final String NAME = "[A-Za-z]+(\\[[0-9]{1,9}\\])*";
-
-    private static final Pattern PATH = Pattern.compile(NAME + "(\\." + NAME + ")*");
-    private static final Pattern STEP = Pattern.compile("([A-Za-z]+)|\\[([0-9]+)\\]");
+    /** A name, with a point before it unless it is the first step, or a place in a list. */
+    private static final Pattern STEP =
+            Pattern.compile("(?:^|(?<=[A-Za-z\\]])\\.)([A-Za-z]+)|(?<=[A-Za-z\\]])\\[([0-9]{1,9})\\]");
 
     /** The studio itself. */
     public static final StudioPath ROOT = new StudioPath(List.of());
@@ -88,15 +86,15 @@ public record StudioPath(List<Object> steps) {
      * not a way. It need not lead to anything.
      */
     public static Optional<StudioPath> parse(String text) {
-        if (!PATH.matcher(text).matches()) {
-            return Optional.empty();
+        // step by step: a pattern of all steps would need a stack that grows with them
+        List<Object> steps = new ArrayList<>();
+        Matcher step = STEP.matcher(text);
+        int end = 0;
+        while (step.find() && step.start() == end) {
+            steps.add(step.group(1) == null ? (Object) Integer.valueOf(step.group(2)) : step.group(1));
+            end = step.end();
         }
-        return Optional.of(new StudioPath(
-                STEP.matcher(text).results().map(StudioPath::parsed).toList()));
-    }
-
-    private static Object parsed(MatchResult step) {
-        return step.group(1) == null ? Integer.valueOf(step.group(2)) : step.group(1);
+        return steps.isEmpty() || end < text.length() ? Optional.empty() : Optional.of(new StudioPath(steps));
     }
 
     /** The way in the form that messages use, such as {@code scene[0].centre.x}. */

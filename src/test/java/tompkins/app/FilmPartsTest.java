@@ -13,6 +13,7 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -210,6 +211,18 @@ class FilmPartsTest {
         ProgramRun run = assemble("frames", "film.gif");
         assertThat(run.code()).isEqualTo(2);
         assertThat(run.err()).contains("frame0009.png: belongs to another film", "frame 9 of 0-11, 30 a second");
+    }
+
+    @Test
+    @Timeout(20)
+    void aFilmWithoutEndIsRefused() throws IOException {
+        Files.createDirectory(folder.resolve("frames"));
+        Path last = folder.resolve("frames/frame999999999.png");
+        requireDone(ProgramRun.of("render", scene, "-o", last));
+        ProgramRun run = assemble("frames", "film.gif");
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err().strip())
+                .isEqualTo(last + ": is a frame of a film of 1000000000 frames; a film has at most 216001");
     }
 
     @ParameterizedTest

@@ -48,6 +48,7 @@ class TompkinsCommandTest {
                 "README.md more words | tompkins: too many arguments: more words",
                 "-x | tompkins: unknown option -x",
                 "render --foo | tompkins render: unknown option --foo",
+                "check -x | tompkins check: unknown option -x",
                 "trace --pxel=3,3 | tompkins trace: unknown option --pxel; did you mean \"--pixel\"?",
                 "help rendr | tompkins: rendr: there is no command of this name; the commands are render, "
                         + "animate, check, explain, trace, measure, sheet, study, help; did you mean \"render\"?",

@@ -117,6 +117,14 @@ class PngReaderTest {
     }
 
     @ParameterizedTest
+    @ValueSource(ints = {2, 4, 8})
+    void aColourThatThePaletteHasNotIsDamage(int bits) throws IOException {
+        byte[] palette = {(byte) 255, 0, 0, 0, 51, 102};
+        byte[] picture = png(bits, 3, new int[] {1, 2, 0}, "PLTE", palette);
+        assertThatThrownBy(() -> PngReader.read(picture, "p.png")).hasMessage("a pixel's colour is not in the palette");
+    }
+
+    @ParameterizedTest
     @CsvSource({"8, 4", "16, 4", "8, 6", "16, 6"})
     void opacityIsRead(int bits, int colourType) throws IOException {
         int largest = (1 << bits) - 1;

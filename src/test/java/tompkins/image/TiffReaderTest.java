@@ -232,6 +232,15 @@ class TiffReaderTest {
         assertPixels(light.tag(338, 1).bytes(), (x, y) -> new float[] {0.5f, 1, 0.25f, 0.5f});
     }
 
+    @ParameterizedTest
+    @ValueSource(floats = {-0.5f, 1.5f})
+    void whatIsNoOpacityIsNamed(float opacity) {
+        TiffSample.Codes bits = (x, y, s) -> Float.floatToIntBits(s == 3 ? opacity : 0.5f) & 0xffffffffL;
+        TiffSample sample = new TiffSample(WIDTH, HEIGHT, 2, TiffSample.bits(4, 32), bits).tag(339, 3, 3, 3, 3);
+        assertThatThrownBy(() -> PictureFile.read(sample.tag(338, 2).bytes(), "p.tif"))
+                .hasMessage("p.tif: pixel (0, 0) has an opacity of " + opacity + "; opacities must be from 0 to 1");
+    }
+
     /** Levels of 16 bits, of which 8 would lose some. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 4, 8})

@@ -54,6 +54,21 @@ class AssignmentsTest {
     }
 
     @Test
+    void aNumberMayEndOrBeginWithItsPoint() {
+        Studio studio = with(STUDIO, "scene[1].radius=2.  scene[1].centre=1.,.5,-3.");
+        assertThat(sphere(studio).radius()).isEqualTo(2);
+        assertThat(sphere(studio).centre()).isEqualTo(new Vector3d(1, 0.5, -3));
+    }
+
+    @Test
+    void pathsOfAnyLengthAreRefusedInALine() {
+        assertThatThrownBy(() -> with(STUDIO, "a" + ".a".repeat(50_000) + "=1"))
+                .hasMessageStartingWith("--set: unknown key \"a\"");
+        assertThatThrownBy(() -> with(STUDIO, "!".repeat(50_000) + "=1"))
+                .hasMessageEndingWith("... (50000 characters)");
+    }
+
+    @Test
     void anyKeyTakesAValueAsInTheFile() {
         Studio studio = with(
                 STUDIO,

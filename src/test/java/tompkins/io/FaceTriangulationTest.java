@@ -136,6 +136,10 @@ class FaceTriangulationTest {
         double[] crossed = {0, 0, 0, 2, 0, 0, 2, 2, 0, 3, 2, 0, 0.5, -1, 0};
         assertThat(new FaceTriangulation(crossed, 3).add(new int[] {0, 1, 2, 3, 4}, 0, 5))
                 .isFalse();
+        double[] bow = {-1, -1, 0, 1, 1, 0, 1, -1, 0, -1, 1, 0};
+        assertThat(new FaceTriangulation(bow, 2).add(new int[] {0, 1, 2, 3}, 0, 4))
+                .as("as large on both sides")
+                .isFalse();
         int[] many = IntStream.range(0, 10_002).toArray();
         double[] comb = new double[3 * many.length];
         for (int i = 0; i < many.length; i++) {

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -108,6 +109,13 @@ class MeshFileTest {
     @ParameterizedTest
     @ValueSource(strings = {"e5", ".", ".e5", "5e", "5e+", "+", "5+5", "--5", "1.2.3", "1e2.5", "1e2e3", "0x1p3", "1d"})
     void whatOnlyLooksLikeANumberIsRefused(String word) {
+        assertThatThrownBy(() -> read(SQUARE + "v 0 " + word + " 0\n")).hasMessageContaining("cannot be understood");
+    }
+
+    @Test
+    @Timeout(10)
+    void manyDigitsThatAreNoNumberAreRefusedSoon() {
+        String word = "1".repeat(1_000_000) + "x";
         assertThatThrownBy(() -> read(SQUARE + "v 0 " + word + " 0\n")).hasMessageContaining("cannot be understood");
     }
 

@@ -103,6 +103,24 @@ class MeshMaterialTest {
         assertThat(materials.get(0).specular()).isEqualTo(new Colour(0.1, 0.2, 0.3));
     }
 
+    /** The names of several files stand in one line, and the name of one file may have blanks. */
+    @Test
+    void aLineNamesOneFileOfMaterialsOrSeveral() throws Exception {
+        Files.writeString(folder.resolve("red.mtl"), "newmtl red\nKd 1 0 0\n");
+        Files.writeString(folder.resolve("green.MTL"), "newmtl green\nKd 0 1 0\n");
+        Files.writeString(folder.resolve("dark red.mtl"), "newmtl dark\nKd 0.5 0 0\n");
+        String obj = SQUARE + "mtllib red.mtl green.MTL\nmtllib dark red.mtl\nmtllib dark green.mtl\n";
+        for (String material : List.of("red", "green", "dark")) {
+            Studio studio = studio(obj + "usemtl " + material + "\nf 1 2 3 4\n");
+            assertThat(detail(studio).materials().get(0).name()).isEqualTo(material);
+            assertThat(detail(studio).notes())
+                    .hasSize(1)
+                    .first()
+                    .asString()
+                    .startsWith("dark green.mtl: its materials");
+        }
+    }
+
     private static MeshDetail detail(Studio studio) {
         return ((tompkins.sceneobject.TriangleMesh) studio.scene().get(0))
                 .mesh()

@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -421,6 +422,24 @@ class SceneMistakesTest {
         assertThat(message).hasSizeLessThan(200).contains("\"a bbb").contains("... (100003 characters)");
         assertThat(message.lines()).hasSize(1);
         assertThat(messageOf("{\"" + "k".repeat(100_000) + "\": 1}")).hasSizeLessThan(200);
+    }
+
+    @Test
+    @Timeout(10)
+    void unknownWordsOfAnyLengthAreRefusedSoon() {
+        String word = "a".repeat(10_000_000);
+        assertThat(messageOf("{\"scene\": [{\"type\": \"" + word + "\"}]}"))
+                .contains("unknown type \"aaa", "... (10000000 characters)")
+                .doesNotContain("did you mean");
+    }
+
+    /** Some letters are two characters of Java. */
+    @Test
+    void lettersOfALessonAreCounted() {
+        String face = "\ud83d\ude00";
+        read("{\"lesson\": {\"question\": \"" + face.repeat(300) + "\"}}");
+        assertThat(messageOf("{\"lesson\": {\"question\": \"" + face.repeat(301) + "\"}}"))
+                .endsWith("lesson.question: must be at most 300 letters long, to fit beside the picture, was 301");
     }
 
     @Test

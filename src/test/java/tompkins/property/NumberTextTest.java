@@ -7,6 +7,7 @@ import java.math.BigDecimal;
 import java.util.SplittableRandom;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -41,6 +42,14 @@ class NumberTextTest {
         assertThat(NumberText.of(value)).isEqualTo(text);
         assertThat(Double.valueOf(text)).isEqualTo(Double.valueOf(value));
         assertThat(Double.valueOf(NumberText.parse(" " + text))).isEqualTo(Double.valueOf(value));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"x", ".x", ",x", "e5x"})
+    @Timeout(10)
+    void manyDigitsThatAreNoNumberAreRefusedSoon(String end) {
+        assertThatThrownBy(() -> NumberText.parse("1".repeat(1_000_000) + end))
+                .isInstanceOf(NumberFormatException.class);
     }
 
     /**

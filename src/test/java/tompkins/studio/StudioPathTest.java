@@ -54,6 +54,23 @@ class StudioPathTest {
                 .isEqualTo(StudioPath.ROOT.then("camera"));
     }
 
+    @Test
+    void aWayIsWrittenWithPointsAndPlaces() {
+        assertThat(StudioPath.parse("scene[0].centre.x"))
+                .contains(SCENE.then(0).then("centre").then("x"));
+        assertThat(StudioPath.parse("a[1][23].b[4]").orElseThrow().steps()).containsExactly("a", 1, 23, "b", 4);
+        for (String other : List.of("", ".a", "a.", "a..b", "[0]", "a.[0]", "a[0]b", "a[]", "a[-1]", "a[1234567890]")) {
+            assertThat(StudioPath.parse(other)).as(other).isEmpty();
+        }
+    }
+
+    @Test
+    void aLongWayNeedsNoDeepStack() {
+        assertThat(StudioPath.parse("a" + ".a".repeat(100_000)).orElseThrow().steps())
+                .hasSize(100_001);
+        assertThat(StudioPath.parse("a" + "[0]".repeat(100_000) + "!")).isEmpty();
+    }
+
     /** Its equal is another object; what is hidden is not in the picture, and so on no ray's way. */
     @Test
     void theWayToAnObjectIsFoundWhateverItIsPartOf() {
