@@ -71,7 +71,8 @@ final class ObjFile {
     private static void write(double[] coordinates, int[] corners, Path file) throws IOException {
         try (BufferedWriter out = Files.newBufferedWriter(file)) {
             for (int i = 0; i < coordinates.length; i += 3) {
-                out.write("v " + coordinates[i] + " " + coordinates[i + 1] + " " + coordinates[i + 2] + "\n");
+                // who reads it turns z over; otherwise the sphere would stand behind the camera
+                out.write("v " + coordinates[i] + " " + coordinates[i + 1] + " " + -coordinates[i + 2] + "\n");
             }
             for (int i = 0; i < corners.length; i += 3) {
                 out.write("f " + (corners[i] + 1) + " " + (corners[i + 1] + 1) + " " + (corners[i + 2] + 1) + "\n");
