@@ -14,7 +14,6 @@ import picocli.CommandLine.Parameters;
 import tompkins.io.BundledScenes;
 import tompkins.io.StudioReader;
 import tompkins.property.MistakeException;
-import tompkins.studio.Studio;
 import tompkins.ui.FirstScene;
 import tompkins.ui.TompkinsWindow;
 
@@ -62,6 +61,8 @@ final class TompkinsCommand extends ProgramCommand {
      * @param display whether a window can be opened
      */
     static CommandLine commandLine(BooleanSupplier display, String... arguments) {
+        // it would look for types that have converters here, and for others that no option has
+        System.setProperty("picocli.converters.excludes", ".*");
         CommandLine commandLine = new CommandLine(new TompkinsCommand(display));
         if (arguments.length == 0) {
             return commandLine;
@@ -103,20 +104,17 @@ final class TompkinsCommand extends ProgramCommand {
     }
 
     /**
-     * Opens a window with a scene file. The window reports a file that cannot be read, because there may be no console.
+     * Opens a window with a scene file, or with the first scene of the program if that is null.
+     *
+     * @throws MistakeException if it cannot be read
+     * @throws IOException if the program comes without its scenes
      */
-    private void openWindow(Path file) throws IOException {
-        Studio studio;
-        try {
-            studio = StudioReader.read(file);
-        } catch (MistakeException mistakes) {
-            openWithProblem(mistakes.getMessage());
-            return;
-        } catch (OutOfMemoryError tooMuch) {
-            openWithProblem(Failures.memoryMessage(file));
-            return;
+    static void openWindow(Path file) throws IOException {
+        if (file == null) {
+            openWindow("");
+        } else {
+            openWindow(new FirstScene(StudioReader.read(file), file));
         }
-        openWindow(new FirstScene(studio, file));
     }
 
     private void openWithProblem(String problem) throws IOException {
@@ -137,10 +135,13 @@ final class TompkinsCommand extends ProgramCommand {
                     ArgumentMistake.unknownWord(scene.toString(), commandLine().getCommandSpec()));
         }
         if (hasDisplay) {
-            if (scene == null) {
-                openWindow("");
-            } else {
+            // the window reports a file that cannot be read, because there may be no console
+            try {
                 openWindow(scene);
+            } catch (MistakeException mistakes) {
+                openWithProblem(mistakes.getMessage());
+            } catch (OutOfMemoryError tooMuch) {
+                openWithProblem(Failures.memoryMessage(scene));
             }
             return Failures.WINDOW_IS_OPEN;
         }

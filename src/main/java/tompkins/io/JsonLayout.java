@@ -33,14 +33,18 @@ public final class JsonLayout {
     }
 
     private static String text(Object value, int indent) {
+        List<String> parts = new ArrayList<>();
         if (value instanceof Map<?, ?> map) {
-            List<String> parts = new ArrayList<>();
-            map.forEach((key, member) -> parts.add(quoted((String) key) + ": " + text(member, indent + INDENT)));
+            for (Map.Entry<?, ?> member : map.entrySet()) {
+                parts.add(quoted((String) member.getKey()) + ": " + text(member.getValue(), indent + INDENT));
+            }
             return bracketed("{", parts, "}", indent);
         }
         if (value instanceof List<?> list) {
-            List<String> parts = new ArrayList<>();
-            list.forEach(element -> parts.add(text(element, indent + INDENT)));
+            for (Object element : list) {
+                // most are numbers: Java's compiler takes its time for a method that calls itself often
+                parts.add(element instanceof Double number ? NumberText.of(number) : text(element, indent + INDENT));
+            }
             return bracketed("[", parts, "]", indent);
         }
         if (value instanceof Double number) {

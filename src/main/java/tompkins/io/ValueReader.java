@@ -41,7 +41,7 @@ final class ValueReader {
             return refuse(value, path, "a finite number");
         }
         double result = Double.parseDouble(number.text());
-        if (result == 0 && number.text().split("[eE]")[0].matches(".*[1-9].*")) {
+        if (result == 0 && !number.text().equals("0") && number.text().matches("[^eE]*[1-9].*")) {
             return refuse(value, path, "0 or a number that is not smaller than " + NumberText.of(Double.MIN_VALUE));
         }
         return result;
@@ -50,7 +50,7 @@ final class ValueReader {
     /** A number that is not too large. */
     Double number(JsonValue value, String path) {
         Double result = unlimited(value, path);
-        return result == null ? null : limited(double.class, result, value, path);
+        return result == null || Double.isFinite(result) ? result : limited(double.class, result, value, path);
     }
 
     /** A whole number; the nearest that there is if it is too large, as in {@link #unlimited}. */

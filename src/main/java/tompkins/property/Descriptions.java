@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -100,21 +99,24 @@ public final class Descriptions {
 
     /**
      * Whether two values of a component are equal; records are compared component by component. Java's own comparison
-     * makes code for each type of records when it is first used, which makes the start of the program longer.
+     * makes code for each type of records when it is first used, which makes the start of the program longer. So would
+     * a second call of this method by itself, of which Java's compiler makes one large piece of code.
      */
     public static boolean areEqual(Object first, Object second) {
         if (first == second) {
             return true;
         }
-        if (first instanceof List<?> ours && second instanceof List<?> others) {
-            return ours.size() == others.size()
-                    && IntStream.range(0, ours.size()).allMatch(i -> areEqual(ours.get(i), others.get(i)));
+        boolean isList = first instanceof List && second instanceof List;
+        if (!isList && !(first instanceof Record && first.getClass() == second.getClass())) {
+            return !(first instanceof Record) && first.equals(second);
         }
-        if (first instanceof Record && first.getClass() == second.getClass()) {
-            return components(first.getClass()).stream()
-                    .allMatch(component -> areEqual(value(component, first), value(component, second)));
+        List<?> ours = isList ? (List<?>) first : values(first);
+        List<?> others = isList ? (List<?>) second : values(second);
+        boolean equal = ours.size() == others.size();
+        for (int i = 0; equal && i < ours.size(); i++) {
+            equal = areEqual(ours.get(i), others.get(i));
         }
-        return !(first instanceof Record) && first.equals(second);
+        return equal;
     }
 
     private static List<Object> readValues(Object description) {

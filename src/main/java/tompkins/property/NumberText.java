@@ -54,13 +54,11 @@ public final class NumberText {
 
     /** As many digits of a number as it needs, and no more: read again, they give the same bits. */
     public static String of(double value) {
+        String written = Double.toString(value);
+        if (written.length() <= UNIQUE_DIGITS && written.indexOf('E') < 0) {
+            return written.endsWith(".0") ? written.substring(0, written.length() - 2) : written;
+        }
         double size = Math.abs(value);
-        if (value == 0) {
-            return 1 / value < 0 ? "-0" : "0";
-        }
-        if (!Double.isFinite(value)) {
-            return Double.toString(value);
-        }
         BigDecimal shortest = shortest(value);
         if (size >= SMALLEST_PLAIN && size < LARGEST_PLAIN) {
             return shortest.toPlainString();

@@ -255,10 +255,13 @@ final class LightBufferProjection {
 
     /** Whether a primitive may be seen in a square of cells. */
     boolean isSeen(Primitive primitive, int column, int row, int size) {
-        return !(isBeyond(primitive, right, leastU + (column + size) * cellU + MARGIN, 1)
-                || isBeyond(primitive, right, leastU + column * cellU - MARGIN, -1)
-                || isBeyond(primitive, up, leastV + (row + size) * cellV + MARGIN, 1)
-                || isBeyond(primitive, up, leastV + row * cellV - MARGIN, -1));
+        boolean seen = true;
+        for (int sign = -1; seen && sign <= 1; sign += 2) {
+            int edge = sign > 0 ? size : 0;
+            seen = !isBeyond(primitive, right, leastU + (column + edge) * cellU + sign * MARGIN, sign)
+                    && !isBeyond(primitive, up, leastV + (row + edge) * cellV + sign * MARGIN, sign);
+        }
+        return seen;
     }
 
     /** Whether all of a primitive is seen above a slope (sign 1) or below it (sign -1), from all places. */
