@@ -111,7 +111,10 @@ final class RotatingGroup extends Primitive {
     /** Looks for the nearest hit up to a limit, beyond what is known to be empty; the next search forgets it. */
     private TurningPath search(Ray ray, double limit, double known) {
         Search search = searches.get();
-        search.of(ray, limit, known);
+        // the hit that was found last is often asked for
+        if (known == 0 || known != search.path.foundDistance() || !search.isOf(ray)) {
+            search.of(ray, limit, known);
+        }
         return search.path;
     }
 
@@ -119,7 +122,7 @@ final class RotatingGroup extends Primitive {
     private final class Search {
 
         final TurningPath path = new TurningPath(rotation);
-        private Ray ray;
+        private final Ray ray = Ray.blank();
         private double limit;
 
         // the present piece of the path, and the straight line between its ends
@@ -134,7 +137,7 @@ final class RotatingGroup extends Primitive {
         private double inverseZ;
 
         void of(Ray newRay, double newLimit, double known) {
-            ray = newRay;
+            ray.set(newRay);
             limit = newLimit;
             path.begin(ray);
             for (Primitive each : round) {
@@ -155,6 +158,20 @@ final class RotatingGroup extends Primitive {
                 take(entry + i * step, i + 1 == chords ? exit : entry + (i + 1) * step);
                 search(tree);
             }
+        }
+
+        /** Whether the last search was for the same ray. */
+        boolean isOf(Ray other) {
+            return ray.x == other.x
+                    && ray.y == other.y
+                    && ray.z == other.z
+                    && ray.dx == other.dx
+                    && ray.dy == other.dy
+                    && ray.dz == other.dz
+                    && ray.time == other.time
+                    && ray.slowness == other.slowness
+                    && ray.boundary == other.boundary
+                    && ray.part == other.part;
         }
 
         private double nearest() {

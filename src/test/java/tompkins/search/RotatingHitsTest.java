@@ -105,6 +105,22 @@ class RotatingHitsTest {
         assertThat(different).isLessThanOrEqualTo(1);
     }
 
+    /** Two rays along the axle meet a wheel at the same distance, the one after the other. */
+    @Test
+    void hitIsThatOfItsRay() {
+        Disc wheel = new Disc("wheel", new Vector3d(0, 0, 2), new Vector3d(0, 0, 1), 1, DULL);
+        ObjectTree tree = tree(new Rotating("", new Vector3d(), new Vector3d(0, 0, 1), SPEED, 0, List.of(wheel)));
+        NearestHit nearest = new NearestHit(new RayCounts());
+        Ray ray = Ray.from(0.5, 0.25, 0, 0, 0, 1, 0);
+
+        tree.nearest(Ray.from(0, 0, 0, 0, 0, 1, 0), LENGTH, nearest);
+        Hit hit = nearest.hit(ray, Hit.blank());
+
+        assertThat(hit.distance).isEqualTo(2);
+        assertThat(new double[] {hit.x, hit.y, hit.z}).containsExactly(0.5, 0.25, 2);
+        assertThat(new double[] {hit.velocityX, hit.velocityY}).containsExactly(-0.25 * SPEED, 0.5 * SPEED);
+    }
+
     private Ray ray() {
         Vector3d start = new Vector3d(CENTRE).add(random.nextDouble(-2, 2), random.nextDouble(-2, 2), -2.5);
         Vector3d aim = new Vector3d(CENTRE).add(inUnit(), inUnit(), inUnit());
