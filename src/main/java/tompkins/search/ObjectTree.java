@@ -12,6 +12,7 @@ import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.surface.Shadow;
 import tompkins.surface.Surface;
 
 /**
@@ -90,6 +91,11 @@ public final class ObjectTree {
     /** The surfaces of all primitives, each once: a mesh of a million triangles has one. */
     public Set<Surface> surfaces() {
         return Collections.unmodifiableSet(surfaces);
+    }
+
+    /** Whether something in it throws shadows. */
+    public boolean throwsShadows() {
+        return surfaces.stream().anyMatch(surface -> surface.shadow() != Shadow.NEVER);
     }
 
     /** The largest speed of each of the groups of primitives that turn together, in this frame. */

@@ -47,6 +47,11 @@ public final class FrameRoute {
         }
     }
 
+    /** Number of changes of frame. */
+    public int length() {
+        return steps.length;
+    }
+
     /** An event of the first frame, in the second. */
     public Event transform(Event event) {
         Event moved = event;

@@ -94,6 +94,12 @@ public final class FrameRoutes {
         return known;
     }
 
+    /** Whether the way from one frame to another is the way to a third one and then that from there. */
+    boolean leadsThrough(int from, int third, int to) {
+        return route(from, third).length() + route(third, to).length()
+                == route(from, to).length();
+    }
+
     /** The way between two frames, for events in the coordinates in which the tracer works. */
     public FrameRoute route(int from, int to) {
         FrameRoute known = routes[from][to];

@@ -29,12 +29,16 @@ public final class RetardedLight {
     private final Vector3dc[] paces;
 
     private final ObjectTree[] trees;
-    private final int[] filled;
+
+    /** The numbers of the frames in which something throws shadows. */
+    private final int[] darkening;
+
     private final Primitive[] lastShadows;
     private final Hit place = Hit.blank();
     private final Ray eventRay = Ray.blank();
     private final Ray way = Ray.blank();
     private final Ray shadow = Ray.blank();
+    private final Ray fromEvent = Ray.blank();
     private final Ray inFrame = Ray.blank();
 
     /** The ways in a world, for one thread. */
@@ -43,7 +47,9 @@ public final class RetardedLight {
         this.counts = counts;
         scratch = new NearestHit(counts);
         trees = world.trees();
-        filled = world.filledFrames();
+        darkening = Arrays.stream(world.filledFrames())
+                .filter(frame -> trees[frame].throwsShadows())
+                .toArray();
         lamps = world.lamps().toArray(Lamp[]::new);
         paces = law != TransformationLaw.GALILEAN
                 ? null
@@ -135,21 +141,30 @@ public final class RetardedLight {
         counts.shadowRays++;
         double length = sight.length;
         shadow.setShadow(hit, sight.x / length, sight.y / length, sight.z / length, sight.slowness);
-        for (int i : filled) {
+        Ray turned = null;
+        for (int i : darkening) {
             if (i == hit.frame) {
                 if (isDark(lamps[source], i, hit, shadow, length)) {
                     return false;
                 }
                 continue;
             }
-            routes.transform(shadow, i, inFrame);
-            if (Double.isNaN(inFrame.dx)) {
-                continue;
+            Ray start;
+            // most ways lead through the frame in which the ray began, where its event is known best
+            if (routes.leadsThrough(hit.frame, hit.event.frame, i)) {
+                if (turned == null) {
+                    turned = routes.transform(shadow, hit.event.frame, fromEvent);
+                    turned.setStart(hit.event);
+                }
+                start = routes.transform(turned, i, inFrame);
+            } else {
+                routes.transform(shadow, i, inFrame);
+                start = routes.transform(eventRay.setShadow(hit.event, 0, 0, 1), i, eventRay);
             }
-            Ray start = routes.transform(eventRay.setShadow(hit.event, 0, 0, 1), i, eventRay);
             place.setPlace(i, start.x, start.y, start.z, start.time);
             inFrame.setStart(place);
-            if (isDark(lamps[source], i, place, inFrame, length * inFrame.directionLength)) {
+            boolean hasDirection = !Double.isNaN(inFrame.dx);
+            if (hasDirection && isDark(lamps[source], i, place, inFrame, length * inFrame.directionLength)) {
                 return false;
             }
         }

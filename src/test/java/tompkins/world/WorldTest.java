@@ -141,6 +141,17 @@ class WorldTest {
         assertBox(world.bounds(17, 9).get(0), 15, 8.0 / 17);
     }
 
+    /** Frames are the scene (0), one in it (1) with two inside (2 and 3), and another one in the scene (4). */
+    @ParameterizedTest
+    @CsvSource({"2, 1, 3, true", "2, 0, 4, true", "2, 2, 4, true", "2, 0, 3, false", "1, 4, 0, false"})
+    void waysLeadThroughTheFramesBetween(int from, int third, int to, boolean expected) {
+        SceneObject inner = moving(0.1, 0, BALL);
+        Studio studio = studio(moving(0.6, 0, BALL, inner, moving(0.2, 0, BALL)), moving(0.3, 0, BALL));
+        FrameRoutes routes = world(studio).routes(frames(studio, AT_THE_ORIGIN));
+
+        assertThat(routes.leadsThrough(from, third, to)).isEqualTo(expected);
+    }
+
     /** Coordinates begin near a moving camera that is far away; boxes are told in those of the scene. */
     @Test
     void boxesAreInCoordinatesOfTheScene() {
