@@ -32,10 +32,10 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        27_159),
+                        27_266),
                 arguments("file, image", 4_549),
                 arguments("explain, lesson, measure, animation", 6_327),
-                arguments("io, app", 8_006),
+                arguments("io, app", 8_019),
                 arguments("study", 4_549),
                 arguments("ui", 21_355));
     }
