@@ -61,8 +61,8 @@ final class TompkinsCommand extends ProgramCommand {
      * @param display whether a window can be opened
      */
     static CommandLine commandLine(BooleanSupplier display, String... arguments) {
-        // it would look for types that have converters here, and for others that no option has
-        System.setProperty("picocli.converters.excludes", ".*");
+        // it would look for types that no option has
+        System.setProperty("picocli.converters.excludes", "java[.](sql|time)[.].*");
         CommandLine commandLine = new CommandLine(new TompkinsCommand(display));
         if (arguments.length == 0) {
             return commandLine;
