@@ -3,7 +3,6 @@ package tompkins.io;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashMap;
@@ -41,11 +40,6 @@ public final class StudioWriter {
      * large meshes, and the largest pictures if all together would be too long for a photograph.
      */
     public static String writeSelfContained(Studio studio) {
-        List<FileContent> files = new ArrayList<>();
-        Map<String, Object> members = members(studio, content -> !files.add(content));
-        if (files.isEmpty()) {
-            return text(members);
-        }
         Set<String> named = Set.copyOf(filesOnlyNamed(studio));
         return text(studio, content -> isKept(content) && !named.contains(content.name()));
     }
