@@ -32,12 +32,12 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        27_266),
+                        27_273),
                 arguments("file, image", 4_549),
                 arguments("explain, lesson, measure, animation", 6_327),
-                arguments("io, app", 8_019),
+                arguments("io, app", 8_013),
                 arguments("study", 4_549),
-                arguments("ui", 21_355));
+                arguments("ui", 21_352));
     }
 
     @ParameterizedTest

@@ -48,6 +48,11 @@ public final class RideRecorder {
         camera = after.camera();
     }
 
+    /** Whether there was no step yet. */
+    public boolean isEmpty() {
+        return legs.isEmpty();
+    }
+
     /** Seconds of the film so far. */
     public double seconds() {
         return legs.stream().mapToDouble(RideLeg::seconds).sum();

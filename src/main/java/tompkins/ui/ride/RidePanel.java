@@ -200,7 +200,7 @@ public final class RidePanel extends Part {
     }
 
     private void updateButtons() {
-        boolean flown = !pilot.beginning().ride().isEmpty() && !pilot.isRecording();
+        boolean flown = pilot.canReplay() && !pilot.isRecording();
         replay.setEnabled(flown);
         export.setEnabled(flown);
     }

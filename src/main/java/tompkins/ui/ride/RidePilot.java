@@ -250,36 +250,34 @@ public final class RidePilot {
         });
     }
 
+    /** After a recording the scene goes back to where the recorded ride begins, with the ride in it. */
     private void end() {
         timer.stop();
-        keepRecording();
+        boolean kept = keeps && !recorder.isEmpty();
+        keeps = false;
+        if (kept) {
+            model.adjust(recorder.studio(), gesture);
+            teller.accept(Texts.get("ride.recorded", String.format(Locale.ROOT, "%.1f", recorder.seconds())));
+        }
         model.endGesture(gesture);
     }
 
     /** Begins to record, and to ride; or ends both. */
     public void setRecording(boolean recording) {
-        if (!recording) {
-            setRiding(false);
-            return;
+        setRiding(recording);
+        if (recording) {
+            flyFrom(RideMoment.start(model.studio()));
+            task.restart(true);
+            keeps = true;
+            tell();
         }
-        setRiding(true);
-        flyFrom(RideMoment.start(model.studio()));
-        task.restart(true);
-        keeps = true;
-        tell();
     }
 
-    /** The scene goes back to where the recorded ride begins, with the ride in it. */
-    private void keepRecording() {
-        if (!keeps) {
-            return;
-        }
-        keeps = false;
-        Studio flown = recorder.studio();
-        if (!flown.ride().isEmpty()) {
-            model.adjust(flown, gesture);
-            teller.accept(Texts.get("ride.recorded", String.format(Locale.ROOT, "%.1f", recorder.seconds())));
-        }
+    /** Whether there is something to replay. */
+    public boolean canReplay() {
+        return moment() == null
+                ? !model.studio().ride().isEmpty()
+                : !start.ride().isEmpty() || !recorder.isEmpty();
     }
 
     /** Where what can be replayed begins: the flight that the ride comes with, or what was flown; else the present. */
@@ -296,9 +294,8 @@ public final class RidePilot {
     /** Shows the ride that is recorded in the scene, also after others; if there is none, as {@link #replay}. */
     public void replayScene() {
         setRiding(false);
-        Studio opened = model.opened();
-        if (model.studio().ride().isEmpty() && !opened.ride().isEmpty()) {
-            replay(opened, false);
+        if (model.studio().ride().isEmpty() && !model.opened().ride().isEmpty()) {
+            replay(model.opened(), false);
         } else {
             replay();
         }
