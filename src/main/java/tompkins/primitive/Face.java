@@ -60,7 +60,7 @@ public abstract sealed class Face permits RoundFace, CapFace, EllipsoidFace, Fla
         if (slope > bend * half) {
             return root(path, from, to);
         }
-        // what is left of the function on this piece is no more than rounding
+        // the function is no more than rounding on this piece, or too many pieces were looked at
         if (bend * half * half <= error || half <= TOUCHING * to || path.isGivenUp()) {
             return Primitive.NO_HIT;
         }

@@ -46,14 +46,19 @@ final class RoundFace extends Face {
         return (path.x - baseX) * axisX + (path.y - baseY) * axisY + (path.z - baseZ) * axisZ;
     }
 
+    /** The distance of the present place from the axis. */
+    private double outwards(TurningPath path, double along) {
+        double px = path.x - baseX - along * axisX;
+        double py = path.y - baseY - along * axisY;
+        double pz = path.z - baseZ - along * axisZ;
+        return Math.sqrt(px * px + py * py + pz * pz);
+    }
+
     /** {@code (w - r)(w + r)} with the distance w from the axis, which does not cancel. */
     @Override
     double value(TurningPath path) {
         double along = along(path);
-        double px = path.x - baseX - along * axisX;
-        double py = path.y - baseY - along * axisY;
-        double pz = path.z - baseZ - along * axisZ;
-        double outwards = Math.sqrt(px * px + py * py + pz * pz);
+        double outwards = outwards(path, along);
         double reach = radius + slope * along;
         return (outwards - reach) * (outwards + reach);
     }
@@ -71,9 +76,6 @@ final class RoundFace extends Face {
     @Override
     double bend(TurningPath path, double reach) {
         double along = along(path);
-        double px = path.x - baseX - along * axisX;
-        double py = path.y - baseY - along * axisY;
-        double pz = path.z - baseZ - along * axisZ;
         double squaredSpeed = path.vx * path.vx + path.vy * path.vy + path.vz * path.vz;
         double climb = path.vx * axisX + path.vy * axisY + path.vz * axisZ;
         double steepness = 1 + slope * slope;
@@ -84,7 +86,7 @@ final class RoundFace extends Face {
                 Math.abs(squaredSpeed - steepness * climb * climb) + 2 * steepness * speed * drift,
                 steepness * path.speed * path.speed);
         double largest = path.farthest + baseDistance;
-        double distance = Math.min(Math.sqrt(px * px + py * py + pz * pz) + speed * reach, largest);
+        double distance = Math.min(outwards(path, along) + speed * reach, largest);
         double width = Math.min(Math.abs(radius + slope * along) + slope * speed * reach, radius + slope * largest);
         return 2 * (square + path.bend * (distance + slope * width));
     }
