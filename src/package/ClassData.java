@@ -2,6 +2,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -45,10 +46,23 @@ public final class ClassData {
     /** Takes the step that the first argument names. */
     public static void main(String[] arguments) throws IOException, InterruptedException {
         ClassData data = new ClassData(Path.of(arguments[1]), Path.of(arguments[2]));
-        switch (arguments[0]) {
-            case "list" -> data.list(arguments[3]);
-            case "archive" -> data.makeArchive();
-            default -> throw new IllegalArgumentException(arguments[0]);
+        try {
+            switch (arguments[0]) {
+                case "list" -> data.list(arguments[3]);
+                case "archive" -> data.makeArchive();
+                default -> throw new IllegalArgumentException(arguments[0]);
+            }
+        } finally {
+            data.tidy();
+        }
+    }
+
+    /** Leaves nothing behind in the folder for temporary files of whoever installs the program. */
+    private void tidy() throws IOException {
+        try (Stream<Path> all = Files.walk(work)) {
+            for (Path path : all.sorted(Comparator.reverseOrder()).toList()) {
+                Files.delete(path);
+            }
         }
     }
 
