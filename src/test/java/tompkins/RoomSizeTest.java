@@ -33,9 +33,9 @@ class RoomSizeTest {
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
                         27_273),
-                arguments("file, image", 4_549),
+                arguments("file, image", 4_550),
                 arguments("explain, lesson, measure, animation", 6_327),
-                arguments("io, app", 8_013),
+                arguments("io, app", 8_017),
                 arguments("study", 4_549),
                 arguments("ui", 21_352));
     }

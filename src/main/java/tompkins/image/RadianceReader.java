@@ -7,6 +7,7 @@ import java.io.InputStream;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import tompkins.file.FileException;
+import tompkins.property.NumberText;
 
 /**
  * Reads Radiance pictures (G. Ward, "Real pixels", Graphics Gems II, 1991, and the Radiance file formats): rows in any
@@ -133,7 +134,7 @@ final class RadianceReader {
         boolean allowed = words.length == count;
         for (int i = 0; i < count && allowed; i++) {
             try {
-                factors[i] = Double.parseDouble(words[i]);
+                factors[i] = NumberText.parse(words[i]);
             } catch (NumberFormatException e) {
                 factors[i] = Double.NaN;
             }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import tompkins.image.PictureFile;
+import tompkins.property.NumberText;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshMaterial;
 import tompkins.ray.PixelPicture;
@@ -117,7 +118,7 @@ final class ObjMaterials {
 
     private static double number(String word) {
         try {
-            return Double.parseDouble(word);
+            return NumberText.parse(word);
         } catch (NumberFormatException e) {
             return Double.NaN;
         }

@@ -176,6 +176,7 @@ class RadianceReaderTest {
                 "EXPOSURE=0| -Y 1 +X 1| EXPOSURE of a Radiance picture must be a number above 0, was 0",
                 "EXPOSURE=bright| -Y 1 +X 1| EXPOSURE of a Radiance picture must be a number above 0, was bright",
                 "EXPOSURE=NaN| -Y 1 +X 1| EXPOSURE of a Radiance picture must be a number above 0, was NaN",
+                "EXPOSURE=0x1p3| -Y 1 +X 1| EXPOSURE of a Radiance picture must be a number above 0, was 0x1p3",
                 "EXPOSURE=1e-300| -Y 1 +X 1| pixel (0, 0) has a value of Infinity; those of a picture must be finite",
                 "COLORCORR=1 2| -Y 1 +X 1| COLORCORR of a Radiance picture must be 3 numbers above 0, was 1 2",
                 "VIEW=| -Y 1 -Y 1| the size of a Radiance picture must be such as -Y 480 +X 640, was -Y 1 -Y 1",

@@ -175,15 +175,16 @@ class MeshMaterialTest {
                 "f 1/7 2/7 3/7 | model.obj: faces name a \"vt\" that is missing or not finite (3 times)",
                 "mtllib model.mtl | model.mtl: \"illum\" is not read (2 times)",
                 "mtllib model.mtl | model.mtl: \"Ns\" is not read",
-                "mtllib model.mtl | model.mtl: \"Kd\" must be three numbers from 0 to 1",
+                "mtllib model.mtl | model.mtl: \"Kd\" must be three numbers from 0 to 1 (2 times)",
                 "mtllib model.mtl | model.mtl: a picture is not shown: there is no such file in ",
                 "mtllib model.mtl | model.mtl: a picture is not shown: bad.png: not a picture that can be read; ",
                 "mtllib model.mtl | model.mtl: \"map_Kd\" with options such as \"-s\" is not read"
             })
     void whatIsNotShownIsNotedOnce(String line, String note) throws IOException {
         Files.writeString(folder.resolve("bad.png"), "no picture");
-        materials("newmtl a\nillum 2\nNs 10\nKd 2 0 0\nmap_Kd lost.png\nnewmtl b\nillum 1\nmap_Kd bad.png\n"
-                + "newmtl c\nmap_Kd -s 2 2 2 tiles.png\n");
+        materials(
+                "newmtl a\nillum 2\nNs 10\nKd 2 0 0\nmap_Kd lost.png\nnewmtl b\nKd 0x1p-1 0 0\nillum 1\nmap_Kd bad.png\n"
+                        + "newmtl c\nmap_Kd -s 2 2 2 tiles.png\n");
         List<String> notes = StudioWriter.notes(studio(SQUARE + line + "\nf 1 2 3 4\n"));
         assertThat(notes).filteredOn(each -> each.startsWith(note)).hasSize(1);
     }

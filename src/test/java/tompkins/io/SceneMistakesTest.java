@@ -144,6 +144,9 @@ class SceneMistakesTest {
             {"velocity": {"gamma": 2, "direction": [0, 0, 0]}} | f:1:40: velocity.direction: must be a direction, not the zero \
             vector, was [0, 0, 0]
             {"version": 2, "xyz": 1}      | f:1:13: version: must be 1, the only one that there is, was 2
+            {"version": 1.5}              | f:1:13: version: must be 1, the only one that there is, was 1.5
+            {"version": NaN}              | f:1:13: version: must be 1, the only one that there is, was NaN
+            {"version": "1"}              | f:1:13: version: must be 1, the only one that there is, was "1"
             {"title": "a", "title": "b"}  | f:1:16: title: the key occurs twice; the first time is in line 1
             []                            | f:1:1: a scene file (JSON, an object in braces { ... }) or a photograph \
             saved by this program is needed, found a list of 0 values
@@ -342,7 +345,7 @@ class SceneMistakesTest {
     void commentsTrailingCommasAndShortFormsAreAccepted() {
         Studio studio = read("""
                 { // the settings
-                  "version": 1,
+                  "version": 1.0,
                   "settings": {"samples": 1e1, "height": 360.0, "toneCurve": "SRGB",}, /* the
                   speed */
                   "velocity": {"beta": 0.5},
