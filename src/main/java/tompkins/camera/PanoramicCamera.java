@@ -80,10 +80,7 @@ public record PanoramicCamera(
         Require.positive("verticalAngleDegrees", verticalAngleDegrees, 180);
         Require.distance("focusDistance", focusDistance);
         Require.within("exposureStops", exposureStops, -100.0, 100.0);
-        Require.present("shutter", shutter);
         Require.duration("exposureTime", exposureTime);
-        Require.present("rollingShutter", rollingShutter);
-        Require.present("stereo", stereo);
         if (!accepts(shutter.getClass(), stereo)) {
             throw new InvalidPropertyException(
                     "shutter",

@@ -34,7 +34,6 @@ public record Stereo(
 
     /** Checks the values. */
     public Stereo {
-        Require.present("layout", layout);
         Require.duration("eyeDistance", eyeDistance);
         Require.distance("zeroParallaxDistance", zeroParallaxDistance);
         if (zeroParallaxDistance <= eyeDistance / 2) {

@@ -82,9 +82,7 @@ public record ThinLensCamera(
         Require.between("horizontalAngleDegrees", horizontalAngleDegrees, 0, 180);
         Require.notNegativeBelow("verticalAngleDegrees", verticalAngleDegrees, 180);
         Require.notNegative("apertureRadius", apertureRadius);
-        Require.present("focus", focus);
         SceneObject.requireAtRest("focus", focus);
-        Require.present("stereo", stereo);
         for (Vector3dc lens : stereo.lenses(
                 position, CameraAxes.of(viewDirection, topDirection).right())) {
             if (focus instanceof Plane plane
@@ -104,9 +102,7 @@ public record ThinLensCamera(
         // refuses sizes that cannot be worked with
         new FocusSurface(focus);
         Require.within("exposureStops", exposureStops, -100.0, 100.0);
-        Require.present("shutter", shutter);
         Require.duration("exposureTime", exposureTime);
-        Require.present("rollingShutter", rollingShutter);
     }
 
     @Override

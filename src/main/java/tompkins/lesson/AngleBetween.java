@@ -1,7 +1,6 @@
 package tompkins.lesson;
 
 import tompkins.property.Meaning;
-import tompkins.property.Require;
 
 /** The angle between the directions in which a camera sees two points of its picture. */
 @Meaning("The angle between two points of the picture, as the camera sees it, in degrees")
@@ -11,10 +10,4 @@ public record AngleBetween(
 
     /** From the left edge of the picture to the right one. */
     public static final AngleBetween DEFAULT = new AngleBetween(new PicturePoint(0, 0.5), new PicturePoint(1, 0.5));
-
-    /** Checks that nothing is missing. */
-    public AngleBetween {
-        Require.present("first", first);
-        Require.present("second", second);
-    }
 }

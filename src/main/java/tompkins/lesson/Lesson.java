@@ -59,7 +59,6 @@ public record Lesson(
             throw new InvalidPropertyException(
                     "right", "the number of a prediction, from 1 to " + predictions.size(), right);
         }
-        Require.present("control", control);
         LessonText.required("reveal", reveal, LONGEST_REVEAL);
         numbers = Require.list("numbers", numbers);
         if (numbers.size() > MOST_NUMBERS) {

@@ -31,7 +31,6 @@ public record LessonNumber(
     /** Checks all values. */
     public LessonNumber {
         LessonText.required("name", name, LONGEST_NAME);
-        Require.present("measurement", measurement);
         LessonText.required("formula", formula, LONGEST_FORMULA);
         Require.finite("value", value);
         Require.positive("tolerance", tolerance);

@@ -1,7 +1,6 @@
 package tompkins.lesson;
 
 import tompkins.property.InvalidPropertyException;
-import tompkins.property.Require;
 
 /** Checks of the texts of lessons: each must say something and fit into the window. */
 final class LessonText {
@@ -10,7 +9,6 @@ final class LessonText {
 
     /** A text that is not blank and not longer than a number of letters. */
     static String required(String property, String text, int longest) {
-        Require.present(property, text);
         if (text.isBlank()) {
             throw new InvalidPropertyException(property, "a text", "empty");
         }
@@ -19,7 +17,6 @@ final class LessonText {
 
     /** A text that may be empty and is not longer than a number of letters. */
     static String optional(String property, String text, int longest) {
-        Require.present(property, text);
         int letters = text.codePointCount(0, text.length());
         if (letters > longest) {
             throw new InvalidPropertyException(

@@ -20,6 +20,5 @@ public record OnRide(
     /** Checks all values. Whether the ride takes so long cannot be checked here. */
     public OnRide {
         Require.duration("properTime", properTime);
-        Require.present("measurement", measurement);
     }
 }

@@ -1,7 +1,6 @@
 package tompkins.lesson;
 
 import tompkins.property.Meaning;
-import tompkins.property.Require;
 
 /** A reading of one ray. */
 @Meaning("A reading of the ray at a point of the picture")
@@ -16,10 +15,4 @@ public record RayReading(
 
     /** The Doppler factor in the middle of the picture. */
     public static final RayReading DEFAULT = new RayReading(PicturePoint.DEFAULT, RayValue.FREQUENCY_RATIO);
-
-    /** Checks that nothing is missing. */
-    public RayReading {
-        Require.present("point", point);
-        Require.present("value", value);
-    }
 }

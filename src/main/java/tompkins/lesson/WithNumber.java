@@ -25,6 +25,5 @@ public record WithNumber(
     public WithNumber {
         LessonText.required("number", number, LONGEST_PATH);
         Require.finite("value", value);
-        Require.present("measurement", measurement);
     }
 }

@@ -1,7 +1,6 @@
 package tompkins.lesson;
 
 import tompkins.property.Meaning;
-import tompkins.property.Require;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.Shutter;
 
@@ -14,10 +13,4 @@ public record WithShutter(
 
     /** With a shutter at the lens. */
     public static final WithShutter DEFAULT = new WithShutter(AperturePlaneShutter.DEFAULT, RayReading.DEFAULT);
-
-    /** Checks that nothing is missing. */
-    public WithShutter {
-        Require.present("shutter", shutter);
-        Require.present("measurement", measurement);
-    }
 }

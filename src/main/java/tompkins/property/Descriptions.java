@@ -126,11 +126,14 @@ public final class Descriptions {
     }
 
     /**
-     * A record from the values of its components.
+     * A record from the values of its components, none of which is null.
      *
      * @throws InvalidPropertyException if the record does not accept them
      */
     public static <R> R make(Class<R> type, Object... values) {
+        for (int i = 0; i < values.length; i++) {
+            Require.present(components(type).get(i).getName(), values[i]);
+        }
         try {
             return type.cast(CONSTRUCTOR.get(type).newInstance(values));
         } catch (InvocationTargetException refused) {

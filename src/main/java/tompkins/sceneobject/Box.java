@@ -30,14 +30,12 @@ public record Box(
 
     /** Checks all values; each coordinate of {@code to} must be above that of {@code from}. */
     public Box {
-        Require.present("description", description);
         from = Require.finite("from", from);
         to = Require.finite("to", to);
         if (!(to.x() > from.x() && to.y() > from.y() && to.z() > from.z())) {
             throw new InvalidPropertyException(
                     "to", "above " + Require.text(from) + " in every coordinate", Require.text(to));
         }
-        Require.present("surface", surface);
     }
 
     @Override

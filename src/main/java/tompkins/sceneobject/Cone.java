@@ -37,12 +37,10 @@ public record Cone(
 
     /** Checks all values; tip and base must differ. */
     public Cone {
-        Require.present("description", description);
         tip = Require.finite("tip", tip);
         baseCentre = Require.finite("baseCentre", baseCentre);
         Cylinder.requireDifferent("baseCentre", baseCentre, tip);
         Require.positive("baseRadius", baseRadius);
-        Require.present("surface", surface);
     }
 
     @Override

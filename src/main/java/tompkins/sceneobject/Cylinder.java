@@ -36,12 +36,10 @@ public record Cylinder(
 
     /** Checks all values; the ends must differ. */
     public Cylinder {
-        Require.present("description", description);
         start = Require.finite("start", start);
         end = Require.finite("end", end);
         requireDifferent("end", end, start);
         Require.positive("radius", radius);
-        Require.present("surface", surface);
     }
 
     static void requireDifferent(String property, Vector3dc point, Vector3dc other) {

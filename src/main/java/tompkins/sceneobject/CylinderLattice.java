@@ -51,14 +51,12 @@ public record CylinderLattice(
 
     /** Checks all values. */
     public CylinderLattice {
-        Require.present("description", description);
         from = Require.finite("from", from);
         to = Require.finite("to", to);
         if (!(to.x() > from.x() && to.y() > from.y() && to.z() > from.z())) {
             throw new InvalidPropertyException(
                     "to", "above " + Require.text(from) + " in every coordinate", Require.text(to));
         }
-        Require.present("points", points);
         points = new Vector3i(points);
         if (points.x() < 2 || points.y() < 2 || points.z() < 2 || rods(points) > MOST_RODS) {
             throw new InvalidPropertyException(
@@ -67,9 +65,6 @@ public record CylinderLattice(
                     "[" + points.x() + ", " + points.y() + ", " + points.z() + "]");
         }
         Require.positive("radius", radius);
-        Require.present("surfaceAlongX", surfaceAlongX);
-        Require.present("surfaceAlongY", surfaceAlongY);
-        Require.present("surfaceAlongZ", surfaceAlongZ);
     }
 
     private static Surface shiny(double red, double green, double blue) {

@@ -34,11 +34,9 @@ public record Disc(
 
     /** Checks all values. */
     public Disc {
-        Require.present("description", description);
         centre = Require.finite("centre", centre);
         normal = Require.direction("normal", normal);
         Require.positive("radius", radius);
-        Require.present("surface", surface);
     }
 
     @Override

@@ -34,13 +34,11 @@ public record Ellipsoid(
 
     /** Checks all values; each semi-axis must be above 0. */
     public Ellipsoid {
-        Require.present("description", description);
         centre = Require.finite("centre", centre);
         semiAxes = Require.finite("semiAxes", semiAxes);
         if (!(semiAxes.x() > 0 && semiAxes.y() > 0 && semiAxes.z() > 0)) {
             throw new InvalidPropertyException("semiAxes", "three numbers above 0", Require.text(semiAxes));
         }
-        Require.present("surface", surface);
     }
 
     @Override

@@ -17,7 +17,6 @@ public record Group(
 
     /** Checks that no object is missing. */
     public Group {
-        Require.present("description", description);
         objects = Require.list("objects", objects);
     }
 

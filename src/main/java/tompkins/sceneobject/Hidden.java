@@ -3,7 +3,6 @@ package tompkins.sceneobject;
 import org.joml.Vector3dc;
 import tompkins.primitive.Placement;
 import tompkins.property.Meaning;
-import tompkins.property.Require;
 
 /** An object that is kept in the scene file but left out of the picture. */
 @Meaning("An object that is kept in the scene file but left out of the picture")
@@ -11,11 +10,6 @@ public record Hidden(@Meaning("The object") SceneObject object) implements Scene
 
     /** A hidden sphere. */
     public static final Hidden DEFAULT = new Hidden(Sphere.DEFAULT);
-
-    /** Checks that there is an object. */
-    public Hidden {
-        Require.present("object", object);
-    }
 
     @Override
     public String description() {

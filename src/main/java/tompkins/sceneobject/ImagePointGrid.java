@@ -50,12 +50,9 @@ public record ImagePointGrid(
 
     /** Checks all values. */
     public ImagePointGrid {
-        Require.present("description", description);
-        Require.present("object", object);
         corner = Require.finite("corner", corner);
         spanU = Require.finite("spanU", spanU);
         spanV = Require.finite("spanV", spanV);
-        Require.present("points", points);
         points = new Vector2i(points);
         if (points.x() < 1 || points.y() < 1 || (long) points.x() * points.y() > 1_000_000) {
             throw new InvalidPropertyException(

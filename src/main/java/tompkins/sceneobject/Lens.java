@@ -54,7 +54,6 @@ public record Lens(
 
     /** Checks all values; the faces may not touch inside the rim. */
     public Lens {
-        Require.present("description", description);
         centre = Require.finite("centre", centre);
         axis = Require.direction("axis", axis);
         Require.positive("radius", radius);
@@ -68,7 +67,6 @@ public record Lens(
                     "above " + NumberText.of(0 - rises) + ", so that the faces do not touch",
                     NumberText.of(edgeThickness));
         }
-        Require.present("surface", surface);
     }
 
     @Override

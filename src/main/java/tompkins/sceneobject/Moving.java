@@ -45,7 +45,6 @@ public record Moving(
 
     /** Checks all values. */
     public Moving {
-        Require.present("description", description);
         Velocity.required("velocity", velocity);
         place = Require.finite("place", place);
         Require.finite("clockOffset", clockOffset);

@@ -39,7 +39,6 @@ public record Parallelogram(
 
     /** Checks all values; the spans must not be parallel. */
     public Parallelogram {
-        Require.present("description", description);
         corner = Require.finite("corner", corner);
         spanU = Require.direction("spanU", spanU);
         spanV = Require.direction("spanV", spanV);
@@ -47,7 +46,6 @@ public record Parallelogram(
             throw new InvalidPropertyException(
                     "spanV", "not parallel to spanU " + Require.text(spanU), Require.text(spanV));
         }
-        Require.present("surface", surface);
     }
 
     /** Whether two vectors span no usable area: one is 0 or infinite, or their angle is below 1e-9 radians. */

@@ -36,8 +36,6 @@ public record Placed(
 
     /** Checks all values. */
     public Placed {
-        Require.present("description", description);
-        Require.present("object", object);
         Require.positive("scale", scale);
         rotationAxis = Require.direction("rotationAxis", rotationAxis);
         Require.finite("rotationDegrees", rotationDegrees);

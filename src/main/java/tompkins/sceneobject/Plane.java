@@ -31,10 +31,8 @@ public record Plane(
 
     /** Checks all values. */
     public Plane {
-        Require.present("description", description);
         point = Require.finite("point", point);
         normal = Require.direction("normal", normal);
-        Require.present("surface", surface);
     }
 
     @Override

@@ -57,7 +57,6 @@ public record Rotating(
 
     /** Checks all values, and that every point is slower than light. */
     public Rotating {
-        Require.present("description", description);
         centre = Require.position("centre", centre);
         axis = Require.direction("axis", axis);
         Require.finite("angularSpeed", angularSpeed);

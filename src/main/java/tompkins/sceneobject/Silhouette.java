@@ -4,7 +4,6 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.primitive.Placement;
 import tompkins.property.Meaning;
-import tompkins.property.Require;
 import tompkins.ray.Colour;
 import tompkins.ray.PixelPicture;
 import tompkins.surface.Clear;
@@ -43,8 +42,6 @@ public record Silhouette(
 
     /** Checks all values, as {@link Parallelogram} does. */
     public Silhouette {
-        Require.present("picture", picture);
-        Require.present("surface", surface);
         Parallelogram area = new Parallelogram(description, corner, spanU, spanV, surface);
         corner = area.corner();
         spanU = area.spanU();

@@ -27,10 +27,8 @@ public record Sphere(
 
     /** Checks all values. */
     public Sphere {
-        Require.present("description", description);
         centre = Require.finite("centre", centre);
         Require.positive("radius", radius);
-        Require.present("surface", surface);
     }
 
     @Override

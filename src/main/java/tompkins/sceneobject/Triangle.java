@@ -37,7 +37,6 @@ public record Triangle(
 
     /** Checks all values; the corners must not lie on one line. */
     public Triangle {
-        Require.present("description", description);
         first = Require.finite("first", first);
         second = Require.finite("second", second);
         third = Require.finite("third", third);
@@ -47,7 +46,6 @@ public record Triangle(
                     "off the line through " + Require.text(first) + " and " + Require.text(second),
                     Require.text(third));
         }
-        Require.present("surface", surface);
     }
 
     @Override

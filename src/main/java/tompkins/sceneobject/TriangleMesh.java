@@ -9,7 +9,6 @@ import tompkins.primitive.Placement;
 import tompkins.primitive.ShadedTriangle;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
-import tompkins.property.Require;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
 import tompkins.ray.MeshDetail;
@@ -41,11 +40,8 @@ public record TriangleMesh(
     public static final TriangleMesh DEFAULT =
             new TriangleMesh("mesh", MeshData.OCTAHEDRON, ColouredSurface.DEFAULT, true);
 
-    /** Checks that nothing is missing, and that there is something to be seen. */
+    /** Checks that there is something to be seen. */
     public TriangleMesh {
-        Require.present("description", description);
-        Require.present("mesh", mesh);
-        Require.present("surface", surface);
         if (IntStream.range(0, mesh.triangles()).noneMatch(triangle -> hasArea(mesh, triangle))) {
             throw new InvalidPropertyException(
                     "mesh", "triangles, at least one of them with an area", '"' + mesh.name() + '"');

@@ -23,7 +23,6 @@ public record RollingShutter(
 
     /** Checks both values. */
     public RollingShutter {
-        Require.present("direction", direction);
         Require.duration("sweep", sweep);
     }
 

@@ -136,12 +136,11 @@ public final class Velocity {
     }
 
     /**
-     * The velocity of a description, if it is given and not so fast that pictures show nothing but rounding errors.
+     * The velocity of a description, if it is not so fast that pictures show nothing but rounding errors.
      *
-     * @throws InvalidPropertyException if it is missing, or beyond {@link #LARGEST_GAMMA}
+     * @throws InvalidPropertyException if it is beyond {@link #LARGEST_GAMMA}
      */
     public static Velocity required(String property, Velocity velocity) {
-        Require.present(property, velocity);
         if (velocity.gamma > LARGEST_GAMMA) {
             throw new InvalidPropertyException(
                     property,

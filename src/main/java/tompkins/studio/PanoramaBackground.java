@@ -1,7 +1,6 @@
 package tompkins.studio;
 
 import tompkins.property.Meaning;
-import tompkins.property.Require;
 import tompkins.ray.Colour;
 import tompkins.ray.PixelPicture;
 
@@ -18,11 +17,6 @@ public record PanoramaBackground(
 
     /** White. */
     public static final PanoramaBackground DEFAULT = new PanoramaBackground(PixelPicture.WHITE, true);
-
-    /** Checks that there is a picture. */
-    public PanoramaBackground {
-        Require.present("picture", picture);
-    }
 
     @Override
     public Colour colour(double dx, double dy, double dz, double angle) {

@@ -62,7 +62,6 @@ public record RenderSettings(
         Require.within("samples", samples, 1, MOST_SAMPLES);
         Require.zeroOrWithin("targetError", targetError, SMALLEST_ERROR, 1);
         Require.within("maximumDepth", maximumDepth, 0, 1_000_000);
-        Require.present("toneCurve", toneCurve);
     }
 
     /** Number of pixels of the picture. */

@@ -38,8 +38,6 @@ public record Ride(
 
     /** Checks all values. */
     public Ride {
-        Require.present("name", name);
-        Require.present("task", task);
         position = Require.position("position", position);
         Velocity.required("velocity", velocity);
         Require.positive("lightSpeed", lightSpeed);

@@ -25,8 +25,6 @@ public record Blinking(
     /** Checks all values. */
     public Blinking {
         Require.positive("period", period);
-        Require.present("first", first);
-        Require.present("second", second);
     }
 
     @Override

@@ -44,8 +44,6 @@ public record Clock(
     /** Checks all values. */
     public Clock {
         Require.positive("period", period);
-        Require.present("face", face);
-        Require.present("hand", hand);
     }
 
     @Override

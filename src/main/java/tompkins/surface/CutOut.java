@@ -1,7 +1,6 @@
 package tompkins.surface;
 
 import tompkins.property.Meaning;
-import tompkins.property.Require;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.PixelPicture;
@@ -22,13 +21,6 @@ public record CutOut(
     /** Nothing is cut out. */
     public static final CutOut DEFAULT =
             new CutOut(PixelPicture.WHITE, new ColouredSurface(Colour.BLACK, Colour.BLACK), Clear.DEFAULT);
-
-    /** Checks that nothing is missing. */
-    public CutOut {
-        Require.present("picture", picture);
-        Require.present("dark", dark);
-        Require.present("bright", bright);
-    }
 
     @Override
     public Surface first() {

@@ -2,7 +2,6 @@ package tompkins.surface;
 
 import org.joml.Vector3dc;
 import tompkins.property.Meaning;
-import tompkins.property.Require;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -31,7 +30,6 @@ public record GalileoWindow(
     /** Checks all values. */
     public GalileoWindow {
         Velocity.required("velocity", velocity);
-        Require.present("axes", axes);
         Transmission.required("transmission", transmission);
     }
 

@@ -2,7 +2,6 @@ package tompkins.surface;
 
 import org.joml.Vector3d;
 import tompkins.property.Meaning;
-import tompkins.property.Require;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -35,7 +34,6 @@ public record LorentzWindow(
     /** Checks all values. */
     public LorentzWindow {
         Velocity.required("velocity", velocity);
-        Require.present("axes", axes);
         Transmission.required("transmission", transmission);
     }
 

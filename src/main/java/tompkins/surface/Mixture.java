@@ -19,10 +19,8 @@ public record Mixture(
     public static final Mixture DEFAULT =
             new Mixture(new ColouredSurface(Colour.WHITE, Colour.BLACK), Clear.DEFAULT, 0.5);
 
-    /** Checks both surfaces and the share. */
+    /** Checks the share. */
     public Mixture {
-        Require.present("first", first);
-        Require.present("second", second);
         Require.within("share", share, 0.0, 1.0);
     }
 

@@ -2,7 +2,6 @@ package tompkins.surface;
 
 import tompkins.light.Illumination;
 import tompkins.property.Meaning;
-import tompkins.property.Require;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.PixelPicture;
@@ -40,11 +39,6 @@ public record PictureSurface(
     /** A picture that reads right from outside. */
     public PictureSurface(PixelPicture picture, boolean luminous, boolean filtered) {
         this(picture, luminous, filtered, false);
-    }
-
-    /** Checks that there is a picture. */
-    public PictureSurface {
-        Require.present("picture", picture);
     }
 
     @Override

@@ -40,10 +40,8 @@ public record Tiling(
             1,
             true);
 
-    /** Checks both surfaces and the size. */
+    /** Checks the size. */
     public Tiling {
-        Require.present("first", first);
-        Require.present("second", second);
         Require.positive("width", width);
         Require.positive("height", height);
     }

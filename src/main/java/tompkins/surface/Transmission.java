@@ -9,7 +9,6 @@ final class Transmission {
     private Transmission() {}
 
     static Colour required(String property, Colour share) {
-        Require.present(property, share);
         required(property + " (red)", share.red());
         required(property + " (green)", share.green());
         required(property + " (blue)", share.blue());

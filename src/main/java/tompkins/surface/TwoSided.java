@@ -2,7 +2,6 @@ package tompkins.surface;
 
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
-import tompkins.property.Require;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -29,7 +28,6 @@ public record TwoSided(
     }
 
     private static void requireNoGlass(String property, Surface surface) {
-        Require.present(property, surface);
         if (surface.parts().anyMatch(Refractive.class::isInstance)) {
             throw new InvalidPropertyException(
                     property, "without Refractive in it, because a medium has two sides", "one with Refractive");
