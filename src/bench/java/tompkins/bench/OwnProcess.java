@@ -49,7 +49,7 @@ final class OwnProcess {
             long start = System.nanoTime();
             while (nanoseconds.size() < FEWEST_PICTURES || System.nanoTime() - start < SHORTEST_NANOSECONDS) {
                 RenderReport report = renderer.render(plan).report();
-                nanoseconds.add(report.time().toNanos() / (double) (report.rays() + report.shadowRays()));
+                nanoseconds.add(report.time().toNanos() / (double) (report.counts().rays + report.counts().shadowRays));
             }
         }
         return nanoseconds.stream()

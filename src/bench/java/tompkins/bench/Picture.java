@@ -47,7 +47,7 @@ final class Picture implements AutoCloseable {
         RenderJob job = renderer.render(plan);
         milliseconds.add((System.nanoTime() - start) / 1e6);
         report = job.report();
-        bytesPerSample = (double) (allocated() - bytes) / report.samples();
+        bytesPerSample = (double) (allocated() - bytes) / report.counts().samples;
     }
 
     /** Bytes that the rendering threads of this process allocated so far. */

@@ -46,18 +46,18 @@ final class Scenes {
 
     private static String row(String name, double alone, Picture both) {
         RenderReport report = both.report();
-        double rays = report.rays() + report.shadowRays();
+        double rays = report.counts().rays + report.counts().shadowRays;
         return String.format(
                 Locale.ROOT,
                 "| %s | %.1f | %.2f | %.2f | %.2f | %.2f | %.0f | %.2f | %.2f |%n",
                 name,
                 both.median(),
-                report.rays() / alone / 1000,
-                report.rays() / both.median() / 1000,
-                report.shadowRays() / alone / 1000,
-                report.shadowRays() / both.median() / 1000,
-                both.bytesPerSample() * report.samples() / rays,
-                report.nodes() / rays,
-                report.tests() / rays);
+                report.counts().rays / alone / 1000,
+                report.counts().rays / both.median() / 1000,
+                report.counts().shadowRays / alone / 1000,
+                report.counts().shadowRays / both.median() / 1000,
+                both.bytesPerSample() * report.counts().samples / rays,
+                report.counts().nodes / rays,
+                report.counts().tests / rays);
     }
 }

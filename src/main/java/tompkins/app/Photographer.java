@@ -292,7 +292,7 @@ final class Photographer implements AutoCloseable {
                         isPiped ? target : target.toRealPath(LinkOption.NOFOLLOW_LINKS),
                         view == View.MEASURED ? "measured, not a photograph; " : "",
                         seconds,
-                        (report.rays() + report.shadowRays()) / seconds / 1e6,
+                        (report.counts().rays + report.counts().shadowRays) / seconds / 1e6,
                         samples.equals("1") ? "1 sample" : samples + " samples",
                         Double.isNaN(report.error())
                                 ? ""

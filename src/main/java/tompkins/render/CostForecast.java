@@ -85,7 +85,7 @@ public record CostForecast(double samplesPerPixel, double seconds) {
         RenderReport report = job.report();
         costs.add(
                 blocks.stream().mapToInt(Tile::pixels).sum(),
-                report.samples(),
+                report.counts().samples,
                 job.progress(),
                 report.time().toNanos() / 1e9,
                 job.planningSeconds());

@@ -291,17 +291,20 @@ public final class RenderJob {
         int sampledPixels = film.sampledPixels();
         double error = PixelVariance.estimatedError(film, sampledPixels, plan, this::isCancelled);
         Clipping clipping = clipping();
+        RayCounts now = new RayCounts();
         synchronized (counts) {
-            return RenderReport.of(
-                    counts,
-                    complete && counts.sceneHits == 0 && plan.world().hasObjects(),
-                    plan.studio().settings().pixels(),
-                    sampledPixels,
-                    clipping,
-                    error,
-                    complete ? schedule.wantedError() : 0,
-                    Duration.ofNanos(until - startTime));
+            now.add(counts);
         }
+        return new RenderReport(
+                now,
+                complete && now.sceneHits == 0 && plan.world().hasObjects(),
+                plan.studio().settings().pixels(),
+                sampledPixels,
+                clipping.black(),
+                clipping.white(),
+                error,
+                complete ? schedule.wantedError() : 0,
+                Duration.ofNanos(until - startTime));
     }
 
     /**

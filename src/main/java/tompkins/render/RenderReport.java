@@ -10,18 +10,8 @@ import tompkins.ray.RayCounts;
 /**
  * What a render did and what went wrong in it.
  *
- * @param samples samples that were taken
- * @param rays rays that were followed, shadow rays not included
- * @param shadowRays tests whether a light is visible
- * @param withoutFocus samples whose chief ray misses the surface in focus; focused at infinity
- * @param withoutShutter samples that never cross the shutter; black
- * @param notFinite samples whose colour was not a number that a picture can hold; black
- * @param tooDeep rays that were given up because of the recursion depth
- * @param tooFaint rays that were given up because they could bring too little light
- * @param lostLight the most that those could have brought, summed over all samples, each of which brings 1
+ * @param counts what happened to its rays
  * @param missesScene whether the picture is complete, the scene has objects, and no ray met any of them
- * @param nodes nodes of bounding-volume trees that were visited
- * @param tests primitives that were tested
  * @param pixels pixels of the picture
  * @param sampledPixels those that have samples; time may be over before all of them have
  * @param blackPixels those that are too faint for a screen, where the motion changes brightness; otherwise 0, and while
@@ -33,18 +23,8 @@ import tompkins.ray.RayCounts;
  * @param time how long it took
  */
 public record RenderReport(
-        long samples,
-        long rays,
-        long shadowRays,
-        long withoutFocus,
-        long withoutShutter,
-        long notFinite,
-        long tooDeep,
-        long tooFaint,
-        double lostLight,
+        RayCounts counts,
         boolean missesScene,
-        long nodes,
-        long tests,
         long pixels,
         long sampledPixels,
         long blackPixels,
@@ -62,40 +42,9 @@ public record RenderReport(
     /** More than this share of the light can be seen to be missing. */
     private static final double MOST_LOST = 0.01;
 
-    static RenderReport of(
-            RayCounts counts,
-            boolean missesScene,
-            long pixels,
-            long sampledPixels,
-            Clipping clipping,
-            double error,
-            double wantedError,
-            Duration time) {
-        return new RenderReport(
-                counts.samples,
-                counts.rays,
-                counts.shadowRays,
-                counts.withoutFocus,
-                counts.withoutShutter,
-                counts.notFinite,
-                counts.tooDeep,
-                counts.tooFaint,
-                counts.lostLight(),
-                missesScene,
-                counts.nodes,
-                counts.tests,
-                pixels,
-                sampledPixels,
-                clipping.black(),
-                clipping.white(),
-                error,
-                wantedError,
-                time);
-    }
-
     /** Mean number of samples of a pixel. */
     public double samplesPerPixel() {
-        return (double) samples / pixels;
+        return (double) counts.samples / pixels;
     }
 
     /** Whether the motion makes so much of the picture brighter than white that the exposure must be wrong. */
@@ -136,28 +85,28 @@ public record RenderReport(
             warnings.add("the estimated error did not come down to " + NumberText.of(wantedError)
                     + ": no pixel gets more than " + AdaptiveSchedule.MOST_SAMPLES + " samples");
         }
-        warn(warnings, withoutFocus, "missed the surface in focus and were focused at infinity");
-        warn(warnings, withoutShutter, "never crossed the shutter and stayed black");
-        warn(warnings, notFinite, "had no colour that a picture can hold and stayed black");
-        if (tooDeep > 0) {
+        warn(warnings, counts.withoutFocus, "missed the surface in focus and were focused at infinity");
+        warn(warnings, counts.withoutShutter, "never crossed the shutter and stayed black");
+        warn(warnings, counts.notFinite, "had no colour that a picture can hold and stayed black");
+        if (counts.tooDeep > 0) {
             warnings.add(String.format(
                     Locale.ROOT,
                     "%d rays met more surfaces than maximumDepth allows; their light is missing",
-                    tooDeep));
+                    counts.tooDeep));
         }
-        if (lostLight > MOST_LOST * samples) {
+        if (counts.lostLight() > MOST_LOST * counts.samples) {
             warnings.add(String.format(
                     Locale.ROOT,
                     "%d rays were too faint to be followed; together they could have brought %.2g %% of the light",
-                    tooFaint,
-                    100 * lostLight / samples));
+                    counts.tooFaint,
+                    100 * counts.lostLight() / counts.samples));
         }
         return warnings;
     }
 
     private void warn(List<String> warnings, long count, String what) {
         if (count > 0) {
-            warnings.add(String.format(Locale.ROOT, "%d of %d samples %s", count, samples, what));
+            warnings.add(String.format(Locale.ROOT, "%d of %d samples %s", count, counts.samples, what));
         }
     }
 }

@@ -119,7 +119,7 @@ final class DepthStudy implements Study {
                 errors[pixel] = error.of(direction, image.value(column, row, 0));
             }
             RenderReport report = job.report();
-            runs.add(Figures.of(report.rays(), report.time().toNanos() / 1e9, ErrorNorm.of(errors), 0));
+            runs.add(Figures.of(report.counts().rays, report.time().toNanos() / 1e9, ErrorNorm.of(errors), 0));
         }
         return Figures.of(runs);
     }

@@ -117,7 +117,7 @@ final class ScenePixels {
             RenderJob job = Photographs.taken(RenderPlan.of(studio), quality, cancelled);
             RenderReport report = job.report();
             ErrorNorm norm = measure.apply(light(blocks.stream(), block -> light(block, job.image())), right);
-            runs.add(Figures.of(report.samples(), report.time().toNanos() / 1e9, norm, floor));
+            runs.add(Figures.of(report.counts().samples, report.time().toNanos() / 1e9, norm, floor));
         }
         return Figures.of(runs);
     }

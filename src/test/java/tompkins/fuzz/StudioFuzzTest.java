@@ -40,7 +40,7 @@ class StudioFuzzTest {
                         fail("studio %d has a pixel of %f", seed, value);
                     }
                 }
-                assertThat(job.report().notFinite())
+                assertThat(job.report().counts().notFinite)
                         .as("not finite in studio %d", seed)
                         .isZero();
             }

@@ -77,7 +77,7 @@ class EnergyTest {
             dark += rgb[i] < expected * (1 - 1e-6) ? 1 : 0;
         }
         assertThat(dark).as("dark values of %s", solid).isZero();
-        assertThat(report.tooFaint() + report.tooDeep()).isZero();
+        assertThat(report.counts().tooFaint + report.counts().tooDeep).isZero();
     }
 
     static Stream<Class<?>> surfaces() {

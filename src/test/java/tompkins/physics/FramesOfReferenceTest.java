@@ -114,7 +114,7 @@ class FramesOfReferenceTest {
         for (float value : fast.image().rgb()) {
             assertThat(value).isBetween(0f, 2f);
         }
-        assertThat(fast.job().report().notFinite()).isZero();
+        assertThat(fast.job().report().counts().notFinite).isZero();
     }
 
     private static double largestDifference(LinearImage one, LinearImage other, double factor) {

@@ -49,7 +49,7 @@ class LightShiftTest {
 
     private static LinearImage picture(Studio studio) {
         Photograph photograph = new Photograph(studio);
-        assertThat(photograph.job().report().notFinite()).isZero();
+        assertThat(photograph.job().report().counts().notFinite).isZero();
         return photograph.image();
     }
 

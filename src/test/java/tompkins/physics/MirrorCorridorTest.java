@@ -49,7 +49,7 @@ class MirrorCorridorTest {
     void lightFallsByThePowerOfTheReflectance(double reflectance, int bounces) {
         Photograph photograph = corridor(new Mirror(reflectance), bounces, 1000);
         assertThat(light(photograph)).isCloseTo(Math.pow(reflectance, bounces), within(1e-6));
-        assertThat(photograph.job().report().tooFaint()).isZero();
+        assertThat(photograph.job().report().counts().tooFaint).isZero();
         assertThat(photograph.job().report().warnings()).isEmpty();
     }
 
@@ -59,7 +59,7 @@ class MirrorCorridorTest {
         Photograph photograph = corridor(new Mirror(reflectance), bounces, 1000);
         assertThat(light(photograph)).isZero();
         assertThat(Math.pow(reflectance, bounces)).as("what is missing").isLessThan(1.0 / 1024);
-        assertThat(photograph.job().report().tooFaint()).isEqualTo(1);
+        assertThat(photograph.job().report().counts().tooFaint).isEqualTo(1);
     }
 
     /** Tiles of which each pixel sees many, of tiles, of tiles, ...: with each level there are twice as many rays. */
@@ -80,7 +80,7 @@ class MirrorCorridorTest {
 
         Photograph ten = corridor(mirrorInTilings(10), 1, 1000);
         assertThat(light(ten)).isZero();
-        assertThat(ten.job().report().lostLight()).isCloseTo(0.9, within(1e-6));
+        assertThat(ten.job().report().counts().lostLight()).isCloseTo(0.9, within(1e-6));
         assertThat(ten.job().report().warnings())
                 .containsExactly("1024 rays were too faint to be followed; together they could have brought 90 % of the"
                         + " light");
@@ -91,7 +91,7 @@ class MirrorCorridorTest {
         Photograph photograph = corridor(new Mirror(1), 1200, 1000);
         RenderReport report = photograph.job().report();
         assertThat(light(photograph)).isZero();
-        assertThat(report.tooDeep()).isEqualTo(1);
+        assertThat(report.counts().tooDeep).isEqualTo(1);
         assertThat(report.warnings()).singleElement().asString().contains("maximumDepth");
     }
 
@@ -100,7 +100,7 @@ class MirrorCorridorTest {
     void halfAMillionBouncesNeedNoStack() {
         Photograph photograph = corridor(new Mirror(1), 500_000, 1_000_000);
         assertThat(light(photograph)).isEqualTo(1);
-        assertThat(photograph.job().report().rays()).isEqualTo(500_001);
+        assertThat(photograph.job().report().counts().rays).isEqualTo(500_001);
     }
 
     @Test
@@ -138,6 +138,6 @@ class MirrorCorridorTest {
         Tiling tiles = new Tiling(new Mirror(1), new Mirror(1), 1e-9, 1e-9, true);
         Photograph photograph = corridor(tiles, 100, 1000);
         assertThat(light(photograph)).isCloseTo(1, within(1e-6));
-        assertThat(photograph.job().report().rays()).isLessThan(200_000);
+        assertThat(photograph.job().report().counts().rays).isLessThan(200_000);
     }
 }

@@ -152,7 +152,7 @@ class AdaptiveRenderTest {
         Studio still = studio(spheres(), 0);
         RenderJob instant = render(still, new Quality.TargetError(0.004));
         RenderJob exposed = render(exposed(still, 0, 3, 2), new Quality.TargetError(0.004));
-        assertThat(exposed.report().samples()).isEqualTo(instant.report().samples());
+        assertThat(exposed.report().counts().samples).isEqualTo(instant.report().counts().samples);
         assertThat(exposed.image().rgb()).isEqualTo(instant.image().rgb());
     }
 
@@ -208,7 +208,7 @@ class AdaptiveRenderTest {
     @Tag("alone")
     void showsSomethingHoweverShortTheTime() throws InterruptedException {
         RenderJob job = render(studio(spheres(), 0.1), new Quality.TimeLimit(0.01));
-        assertThat(job.report().samples()).isGreaterThanOrEqualTo(64 * 48 / 64);
+        assertThat(job.report().counts().samples).isGreaterThanOrEqualTo(64 * 48 / 64);
     }
 
     /** Pixels of noise on a machine that takes a nanosecond for each: all of a million of them, and no more. */

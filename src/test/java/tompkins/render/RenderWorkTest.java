@@ -60,10 +60,10 @@ class RenderWorkTest {
             report = renderer.render(RenderPlan.of(studio)).report();
         }
 
-        assertThat(report.rays()).as("rays").isEqualTo(rays);
-        assertThat(report.shadowRays()).as("shadow rays").isEqualTo(shadowRays);
-        assertThat(report.nodes()).as("nodes").isLessThanOrEqualTo(mostNodes);
-        assertThat(report.tests()).as("tests").isLessThanOrEqualTo(mostTests);
+        assertThat(report.counts().rays).as("rays").isEqualTo(rays);
+        assertThat(report.counts().shadowRays).as("shadow rays").isEqualTo(shadowRays);
+        assertThat(report.counts().nodes).as("nodes").isLessThanOrEqualTo(mostNodes);
+        assertThat(report.counts().tests).as("tests").isLessThanOrEqualTo(mostTests);
     }
 
     static Stream<Arguments> pictures() {
@@ -100,13 +100,19 @@ class RenderWorkTest {
                         .withVelocity(Velocity.REST),
                 List.of(new MovingLights(back, new Vector3d(), List.of(lamp())))));
 
-        assertThat(rest.rays()).isPositive();
-        assertThat(rest.shadowRays()).isPositive();
+        assertThat(rest.counts().rays).isPositive();
+        assertThat(rest.counts().shadowRays).isPositive();
         // rays on the edges of things may fall on the other side
-        assertThat(moving.rays()).as("rays").isEqualTo(rest.rays());
-        assertThat(moving.shadowRays()).as("shadow rays").isCloseTo(rest.shadowRays(), withinPercentage(0.1));
-        assertThat(moving.nodes()).as("nodes").isLessThanOrEqualTo(rest.nodes() + rest.nodes() / 50);
-        assertThat(moving.tests()).as("tests").isLessThanOrEqualTo(rest.tests() + rest.tests() / 50);
+        assertThat(moving.counts().rays).as("rays").isEqualTo(rest.counts().rays);
+        assertThat(moving.counts().shadowRays)
+                .as("shadow rays")
+                .isCloseTo(rest.counts().shadowRays, withinPercentage(0.1));
+        assertThat(moving.counts().nodes)
+                .as("nodes")
+                .isLessThanOrEqualTo(rest.counts().nodes + rest.counts().nodes / 50);
+        assertThat(moving.counts().tests)
+                .as("tests")
+                .isLessThanOrEqualTo(rest.counts().tests + rest.counts().tests / 50);
     }
 
     static Stream<List<SceneObject>> worlds() {
@@ -126,9 +132,9 @@ class RenderWorkTest {
                 List.of(lamp()));
         RenderReport report = report(passing);
 
-        assertThat(report.shadowRays()).isGreaterThan(5_000);
-        assertThat(report.nodes()).isZero();
-        assertThat(report.tests()).isLessThanOrEqualTo(13_569);
+        assertThat(report.counts().shadowRays).isGreaterThan(5_000);
+        assertThat(report.counts().nodes).isZero();
+        assertThat(report.counts().tests).isLessThanOrEqualTo(13_569);
     }
 
     private static LightSource lamp() {

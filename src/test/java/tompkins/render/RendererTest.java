@@ -98,8 +98,8 @@ class RendererTest {
             RenderJob plain = renderer.render(plan);
 
             assertThat(coarse.image().rgb()).isEqualTo(plain.image().rgb());
-            assertThat(coarse.report().samples())
-                    .isEqualTo(plain.report().samples())
+            assertThat(coarse.report().counts().samples)
+                    .isEqualTo(plain.report().counts().samples)
                     .isEqualTo(203 * 149 * 3);
             assertThat(coarse.isComplete()).isTrue();
             assertThat(coarse.progress()).isEqualTo(1);
@@ -285,7 +285,7 @@ class RendererTest {
 
         RenderJob job = render(plan, 1);
 
-        assertThat(job.report().notFinite()).isEqualTo(told);
+        assertThat(job.report().counts().notFinite).isEqualTo(told);
         assertThat(job.image().value(3, 2, 1)).isEqualTo(told == 0 ? (float) (lamp * share) : 0);
         assertThat(job.report().warnings()).hasSize(told == 0 ? 0 : 1);
     }
