@@ -38,9 +38,7 @@ final class ImageProviders {
             case PNG -> jdkReader("png.PNGImageReaderSpi");
             case JPEG -> jdkReader("jpeg.JPEGImageReaderSpi");
             case TIFF -> new TIFFImageReaderSpi().createReaderInstance();
-            case BMP -> jdkReader("bmp.BMPImageReaderSpi");
-            case GIF -> jdkReader("gif.GIFImageReaderSpi");
-            case HDR -> throw new IllegalArgumentException("no library reads such pictures rightly");
+            case GIF, BMP, HDR -> throw new IllegalArgumentException("no library reads such pictures rightly");
         };
     }
 

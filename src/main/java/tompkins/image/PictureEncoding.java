@@ -20,7 +20,7 @@ enum PictureEncoding {
     static final int LONGEST_START = 8;
 
     /** The encodings that are read, for messages. */
-    static final String ALLOWED = "PNG, JPEG, BMP, TIFF and Radiance HDR";
+    static final String ALLOWED = "PNG, JPEG, TIFF and Radiance HDR";
 
     private final String label;
     private final List<byte[]> starts;

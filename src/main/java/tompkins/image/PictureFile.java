@@ -7,10 +7,10 @@ import tompkins.file.WholeFile;
 import tompkins.ray.PixelPicture;
 
 /**
- * Reads pictures of any origin, for surfaces and masks: PNG, JPEG, BMP, TIFF and Radiance. One rule holds for all of
- * them: numbers are taken as they are stored, whole numbers divided by the largest that their bits can hold, and no
- * profile and no tone curve is applied; the picture is turned as its orientation tag says; colours that are multiplied
- * by their opacity are divided by it. Of files with several pictures, the first is read.
+ * Reads pictures of any origin, for surfaces and masks: PNG, JPEG, TIFF and Radiance. One rule holds for all of them:
+ * numbers are taken as they are stored, whole numbers divided by the largest that their bits can hold, and no profile
+ * and no tone curve is applied; the picture is turned as its orientation tag says; colours that are multiplied by their
+ * opacity are divided by it. Of files with several pictures, the first is read.
  */
 public final class PictureFile {
 
@@ -65,10 +65,9 @@ public final class PictureFile {
         return switch (encoding) {
             case PNG -> PngReader.read(file, name);
             case JPEG -> JpegReader.read(file, name);
-            case GIF ->
-                throw new FileException(name + ": is a GIF picture; allowed are " + PictureEncoding.ALLOWED
-                        + "; convert it to PNG, for example with ImageMagick or GIMP");
-            case BMP -> BmpReader.read(file, name);
+            case GIF, BMP ->
+                throw new FileException(name + ": is a " + encoding.label() + " picture; allowed are "
+                        + PictureEncoding.ALLOWED + "; convert it to PNG, for example with ImageMagick or GIMP");
             case TIFF -> TiffReader.read(file, name);
             case HDR -> RadianceReader.read(file, name);
         };

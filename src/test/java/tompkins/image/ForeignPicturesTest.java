@@ -62,7 +62,7 @@ class ForeignPicturesTest {
             delimiter = '|',
             value = {
                 "hdr-xyze.hdr|its colours are CIE XYZ (32-bit_rle_xyze), not red, green and blue (32-bit_rle_rgbe); save it as RGB",
-                "bmp-no-blue-bits.bmp|the mask of a channel is 0; a BMP picture must have bits for each, side by side; convert it, for example with ImageMagick or GIMP",
+                "bmp-no-blue-bits.bmp|is a BMP picture; allowed are PNG, JPEG, TIFF and Radiance HDR; convert it to PNG, for example with ImageMagick or GIMP",
                 "tiff-12bit.tif|has 12 bits a sample; a TIFF picture must have 8 or 16, or 32 in floating point; convert it, for example with ImageMagick or GIMP",
                 "tiff-12bit-rgb.tif|has 12 bits a sample; a TIFF picture must have 8 or 16, or 32 in floating point; convert it, for example with ImageMagick or GIMP",
                 "tiff-14bit.tif|has 14 bits a sample; a TIFF picture must have 8 or 16, or 32 in floating point; convert it, for example with ImageMagick or GIMP",

@@ -104,15 +104,14 @@ class PictureFileTest {
         assertPixel(picture, 3, 1, 0, 0, 0);
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"bmp", "png"})
-    void picturesOfOtherProgramsAreRead(String format) throws IOException {
+    @Test
+    void picturesOfOtherProgramsAreRead() throws IOException {
         BufferedImage image = new BufferedImage(3, 5, BufferedImage.TYPE_INT_RGB);
         image.setRGB(0, 0, 0x102030);
         image.setRGB(2, 0, 0xff00ff);
         image.setRGB(1, 1, 0x0080ff);
 
-        PixelPicture picture = PictureFile.read(Samples.encoded(format, image), "logo");
+        PixelPicture picture = PictureFile.read(Samples.encoded("png", image), "logo");
 
         assertPixel(picture, 0, 0, 16 / 255.0, 32 / 255.0, 48 / 255.0);
         assertPixel(picture, 2, 0, 1, 0, 1);
@@ -208,11 +207,11 @@ class PictureFileTest {
     void whatIsNoPictureIsRefusedWithWhatIs() {
         assertThatThrownBy(() -> PictureFile.read(new byte[0], "empty.png"))
                 .isInstanceOf(FileException.class)
-                .hasMessage("empty.png: the file is empty; allowed are PNG, JPEG, BMP, TIFF and Radiance HDR");
+                .hasMessage("empty.png: the file is empty; allowed are PNG, JPEG, TIFF and Radiance HDR");
         assertThatThrownBy(() -> PictureFile.read("hello".getBytes(ISO_8859_1), "letter.png"))
                 .isInstanceOf(FileException.class)
                 .hasMessage("letter.png: not a picture that can be read;"
-                        + " allowed are PNG, JPEG, BMP, TIFF and Radiance HDR");
+                        + " allowed are PNG, JPEG, TIFF and Radiance HDR");
     }
 
     /** Headers that claim 100000 x 100000 pixels, or as many as the format can claim. */
@@ -227,10 +226,6 @@ class PictureFileTest {
         assertBomb(hdr.toByteArray(), "100000 x 100000");
 
         BufferedImage small = new BufferedImage(9, 9, BufferedImage.TYPE_INT_RGB);
-        byte[] bmp = Samples.encoded("bmp", small);
-        ByteBuffer.wrap(bmp).order(ByteOrder.LITTLE_ENDIAN).putInt(18, 100_000).putInt(22, 100_000);
-        assertBomb(bmp, "100000 x 100000");
-
         byte[] jpeg = Samples.encoded("jpeg", small);
         int frame = new String(jpeg, ISO_8859_1).indexOf("\u00ff\u00c0");
         ByteBuffer.wrap(jpeg).putShort(frame + 5, (short) 65000).putShort(frame + 7, (short) 65535);
@@ -268,18 +263,21 @@ class PictureFileTest {
                                 "bomb: claims to have " + claim + " pixels; a picture may have from 1 to 64000000"));
     }
 
-    /** The JDK's reader loses rows and pixels of such pictures, and says nothing. */
-    @Test
-    void aGifIsRefusedWithAWayOut() throws IOException {
-        byte[] gif = Samples.encoded("gif", new BufferedImage(3, 2, BufferedImage.TYPE_INT_RGB));
-        assertThatThrownBy(() -> PictureFile.read(gif, "logo.gif"))
+    /** The JDK's readers lose rows and pixels of such pictures, or guess, and say nothing. */
+    @ParameterizedTest
+    @ValueSource(strings = {"GIF", "BMP"})
+    void whatTheReadersGuessIsRefusedWithAWayOut(String format) throws IOException {
+        byte[] file = Samples.encoded(format, new BufferedImage(3, 2, BufferedImage.TYPE_INT_RGB));
+        assertThatThrownBy(() -> PictureFile.read(file, "logo"))
                 .isInstanceOf(FileException.class)
-                .hasMessage("logo.gif: is a GIF picture; allowed are PNG, JPEG, BMP, TIFF and Radiance HDR;"
+                .hasMessage("logo: is a " + format + " picture; allowed are PNG, JPEG, TIFF and Radiance HDR;"
                         + " convert it to PNG, for example with ImageMagick or GIMP");
     }
 
     @ParameterizedTest
-    @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "GIF")
+    @EnumSource(
+            mode = EnumSource.Mode.EXCLUDE,
+            names = {"GIF", "BMP"})
     void aFileThatEndsTooEarlyIsRefused(PictureEncoding encoding) throws IOException {
         byte[] file = sample(encoding);
         // The last bytes of some formats say only that nothing follows.
@@ -293,7 +291,9 @@ class PictureFileTest {
     }
 
     @ParameterizedTest
-    @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "GIF")
+    @EnumSource(
+            mode = EnumSource.Mode.EXCLUDE,
+            names = {"GIF", "BMP"})
     void aDamagedFileGivesAPictureOrOneMessage(PictureEncoding encoding) throws IOException {
         byte[] file = sample(encoding);
         Random random = new Random(SEED);
