@@ -14,6 +14,7 @@ import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
+import tompkins.ui.widget.TinyDrawing;
 import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.Wording;
 
@@ -42,7 +43,7 @@ final class FamilyEditor extends Part implements ValueEditor {
         this.commit = commit;
         this.note = note;
         Hiding.types(family).forEach(types::addItem);
-        Naming.items(types, Wording::label, TypeIcon::of);
+        Naming.items(types, Wording::label, TinyDrawing::of);
         types.setName(name);
         types.getAccessibleContext().setAccessibleName(name);
         types.addActionListener(event -> updating.unless(this::choose));

@@ -26,6 +26,7 @@ import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.TinyDrawing;
 import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Wording;
 
@@ -223,7 +224,7 @@ public final class SceneEditor extends Part {
                         ? SceneObject.class
                         : Descriptions.elementType(line.type()).orElseThrow();
         for (Class<?> type : Hiding.types(family)) {
-            JMenuItem item = new JMenuItem(Wording.label(type), TypeIcon.of(type));
+            JMenuItem item = new JMenuItem(Wording.label(type), TinyDrawing.of(type));
             item.setToolTipText(Tips.wrapped(Wording.meaning(type)));
             item.addActionListener(event -> addElement(type));
             menu.add(item);

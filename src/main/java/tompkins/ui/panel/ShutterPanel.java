@@ -36,6 +36,7 @@ import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.TinyDrawing;
 import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.Wording;
@@ -203,7 +204,7 @@ public final class ShutterPanel extends Part {
             boolean inList = index >= 0;
             boolean marked = inList && selected;
             Color ink = marked ? list.getSelectionForeground() : list.getForeground();
-            icon.setIcon(ShutterIcon.of(model, marked ? ink : null));
+            icon.setIcon(TinyDrawing.of(model.getSimpleName(), 64, 28, marked ? ink : null));
             name.setText(model == null ? "" : Wording.label(model));
             cell.getAccessibleContext().setAccessibleName(name.getText());
             line.setVisible(inList);

@@ -3,6 +3,7 @@ package tompkins.ui.panel;
 import java.awt.Component;
 import java.util.ArrayList;
 import java.util.List;
+import javax.swing.Icon;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -23,6 +24,7 @@ import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.TinyDrawing;
 import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.Wording;
 
@@ -64,16 +66,20 @@ final class ShutterTimingPanel extends Part {
         return (list, direction, index, selected, focused) -> {
             Component cell = words.getListCellRendererComponent(list, direction, index, selected, focused);
             if (cell instanceof JLabel label) {
-                label.setIcon(direction == null ? null : TimingIcon.rolling(direction));
+                label.setIcon(direction == null ? null : drawing("rolling-" + direction.name()));
             }
             return cell;
         };
     }
 
+    private static Icon drawing(String name) {
+        return TinyDrawing.of(name, 20, 16, null);
+    }
+
     /** Adds exposure time and rolling direction to rows of the opening time, for which {@code problems} are told. */
     void addTo(JPanel rows, Note problems) {
         NumberRow exposure = row(problems, "exposureTime", "shutter.exposureTip");
-        exposure.setIcon(TimingIcon.exposure());
+        exposure.setIcon(drawing("exposure"));
         int first = rows.getComponentCount();
         exposure.addTo(rows);
         exposureRow.addAll(List.of(rows.getComponents()).subList(first, rows.getComponentCount()));
