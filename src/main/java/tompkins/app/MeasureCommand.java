@@ -111,7 +111,7 @@ final class MeasureCommand extends ProgramCommand {
     }
 
     private static Vector2dc point(String pixel, RenderSettings settings) {
-        double[] numbers = OptionNumbers.of("--pixel", pixel, "320,240");
+        double[] numbers = OptionValues.numbers("--pixel", pixel, "320,240");
         double right = settings.width() - 0.5;
         double bottom = settings.height() - 0.5;
         if (!(numbers[0] >= -0.5 && numbers[1] >= -0.5 && numbers[0] <= right && numbers[1] <= bottom)) {

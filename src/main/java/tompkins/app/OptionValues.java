@@ -1,12 +1,14 @@
 package tompkins.app;
 
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.TypeConversionException;
 import tompkins.image.PictureFormat;
+import tompkins.property.MistakeException;
 import tompkins.property.NumberText;
 
 /** What the words behind options mean. What is refused is told by what is allowed. */
@@ -25,6 +27,23 @@ final class OptionValues {
         commandLine.registerConverter(PictureFormat.class, text -> constant(PictureFormat.class, text));
         commandLine.registerConverter(
                 LongCommand.ProgressForm.class, text -> constant(LongCommand.ProgressForm.class, text));
+    }
+
+    /** Finite numbers with commas between them, as many as an example has. */
+    static double[] numbers(String option, String text, String example) {
+        String[] parts = text.split(",", -1);
+        try {
+            double[] numbers =
+                    Arrays.stream(parts).mapToDouble(NumberText::parse).toArray();
+            if (numbers.length == example.split(",").length
+                    && Arrays.stream(numbers).allMatch(Double::isFinite)) {
+                return numbers;
+            }
+        } catch (NumberFormatException notANumber) {
+            // the message below says what is allowed
+        }
+        throw new MistakeException(option + " must be numbers with commas between them, such as " + option + "="
+                + example + ", was " + text);
     }
 
     private static double number(String text) {

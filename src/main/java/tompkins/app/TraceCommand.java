@@ -94,7 +94,7 @@ final class TraceCommand extends ProgramCommand {
 
     @Override
     public Integer call() throws IOException {
-        double[] lens = OptionNumbers.of("--pupil", pupil, PUPIL_EXAMPLE);
+        double[] lens = OptionValues.numbers("--pupil", pupil, PUPIL_EXAMPLE);
         Studio studio = options.read(scene, List.of());
         PixelChoice choice = PixelChoice.of(pixels, every, studio.settings());
         if (Math.hypot(lens[0], lens[1]) > 1) {

@@ -157,7 +157,7 @@ final class DescriptionReader {
             return velocities.changed(parts, path, velocity);
         }
         if (!(present instanceof Record)) {
-            Refusal.noteUnknownKeys(problems, parts, path, List.of());
+            problems.noteUnknownKeys(parts, path, List.of());
             return null;
         }
         if (!DescriptionTypes.isFamily((Class<?>) type)) {
@@ -202,7 +202,7 @@ final class DescriptionReader {
     Object record(Class<?> type, JsonObject object, String path, List<String> otherKeys, Object standard) {
         List<String> keys = new ArrayList<>(otherKeys);
         keys.addAll(DescriptionTypes.keys(type));
-        boolean clear = Refusal.noteUnknownKeys(problems, object, path, keys);
+        boolean clear = problems.noteUnknownKeys(object, path, keys);
         List<RecordComponent> components = Descriptions.components(type);
         List<Object> present = Descriptions.values(standard);
         Object[] arguments = new Object[components.size()];
@@ -247,12 +247,12 @@ final class DescriptionReader {
             try {
                 return Descriptions.make(type, arguments);
             } catch (InvalidPropertyException invalid) {
-                String key = Refusal.component(invalid);
+                String key = Problems.component(invalid);
                 int index = DescriptionTypes.keys(type).indexOf(key);
                 RecordComponent component =
                         index < 0 ? null : Descriptions.components(type).get(index);
                 if (replaced.isEmpty() || invalid.isByItself()) {
-                    Refusal.note(problems, invalid, object, path);
+                    problems.note(invalid, object, path);
                 }
                 if (!replaced.add(key) || component == null) {
                     return null;

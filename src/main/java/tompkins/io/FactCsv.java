@@ -55,7 +55,7 @@ public final class FactCsv {
     }
 
     private static String number(double value) {
-        return Double.isFinite(value) ? JsonText.digits(value) : "";
+        return Double.isFinite(value) ? FactJson.digits(value) : "";
     }
 
     private static String cell(String text) {

@@ -1,6 +1,8 @@
 package tompkins.io;
 
 import java.io.StringWriter;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Objects;
@@ -8,12 +10,24 @@ import java.util.stream.Stream;
 import tompkins.measure.Fact;
 import tompkins.measure.Quantity;
 import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.ObjectWriteContext;
+import tools.jackson.core.json.JsonFactory;
+import tools.jackson.core.util.DefaultPrettyPrinter;
 
 /** Facts as JSON for other programs: numbers with 17 significant digits; those that are not finite are null. */
 public final class FactJson {
 
+    private static final MathContext DIGITS = new MathContext(17);
+
+    private static final ObjectWriteContext INDENTED = new ObjectWriteContext.Base() {
+        @Override
+        public DefaultPrettyPrinter getPrettyPrinter() {
+            return new DefaultPrettyPrinter();
+        }
+    };
+
     private final StringWriter text = new StringWriter();
-    private final JsonGenerator json = JsonText.generator(text);
+    private final JsonGenerator json = new JsonFactory().createGenerator(INDENTED, text);
 
     private FactJson() {}
 
@@ -49,6 +63,11 @@ public final class FactJson {
                 before -> each.hasNext() ? each.next() + (each.hasNext() ? "," : "]") : null);
     }
 
+    /** A finite number with 17 significant digits. */
+    static String digits(double value) {
+        return new BigDecimal(value).round(DIGITS).toString();
+    }
+
     private String end() {
         json.close();
         return text.toString();
@@ -68,9 +87,9 @@ public final class FactJson {
         if (fact instanceof Quantity quantity) {
             json.writeStartObject();
             json.writeName("value");
-            JsonText.write(json, quantity.value());
+            write(quantity.value());
             json.writeName("uncertainty");
-            JsonText.write(json, quantity.uncertainty());
+            write(quantity.uncertainty());
             json.writeStringProperty("unit", quantity.unit());
             json.writeEndObject();
         } else {
@@ -80,10 +99,10 @@ public final class FactJson {
 
     private void writeValue(Fact fact) {
         if (fact instanceof Quantity quantity) {
-            JsonText.write(json, quantity.value());
+            write(quantity.value());
         } else if (fact instanceof Fact.Vector vector) {
             json.writeStartArray();
-            vector.values().forEach(value -> JsonText.write(json, value));
+            vector.values().forEach(this::write);
             json.writeEndArray();
         } else if (fact instanceof Fact.Word word) {
             json.writeString(word.text());
@@ -95,6 +114,14 @@ public final class FactJson {
             json.writeStartArray();
             Fact.forPrograms(items.groups()).forEach(this::writeValue);
             json.writeEndArray();
+        }
+    }
+
+    private void write(double value) {
+        if (Double.isFinite(value)) {
+            json.writeNumber(digits(value));
+        } else {
+            json.writeNull();
         }
     }
 }

@@ -30,7 +30,7 @@ final class FileContentReader {
                 return folder.content(name.text(), parser);
             }
             if (value instanceof JsonObject object && hold(object, NAME) && hold(object, BASE64)) {
-                boolean clear = Refusal.noteUnknownKeys(problems, object, path, List.of(NAME, BASE64));
+                boolean clear = problems.noteUnknownKeys(object, path, List.of(NAME, BASE64));
                 byte[] content = decoded(object.members().get(BASE64).value(), path);
                 return clear && content != null
                         ? parser.parse(content, text(object, NAME), FileContentParser.Files.NONE)

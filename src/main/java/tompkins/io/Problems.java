@@ -3,7 +3,13 @@ package tompkins.io;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
+import tompkins.io.JsonValue.JsonNumber;
+import tompkins.io.JsonValue.JsonObject;
+import tompkins.io.JsonValue.Member;
+import tompkins.property.InvalidPropertyException;
 import tompkins.property.MistakeException;
+import tompkins.property.NumberText;
 import tompkins.property.OneLine;
 
 /** Collects the mistakes of one file, or of options that stand for lines of it. */
@@ -68,6 +74,59 @@ final class Problems {
                     Integer.MAX_VALUE, 0, place + ": after " + MOST + " mistakes the rest is not looked at"));
             throw exception();
         }
+    }
+
+    /**
+     * Notes a value that a constructor refused, at the place of the property that it names.
+     *
+     * @param value the object with that property, or the property's value itself
+     */
+    void note(InvalidPropertyException invalid, JsonValue value, String path) {
+        note(invalid, value, path, "");
+    }
+
+    /** As above, with a hint at the end. */
+    void note(InvalidPropertyException invalid, JsonValue value, String path, String hint) {
+        String property = invalid.property();
+        Member member = value instanceof JsonObject object ? object.members().get(component(invalid)) : null;
+        if (member != null) {
+            String problem = member.value() instanceof JsonNumber number ? problem(invalid, number) : invalid.problem();
+            add(member.value(), path.isEmpty() ? property : path + "." + property, problem + hint);
+        } else {
+            add(value, path, (value instanceof JsonObject ? invalid.getMessage() : invalid.problem()) + hint);
+        }
+    }
+
+    /** The problem with a number. One that is too large to be kept is shown as it is written. */
+    private static String problem(InvalidPropertyException invalid, JsonNumber number) {
+        double size = Math.abs(Double.parseDouble(number.text()));
+        String problem = size > Integer.MAX_VALUE ? invalid.problem(number.shown()) : invalid.problem();
+        return Double.isInfinite(size) && problem.contains("finite")
+                ? problem + " (no number can be larger than " + NumberText.of(Double.MAX_VALUE) + ")"
+                : problem;
+    }
+
+    /** The name of the component; a property may add in brackets which part of it is wrong. */
+    static String component(InvalidPropertyException invalid) {
+        return invalid.property().split(" ", 2)[0];
+    }
+
+    /** Notes the unknown keys of an object, and says whether there are none. */
+    boolean noteUnknownKeys(JsonObject object, String path, List<String> known) {
+        boolean clear = true;
+        for (Map.Entry<String, Member> entry : object.members().entrySet()) {
+            if (!known.contains(entry.getKey())) {
+                clear = false;
+                String allowed = known.isEmpty() ? "there are none here" : "allowed are " + String.join(", ", known);
+                add(
+                        entry.getValue().line(),
+                        entry.getValue().column(),
+                        path,
+                        "unknown key " + quoted(entry.getKey()) + "; " + allowed
+                                + Spelling.hint(entry.getKey(), known));
+            }
+        }
+        return clear;
     }
 
     /** The exception for a mistake of the whole file. */

@@ -134,7 +134,7 @@ final class ValueReader {
     /** A vector with other numbers for some of its components. */
     Vector3dc changedVector(JsonObject parts, String path, Vector3dc present) {
         List<String> axes = StudioPath.stepsFrom(present);
-        boolean clear = Refusal.noteUnknownKeys(problems, parts, path, axes);
+        boolean clear = problems.noteUnknownKeys(parts, path, axes);
         Vector3d changed = new Vector3d(present);
         for (String axis : axes) {
             Member component = parts.members().get(axis);

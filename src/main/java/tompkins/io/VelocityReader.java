@@ -57,7 +57,7 @@ final class VelocityReader {
     }
 
     private void note(InvalidPropertyException invalid, JsonValue value, String path) {
-        Refusal.note(problems, invalid, value, path, SpeedScale.roundingHint(numbers(value)));
+        problems.note(invalid, value, path, SpeedScale.roundingHint(numbers(value)));
     }
 
     /** The numbers of a velocity, as they are written. */
@@ -80,7 +80,7 @@ final class VelocityReader {
         List<String> known = new ArrayList<>(
                 Arrays.stream(SpeedScale.values()).map(SpeedScale::key).toList());
         known.add(DIRECTION);
-        boolean clear = Refusal.noteUnknownKeys(problems, object, path, known);
+        boolean clear = problems.noteUnknownKeys(object, path, known);
         Vector3dc direction = present == null ? new Vector3d(0, 0, 1) : present.givenDirection();
         if (object.members().containsKey(DIRECTION)) {
             direction = values.vector(member(object, DIRECTION), path + "." + DIRECTION);

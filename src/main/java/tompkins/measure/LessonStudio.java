@@ -63,13 +63,7 @@ public record LessonStudio(Studio studio, Lesson lesson, StudioNumber number) {
     }
 
     private static boolean holds(Class<?> type, Object part) {
-        if (part instanceof List<?> parts) {
-            return parts.stream().anyMatch(each -> holds(type, each));
-        }
-        return type.isInstance(part)
-                || part instanceof Record
-                        && Descriptions.components(part.getClass()).stream()
-                                .anyMatch(component -> holds(type, Descriptions.value(component, part)));
+        return type.isInstance(part) || Descriptions.parts(part).stream().anyMatch(each -> holds(type, each));
     }
 
     /** The studio in which everything is measured. */

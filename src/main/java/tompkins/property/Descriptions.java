@@ -97,6 +97,11 @@ public final class Descriptions {
         return description == standard.description ? standard.values : readValues(description);
     }
 
+    /** The elements of a list, or the values of all components of a record; nothing else has parts. */
+    public static List<?> parts(Object value) {
+        return value instanceof List<?> list ? list : value instanceof Record ? values(value) : List.of();
+    }
+
     /**
      * Whether two values of a component are equal; records are compared component by component. Java's own comparison
      * makes code for each type of records when it is first used, which makes the start of the program longer. So would
@@ -110,8 +115,8 @@ public final class Descriptions {
         if (!isList && !(first instanceof Record && first.getClass() == second.getClass())) {
             return !(first instanceof Record) && first.equals(second);
         }
-        List<?> ours = isList ? (List<?>) first : values(first);
-        List<?> others = isList ? (List<?>) second : values(second);
+        List<?> ours = parts(first);
+        List<?> others = parts(second);
         boolean equal = ours.size() == others.size();
         for (int i = 0; equal && i < ours.size(); i++) {
             equal = areEqual(ours.get(i), others.get(i));

@@ -1,7 +1,9 @@
 package tompkins.studio;
 
 import java.lang.reflect.RecordComponent;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -11,11 +13,6 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.primitive.Described;
 import tompkins.property.Descriptions;
-import tompkins.sceneobject.Group;
-import tompkins.sceneobject.ImagePointGrid;
-import tompkins.sceneobject.Moving;
-import tompkins.sceneobject.Placed;
-import tompkins.sceneobject.Rotating;
 import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
@@ -46,39 +43,26 @@ public record StudioPath(List<Object> steps) {
      * The way to an object of a studio, to that very one and not to an equal one; empty if the studio does not hold it.
      */
     public static Optional<StudioPath> to(Studio studio, Described object) {
-        Optional<StudioPath> inScene = ROOT.then("scene").to(studio.scene(), object);
-        return inScene.isPresent() ? inScene : ROOT.then("cameraFrame").to(studio.cameraFrame(), object);
+        Deque<Object> steps = new ArrayDeque<>();
+        return lead(studio, object, steps) ? Optional.of(new StudioPath(List.copyOf(steps))) : Optional.empty();
     }
 
-    private Optional<StudioPath> to(List<SceneObject> objects, Described wanted) {
-        for (int i = 0; i < objects.size(); i++) {
-            Optional<StudioPath> path = toPart(i, objects.get(i), wanted);
-            if (path.isPresent()) {
-                return path;
+    /** Whether a part of a studio holds an object; puts the steps to it before others. */
+    private static boolean lead(Object part, Described wanted, Deque<Object> steps) {
+        boolean mayHold = part instanceof Studio || part instanceof List || part instanceof SceneObject;
+        List<?> inner = mayHold ? Descriptions.parts(part) : List.of();
+        for (int i = 0; i < inner.size(); i++) {
+            if (inner.get(i) == wanted || lead(inner.get(i), wanted, steps)) {
+                steps.addFirst(
+                        part instanceof List
+                                ? i
+                                : Descriptions.components(part.getClass())
+                                        .get(i)
+                                        .getName());
+                return true;
             }
         }
-        return Optional.empty();
-    }
-
-    private Optional<StudioPath> toPart(Object step, SceneObject part, Described wanted) {
-        if (part == wanted) {
-            return Optional.of(then(step));
-        }
-        if (part instanceof Group group) {
-            return then(step).then("objects").to(group.objects(), wanted);
-        }
-        if (part instanceof Moving moving) {
-            return then(step).then("objects").to(moving.objects(), wanted);
-        }
-        if (part instanceof Rotating rotating) {
-            return then(step).then("objects").to(rotating.objects(), wanted);
-        }
-        if (part instanceof Placed placed) {
-            return then(step).toPart("object", placed.object(), wanted);
-        }
-        return part instanceof ImagePointGrid grid
-                ? then(step).toPart("object", grid.object(), wanted)
-                : Optional.empty();
+        return false;
     }
 
     /**

@@ -1,6 +1,5 @@
 package tompkins.ui.number;
 
-import java.lang.reflect.RecordComponent;
 import java.util.List;
 import org.joml.Vector3dc;
 import tompkins.camera.FocusDistance;
@@ -35,19 +34,11 @@ public final class SceneSize {
         if (value instanceof Vector3dc vector) {
             return Math.max(Math.abs(vector.x()), Math.max(Math.abs(vector.y()), Math.abs(vector.z())));
         }
-        if (value instanceof List<?> list) {
-            return list.stream().mapToDouble(SceneSize::largest).max().orElse(0);
-        }
         if (value instanceof MeshData mesh) {
             return mesh.largestCoordinate();
         }
-        double largest = 0;
-        if (value instanceof Record && !(value instanceof Surface)) {
-            for (RecordComponent component : Descriptions.components(value.getClass())) {
-                largest = Math.max(largest, largest(Descriptions.value(component, value)));
-            }
-        }
-        return largest;
+        List<?> parts = value instanceof Surface ? List.of() : Descriptions.parts(value);
+        return parts.stream().mapToDouble(SceneSize::largest).max().orElse(0);
     }
 
     /**
