@@ -20,7 +20,6 @@ import tompkins.io.SelfDescription;
 import tompkins.property.MistakeException;
 import tompkins.studio.Studio;
 import tompkins.study.Conclusion;
-import tompkins.study.Finding;
 import tompkins.study.Measurement;
 import tompkins.study.Study;
 import tompkins.study.StudyData;
@@ -198,7 +197,7 @@ final class StudyCommand extends LongCommand {
         Conclusion conclusion = page.add(kind, study, all);
         out().println(conclusion.answer());
         boolean holds = true;
-        for (Finding finding : conclusion.findings()) {
+        for (Conclusion.Finding finding : conclusion.findings()) {
             out().println((finding.holds() ? "" : "BROKEN: ") + finding.sentence());
             holds &= finding.holds();
         }

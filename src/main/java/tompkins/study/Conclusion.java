@@ -9,6 +9,22 @@ public final class Conclusion {
 
     private static final Pattern BAR = Pattern.compile(" \\| ");
 
+    /**
+     * One thing that a study must show.
+     *
+     * @param criterion what is judged
+     * @param demanded what it has to be, from theory or as a promise
+     * @param found what was measured
+     * @param holds whether it is as demanded; if not, something in the program is broken
+     */
+    public record Finding(String criterion, String demanded, String found, boolean holds) {
+
+        /** Everything in one line. */
+        public String sentence() {
+            return criterion + ": " + found + " (demanded: " + demanded + ")";
+        }
+    }
+
     private final StringBuilder sentences = new StringBuilder();
     private final List<Finding> findings = new ArrayList<>();
 

@@ -105,7 +105,7 @@ public final class StudyPage {
             text.append("![").append(chart.title()).append("](").append(link).append(")\n");
         }
         text.append("\n| criterion | demanded | found | met |\n|---|---|---|---|\n");
-        for (Finding finding : conclusion.findings()) {
+        for (Conclusion.Finding finding : conclusion.findings()) {
             text.append(StudyText.format(
                     "| %s | %s | %s | %s |\n",
                     finding.criterion(),

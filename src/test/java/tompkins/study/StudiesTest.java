@@ -21,6 +21,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.TestRun;
 import tompkins.studio.PaperStudios;
 import tompkins.studio.Studio;
+import tompkins.study.Conclusion.Finding;
 
 /** The studies find what theory says, keep their figures, and draw them. */
 class StudiesTest {

@@ -2,13 +2,11 @@ package tompkins.ui.measure;
 
 import java.util.List;
 import java.util.Map;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 import tompkins.io.FactText;
 import tompkins.measure.Fact;
 import tompkins.measure.Measured;
 import tompkins.measure.Quantity;
-import tompkins.measure.SizeRatios;
 import tompkins.ui.widget.Texts;
 
 /** Says in a few lines what was measured; a table has all of it, with all digits and units. */
@@ -27,8 +25,7 @@ final class MeasureWords {
 
     /** The sizes in another picture, each with how many times as large it is in this one. */
     static String compared(Measured other, Measured measured) {
-        Map<String, Quantity> ratios =
-                SizeRatios.of(measured, other).stream().collect(Collectors.toMap(Quantity::key, Function.identity()));
+        Map<String, Quantity> ratios = measured.ratiosTo(other);
         List<String> sizes = other.quantities()
                 .filter(size -> ratios.containsKey(size.key()))
                 .map(size ->

@@ -17,7 +17,7 @@ import javax.swing.text.StyledDocument;
 import javax.swing.text.TabSet;
 import javax.swing.text.TabStop;
 import tompkins.io.FactText;
-import tompkins.ui.widget.WrappedText;
+import tompkins.ui.widget.WrappingArea;
 
 /** The history of a ray as a text: headings, and under each its facts in two columns. Can be selected and copied. */
 @SuppressWarnings("serial") // never written to a stream
@@ -34,7 +34,7 @@ final class StoryPane extends JTextPane {
     /** Empty at first. */
     StoryPane() {
         setEditable(false);
-        WrappedText.prepare(this);
+        WrappingArea.behaveWrapped(this);
         addFocusListener(new FocusAdapter() {
             @Override
             public void focusGained(FocusEvent event) {

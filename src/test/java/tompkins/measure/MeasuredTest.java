@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-class SizeRatiosTest {
+class MeasuredTest {
 
     private static Measured measured(Quantity... quantities) {
         return new Measured(List.of(quantities), null, List.of());
@@ -18,7 +18,7 @@ class SizeRatiosTest {
         Measured here = measured(new Quantity("cameraAngle", "", "degrees", 6, 0.3));
         Measured there = measured(new Quantity("cameraAngle", "", "degrees", 2, 0.08));
 
-        Quantity ratio = SizeRatios.of(here, there).get(0);
+        Quantity ratio = here.ratiosTo(there).get("cameraAngle");
 
         assertThat(ratio.key()).isEqualTo("cameraAngle");
         assertThat(ratio.unit()).isEmpty();
@@ -38,6 +38,6 @@ class SizeRatiosTest {
                 Quantity.exact("length", "", "degrees", 0),
                 new Quantity("axisAngle", "", "degrees", 20, 1));
 
-        assertThat(SizeRatios.of(here, there)).isEmpty();
+        assertThat(here.ratiosTo(there)).isEmpty();
     }
 }
