@@ -1,14 +1,18 @@
 package tompkins.camera;
 
+import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import org.hipparchus.random.SobolSequenceGenerator;
+import java.util.List;
+import java.util.stream.Stream;
 
 /**
- * Points of a five-dimensional Sobol sequence with Owen's scrambling. The sequence itself comes from a library, as
- * 32-bit fractions; each use scrambles it by its own hash, which keeps the first 2^n points evenly spread for every n.
+ * Points of a five-dimensional Sobol sequence with Owen's scrambling. The sequence itself comes from a table, as 32-bit
+ * fractions; each use scrambles it by its own hash, which keeps the first 2^n points evenly spread for every n.
  */
 final class SobolPoints {
 
@@ -24,7 +28,7 @@ final class SobolPoints {
     private SobolPoints() {}
 
     private static int[][][] fractionsOfBytes() {
-        int[][] directions = directions();
+        List<int[]> directions = directions();
         int[][][] table = new int[DIMENSIONS][Integer.BYTES][256];
         for (int dimension = 0; dimension < DIMENSIONS; dimension++) {
             for (int bit = 0; bit < Integer.SIZE; bit++) {
@@ -32,47 +36,27 @@ final class SobolPoints {
                 int first = 1 << (bit % 8);
                 // a value is its highest bit and the rest, which is known by then
                 for (int rest = 0; rest < first; rest++) {
-                    ofByte[first + rest] = ofByte[rest] ^ Integer.reverse(directions[dimension][bit]);
+                    ofByte[first + rest] =
+                            ofByte[rest] ^ Integer.reverse(directions.get(bit)[dimension]);
                 }
             }
         }
         return table;
     }
 
-    /** The direction numbers: the fractions that the bits of a point's number add up to (without carry). */
-    private static int[][] directions() {
-        SobolSequenceGenerator sequence = sequence();
-        int[][] directions = new int[DIMENSIONS][Integer.SIZE];
-        for (int bit = 0; bit < Integer.SIZE - 1; bit++) {
-            // the library counts in Gray code, where the numbers 2^bit - 1 and 2^bit differ in one bit only
-            int[] before = bit == 0 ? new int[DIMENSIONS] : fractions(sequence.skipTo((1 << bit) - 1));
-            int[] after = fractions(sequence.skipTo(1 << bit));
-            for (int dimension = 0; dimension < DIMENSIONS; dimension++) {
-                directions[dimension][bit] = before[dimension] ^ after[dimension];
-            }
-        }
-        return directions;
-    }
-
-    /**
-     * The first five dimensions of the table of S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better
-     * two-dimensional projections", SIAM J. Sci. Comput. 30 (2008), doi:10.1137/070709359. The library's own table has
-     * 21 201 dimensions and would be a fifteenth of the program's file, which leaves it out.
-     */
-    private static SobolSequenceGenerator sequence() {
-        try (InputStream table = SobolPoints.class.getResourceAsStream("sobol-directions.txt")) {
-            return new SobolSequenceGenerator(DIMENSIONS, table);
+    /** For each bit of a point's number what it adds to the fractions, in each dimension. */
+    private static List<int[]> directions() {
+        InputStream file = SobolPoints.class.getResourceAsStream("sobol-directions.txt");
+        try (BufferedReader table = new BufferedReader(new InputStreamReader(file, StandardCharsets.US_ASCII))) {
+            return table.lines()
+                    .filter(line -> !line.startsWith("#"))
+                    .map(line -> Stream.of(line.split(" "))
+                            .mapToInt(number -> Integer.parseUnsignedInt(number, 16))
+                            .toArray())
+                    .toList();
         } catch (IOException impossible) {
             throw new UncheckedIOException(impossible);
         }
-    }
-
-    private static int[] fractions(double[] point) {
-        int[] fractions = new int[DIMENSIONS];
-        for (int dimension = 0; dimension < DIMENSIONS; dimension++) {
-            fractions[dimension] = (int) (long) (point[dimension] * TWO_TO_32);
-        }
-        return fractions;
     }
 
     /**
