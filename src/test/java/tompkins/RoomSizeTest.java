@@ -32,12 +32,12 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        27_273),
-                arguments("file, image", 4_550),
-                arguments("explain, lesson, measure, animation", 6_327),
-                arguments("io, app", 8_017),
-                arguments("study", 4_549),
-                arguments("ui", 21_352));
+                        27_096),
+                arguments("file, image", 4_459),
+                arguments("explain, lesson, measure, animation", 6_269),
+                arguments("io, app", 7_983),
+                arguments("study", 4_548),
+                arguments("ui", 21_190));
     }
 
     @ParameterizedTest
