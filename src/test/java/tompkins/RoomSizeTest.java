@@ -37,7 +37,7 @@ class RoomSizeTest {
                 arguments("explain, lesson, measure, animation", 6_269),
                 arguments("io, app", 7_983),
                 arguments("study", 4_548),
-                arguments("ui", 21_190));
+                arguments("ui", 21_177));
     }
 
     @ParameterizedTest

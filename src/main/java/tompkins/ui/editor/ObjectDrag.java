@@ -20,13 +20,12 @@ final class ObjectDrag {
     /**
      * What is known when a ray has been followed.
      *
-     * @param drag the drag
      * @param place where the pointer was, in pixels of the picture
      * @param grip what is held; empty if nothing is
      * @param refusal the key of the text that says why nothing is held, or why nothing moves; empty if something does
      * @param moved the object where it belongs now; empty if the ray leads nowhere
      */
-    record Answer(ObjectDrag drag, Point2D place, Optional<Grip> grip, String refusal, Optional<Object> moved) {}
+    record Answer(Point2D place, Optional<Grip> grip, String refusal, Optional<Object> moved) {}
 
     /** The refusal of what has no place. */
     static final String SKY = "drag.sky";
@@ -105,7 +104,7 @@ final class ObjectDrag {
                     .or(() -> Grip.of(plan, seen, chosen));
         }
         Optional<Object> moved = grip.flatMap(held -> held.at(place.getX(), place.getY()));
-        return new Answer(this, place, grip, refusal(moved), moved);
+        return new Answer(place, grip, refusal(moved), moved);
     }
 
     private String refusal(Optional<Object> moved) {

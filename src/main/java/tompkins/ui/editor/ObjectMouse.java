@@ -35,15 +35,13 @@ public final class ObjectMouse extends MouseAdapter implements AutoCloseable {
     /** As long as it takes to read. */
     private static final int SAID_MILLISECONDS = 5000;
 
-    private record Question(ObjectDrag drag, Point2D place) {}
-
     private final WindowParts window;
     private final StudioModel model;
     private final PictureCanvas canvas;
     private final BooleanSupplier wanted;
     private final Supplier<StudioPath> chosen;
     private final Consumer<StudioPath> chooser;
-    private final NewestFirst<Question> worker;
+    private final NewestFirst worker;
 
     /** The drag that goes on; null if none does. */
     private ObjectDrag drag;
@@ -70,10 +68,7 @@ public final class ObjectMouse extends MouseAdapter implements AutoCloseable {
         this.chooser = chooser;
         model = window.model();
         canvas = window.view().canvas();
-        worker = new NewestFirst<>(
-                "tompkins-drag",
-                this::follow,
-                (question, error) -> window.view().fail(error));
+        worker = new NewestFirst("tompkins-drag", window.view()::fail);
         fading.setRepeats(false);
         canvas.addMouseListener(this);
         canvas.addMouseMotionListener(this);
@@ -108,23 +103,21 @@ public final class ObjectMouse extends MouseAdapter implements AutoCloseable {
             drag = new ObjectDrag(model.studio(), picture.plan(), canvas.boundsAt(point), point, chosen.get());
             canvas.hand().take();
             // so that it is known what is held when the hand begins to move
-            worker.submit(new Question(drag, drag.from()));
+            follow(drag, drag.from());
         }
     }
 
     @Override
     public void mouseDragged(MouseEvent event) {
         if (drag != null && canvas.hand().isDragging()) {
-            worker.submit(new Question(drag, drag.moveTo(event.getPoint())));
+            follow(drag, drag.moveTo(event.getPoint()));
         }
     }
 
-    /** Called by the worker. */
-    private void follow(Question question) {
-        ObjectDrag.Answer answer = question.drag.to(question.place);
-        SwingUtilities.invokeLater(() -> {
+    private void follow(ObjectDrag asking, Point2D place) {
+        worker.ask(() -> asking.to(place), answer -> {
             // it may have been given back meanwhile, or have been a click
-            if (answer.drag() == drag && drag.hasMoved()) {
+            if (asking == drag && drag.hasMoved()) {
                 show(answer);
             }
         });

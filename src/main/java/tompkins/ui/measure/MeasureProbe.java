@@ -2,8 +2,8 @@ package tompkins.ui.measure;
 
 import java.awt.geom.Point2D;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
-import javax.swing.SwingUtilities;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import tompkins.measure.MeasureKind;
@@ -25,14 +25,14 @@ public final class MeasureProbe implements AutoCloseable {
      */
     public record Answer(Measured measured, String problem) {}
 
-    private record Question(Picture picture, MeasureKind kind, List<Point2D> places, Consumer<Answer> answer) {}
+    private final NewestFirst worker;
 
-    private final NewestFirst<Question> worker;
-    private volatile Question newest;
+    /** The question at hand; null if there is none. */
+    private volatile Object newest;
 
     /** A probe; its thread tells {@code failures} about questions that could not be answered. */
     public MeasureProbe(Consumer<Throwable> failures) {
-        worker = new NewestFirst<>("tompkins-measure", this::answer, (question, error) -> failures.accept(error));
+        worker = new NewestFirst("tompkins-measure", failures);
     }
 
     /**
@@ -40,8 +40,15 @@ public final class MeasureProbe implements AutoCloseable {
      * newer question comes first.
      */
     public void ask(Picture picture, MeasureKind kind, List<Point2D> places, Consumer<Answer> answer) {
-        newest = new Question(picture, kind, List.copyOf(places), answer);
-        worker.submit(newest);
+        Object question = new Object();
+        newest = question;
+        BooleanSupplier wanted = () -> newest == question;
+        List<Point2D> asked = List.copyOf(places);
+        worker.ask(() -> measure(picture, kind, asked, wanted), found -> {
+            if (wanted.getAsBoolean()) {
+                answer.accept(found);
+            }
+        });
     }
 
     /** Drops the question at hand. */
@@ -49,24 +56,15 @@ public final class MeasureProbe implements AutoCloseable {
         newest = null;
     }
 
-    private void answer(Question question) {
-        Answer answer = measure(question);
-        SwingUtilities.invokeLater(() -> {
-            if (newest == question) {
-                question.answer.accept(answer);
-            }
-        });
-    }
-
-    private Answer measure(Question question) {
+    private static Answer measure(Picture picture, MeasureKind kind, List<Point2D> asked, BooleanSupplier wanted) {
         // places are those of the photograph in its own size
-        RenderPlan plan = RenderPlan.of(question.picture.studio(), question.picture.plan());
-        List<Vector2dc> places = question.places.stream()
+        RenderPlan plan = RenderPlan.of(picture.studio(), picture.plan());
+        List<Vector2dc> places = asked.stream()
                 .map(place -> (Vector2dc) new Vector2d(place.getX(), place.getY()))
                 .toList();
         int count = Profile.count(places.get(0), places.get(1));
         try {
-            return new Answer(Measurements.measure(plan, question.kind, places, count, () -> newest == question), "");
+            return new Answer(Measurements.measure(plan, kind, places, count, wanted), "");
         } catch (ArithmeticException noFit) {
             return new Answer(null, noFit.getMessage());
         }

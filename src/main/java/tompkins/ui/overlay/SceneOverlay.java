@@ -14,7 +14,6 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import tompkins.camera.EyeView;
 import tompkins.measure.OverlayDrawing;
@@ -72,13 +71,11 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
         }
     }
 
-    private record Question(RenderPlan plan, Set<OverlayKind> kinds) {}
-
     /** The shapes of the scene that was drawn last, which many plans share. */
     private record Known(List<InertialFrame> frames, SceneShapes shapes) {}
 
     private final Runnable repaint;
-    private final NewestFirst<Question> worker;
+    private final NewestFirst worker;
 
     /** The newest first; two, because two pictures may be shown. */
     private final List<Drawn> drawn = new CopyOnWriteArrayList<>();
@@ -94,7 +91,7 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
      */
     public SceneOverlay(Runnable repaint, Consumer<Throwable> failures) {
         this.repaint = repaint;
-        worker = new NewestFirst<>("tompkins-overlay", this::answer, (question, error) -> failures.accept(error));
+        worker = new NewestFirst("tompkins-overlay", failures);
     }
 
     /** Draws these from now on. */
@@ -146,7 +143,8 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
             }
         }
         if (!isQuick(plan, shown, shapes(plan))) {
-            worker.submit(new Question(plan, shown));
+            Set<OverlayKind> kinds = shown;
+            worker.ask(() -> draw(plan, kinds, shapes(plan)), this::take);
             return null;
         }
         Drawn made = draw(plan, shown, shapes(plan));
@@ -160,14 +158,11 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
         return !followsRays && !followsTurns && new Projection(plan.studio(), 1, 1).hasOneTime();
     }
 
-    private void answer(Question question) {
-        Drawn made = draw(question.plan, question.kinds, shapes(question.plan));
-        SwingUtilities.invokeLater(() -> {
-            if (made.kinds.equals(shown)) {
-                keep(made);
-                repaint.run();
-            }
-        });
+    private void take(Drawn made) {
+        if (made.kinds.equals(shown)) {
+            keep(made);
+            repaint.run();
+        }
     }
 
     private void keep(Drawn made) {

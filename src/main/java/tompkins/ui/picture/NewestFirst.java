@@ -3,28 +3,27 @@ package tompkins.ui.picture;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
-import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.swing.SwingUtilities;
 
 /**
- * A thread that works on the newest thing that it is given; anything that it has not begun when a newer one comes is
+ * A thread that does the newest work that it is given; anything that it has not begun when a newer one comes is
  * dropped.
  */
-public final class NewestFirst<T> implements AutoCloseable {
+public final class NewestFirst implements AutoCloseable {
 
     /** As much as the threads of the renderer have: here, too, rays may be followed through deep recursions. */
     private static final long STACK_BYTES = 16 << 20;
 
     private final ThreadPoolExecutor thread;
-    private final Consumer<T> work;
-    private final BiConsumer<T, Throwable> failed;
+    private final Consumer<Throwable> failed;
 
     /**
-     * A thread with a name that does the given work. It survives work that throws, so that the next thing is done all
-     * the same; the thread tells {@code failed} the thing and what went wrong.
+     * A thread with a name. It survives work that throws, so that the next is done all the same; the thread tells
+     * {@code failed} what went wrong.
      */
-    public NewestFirst(String name, Consumer<T> work, BiConsumer<T, Throwable> failed) {
-        this.work = work;
+    public NewestFirst(String name, Consumer<Throwable> failed) {
         this.failed = failed;
         thread = new ThreadPoolExecutor(
                 1,
@@ -40,17 +39,28 @@ public final class NewestFirst<T> implements AutoCloseable {
                 new ThreadPoolExecutor.DiscardOldestPolicy());
     }
 
-    /** Replaces the thing that waits. */
-    public void submit(T thing) {
-        thread.execute(() -> work(thing));
+    /** Replaces the work that waits. */
+    public void submit(Runnable work) {
+        submit(work, failed);
     }
 
-    private void work(T thing) {
-        try {
-            work.accept(thing);
-        } catch (RuntimeException | Error error) {
-            failed.accept(thing, error);
-        }
+    /** Replaces the work that waits by some whose failure is told to somebody else. */
+    void submit(Runnable work, Consumer<Throwable> failure) {
+        thread.execute(() -> {
+            try {
+                work.run();
+            } catch (RuntimeException | Error error) {
+                failure.accept(error);
+            }
+        });
+    }
+
+    /** Replaces the work that waits by a question; {@code taker} gets the answer on the event thread. */
+    public <A> void ask(Supplier<A> question, Consumer<A> taker) {
+        submit(() -> {
+            A answer = question.get();
+            SwingUtilities.invokeLater(() -> taker.accept(answer));
+        });
     }
 
     /** Ends the thread after the work at hand; what waits is dropped. */

@@ -44,7 +44,7 @@ public final class RenderController implements AutoCloseable {
     private final Renderer renderer = new Renderer();
     private final Consumer<Picture> pictures;
     private final Consumer<Throwable> failures;
-    private final NewestFirst<Request> planner;
+    private final NewestFirst planner;
 
     /**
      * The picture that is wanted; null when it is there, cannot be made, or was stopped, even if it is still being
@@ -72,7 +72,7 @@ public final class RenderController implements AutoCloseable {
     public RenderController(Consumer<Picture> pictures, Consumer<Throwable> failures) {
         this.pictures = pictures;
         this.failures = failures;
-        planner = new NewestFirst<>("tompkins-plan", this::render, this::fail);
+        planner = new NewestFirst("tompkins-plan", failures);
     }
 
     /**
@@ -83,7 +83,7 @@ public final class RenderController implements AutoCloseable {
         Request request = new Request(studio, size, pace, System.nanoTime());
         stopped = false;
         wanted.set(request);
-        planner.submit(request);
+        planner.submit(() -> render(request), error -> fail(request, error));
         Run running = run;
         if (pace == Pace.ANSWER && running != null && running.request.pace == Pace.RIDE) {
             running.job.cancel();

@@ -17,7 +17,7 @@ public final class ScreenPictures implements AutoCloseable {
     private record Wanted(Picture now, Picture other, Room room, boolean difference) {}
 
     private final AtomicReference<ScreenPicture> ready = new AtomicReference<>();
-    private final NewestFirst<Wanted> worker;
+    private final NewestFirst worker;
     private final Consumer<ScreenPicture> screen;
     private Wanted wanted = new Wanted(null, null, null, false);
     private Wanted doneFor;
@@ -26,7 +26,7 @@ public final class ScreenPictures implements AutoCloseable {
     /** Hands images to {@code screen} on the event thread; its own thread tells {@code failures} about trouble. */
     public ScreenPictures(Consumer<ScreenPicture> screen, Consumer<Throwable> failures) {
         this.screen = screen;
-        worker = new NewestFirst<>("tompkins-screen", this::prepare, (order, error) -> failures.accept(error));
+        worker = new NewestFirst("tompkins-screen", failures);
     }
 
     /** There is a better picture. Called by any thread. */
@@ -51,9 +51,10 @@ public final class ScreenPictures implements AutoCloseable {
 
     private synchronized void want(UnaryOperator<Wanted> change) {
         Wanted before = wanted;
-        wanted = change.apply(before);
-        if (wanted != before && wanted.now != null && wanted.room != null) {
-            worker.submit(wanted);
+        Wanted order = change.apply(before);
+        wanted = order;
+        if (order != before && order.now != null && order.room != null) {
+            worker.submit(() -> prepare(order));
         }
     }
 

@@ -4,8 +4,6 @@ import java.awt.geom.Point2D;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
-import javax.swing.SwingUtilities;
 import tompkins.camera.FocusDistance;
 import tompkins.camera.SamplePositions;
 import tompkins.measure.RayCone;
@@ -36,11 +34,11 @@ public final class PixelProbe implements AutoCloseable {
     /** How many rays a cone has. */
     private static final int RAYS_OF_CONE = 12;
 
-    private final NewestFirst<Runnable> worker;
+    private final NewestFirst worker;
 
     /** A probe; its thread tells {@code failures} about questions that could not be answered. */
     public PixelProbe(Consumer<Throwable> failures) {
-        worker = new NewestFirst<>("tompkins-probe", Runnable::run, (question, error) -> failures.accept(error));
+        worker = new NewestFirst("tompkins-probe", failures);
     }
 
     /**
@@ -48,23 +46,16 @@ public final class PixelProbe implements AutoCloseable {
      * question comes first.
      */
     public void ask(Picture picture, Point2D place, Consumer<Reading> answer) {
-        ask(() -> read(picture.plan(), picture.inPixels(place), place), answer);
+        worker.ask(() -> read(picture.plan(), picture.inPixels(place), place), answer);
     }
 
     /** Follows a cone of rays around that of a place of a picture, in the middle of the exposure; answers as above. */
     void askCone(Picture picture, Point2D place, Consumer<List<RayLife>> answer) {
         Point2D middle = picture.inPixels(place);
-        ask(
+        worker.ask(
                 () -> RayCone.around(
                         picture.plan(), middle.getX(), middle.getY(), RAYS_OF_CONE, SamplePositions.MIDDLE),
                 answer);
-    }
-
-    private <T> void ask(Supplier<T> question, Consumer<T> answer) {
-        worker.submit(() -> {
-            T found = question.get();
-            SwingUtilities.invokeLater(() -> answer.accept(found));
-        });
     }
 
     /** Reads a place of a plan's picture, in pixels, as that of a pixel of the photograph in its own size. */

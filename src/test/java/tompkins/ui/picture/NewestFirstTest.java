@@ -34,20 +34,20 @@ class NewestFirstTest {
 
     @Test
     void theNewestTaskIsNextAndNoneAfterTheEnd() throws InterruptedException {
-        NewestFirst<String> worker = new NewestFirst<>("test", this::work, (thing, error) -> events.add(thing));
-        worker.submit("long");
+        NewestFirst worker = new NewestFirst("test", error -> events.add("failed"));
+        worker.submit(() -> work("long"));
         assertThat(nextEvent()).isEqualTo("began");
-        worker.submit("first");
-        worker.submit("second");
-        worker.submit("third");
+        worker.submit(() -> work("first"));
+        worker.submit(() -> work("second"));
+        worker.submit(() -> work("third"));
         mayEnd.release();
         assertThat(nextEvent()).isEqualTo("did long");
         assertThat(nextEvent()).isEqualTo("did third");
-        worker.submit("long");
+        worker.submit(() -> work("long"));
         assertThat(nextEvent()).isEqualTo("began");
-        worker.submit("late");
+        worker.submit(() -> work("late"));
         worker.close();
-        worker.submit("later");
+        worker.submit(() -> work("later"));
         mayEnd.release();
         assertThat(nextEvent()).as("not interrupted").isEqualTo("did long");
         assertThat(events.poll(300, TimeUnit.MILLISECONDS)).isNull();
@@ -55,17 +55,15 @@ class NewestFirstTest {
 
     @Test
     void workThatThrowsIsToldAndTheNextThingIsDone() throws InterruptedException {
-        try (NewestFirst<String> worker = new NewestFirst<>(
-                "test",
-                this::work,
-                (thing, error) -> events.add(thing + ": " + error.getClass().getSimpleName()))) {
-            worker.submit("wrong");
-            assertThat(nextEvent()).isEqualTo("wrong: IllegalStateException");
-            worker.submit("large");
-            assertThat(nextEvent()).isEqualTo("large: OutOfMemoryError");
-            worker.submit("deep");
-            assertThat(nextEvent()).isEqualTo("deep: StackOverflowError");
-            worker.submit("good");
+        try (NewestFirst worker =
+                new NewestFirst("test", error -> events.add(error.getClass().getSimpleName()))) {
+            worker.submit(() -> work("wrong"));
+            assertThat(nextEvent()).isEqualTo("IllegalStateException");
+            worker.submit(() -> work("large"));
+            assertThat(nextEvent()).isEqualTo("OutOfMemoryError");
+            worker.submit(() -> work("deep"));
+            assertThat(nextEvent()).isEqualTo("StackOverflowError");
+            worker.submit(() -> work("good"));
             assertThat(nextEvent()).isEqualTo("did good");
         }
     }
