@@ -33,11 +33,11 @@ class RoomSizeTest {
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
                         27_096),
-                arguments("file, image", 4_459),
+                arguments("file, image", 4_510),
                 arguments("explain, lesson, measure, animation", 6_269),
                 arguments("io, app", 7_983),
                 arguments("study", 4_548),
-                arguments("ui", 21_177));
+                arguments("ui", 21_360));
     }
 
     @ParameterizedTest

@@ -8,7 +8,10 @@ import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.regex.Pattern;
 
 /** A line of text in white on black in a corner of a picture. */
 public final class PictureLabel {
@@ -32,6 +35,13 @@ public final class PictureLabel {
     private static final double HEIGHT_SHARE = 1 / 28.0;
 
     private static final int SMALLEST = 9;
+
+    /** Much smaller than usual is what is below this share of the usual size, or below this size. */
+    private static final double READABLE = 0.6;
+
+    private static final int LEGIBLE = 11;
+
+    private static final Pattern CLAUSES = Pattern.compile("(?<=[,.]) ");
 
     private static final String BETWEEN_PARTS = " \u00b7 ";
 
@@ -80,6 +90,7 @@ public final class PictureLabel {
 
     /**
      * Writes parts of a text at the top, in the middle: beside each other where they have room, or one below the other.
+     * What would become much smaller in one line is written clause by clause.
      *
      * @return the room that is left below them
      */
@@ -98,10 +109,46 @@ public final class PictureLabel {
         return paintLine(graphics, usual, line, room);
     }
 
-    private static Rectangle paintLine(Graphics2D graphics, Font usual, String line, Rectangle room) {
-        paint(graphics, usual, line, room, Corner.TOP_MIDDLE);
+    private static Rectangle paintLine(Graphics2D graphics, Font usual, String line, Rectangle picture) {
+        Rectangle room = picture;
         int height = height(graphics, usual);
-        return new Rectangle(room.x, room.y + height, room.width, room.height - height);
+        for (String piece : pieces(graphics, usual, line, picture.width)) {
+            paint(graphics, usual, piece, room, Corner.TOP_MIDDLE);
+            room = new Rectangle(room.x, room.y + height, room.width, room.height - height);
+        }
+        return room;
+    }
+
+    /** A line as it is, or its clauses, as many together as fit. */
+    private static List<String> pieces(Graphics2D graphics, Font usual, String line, int width) {
+        if (fits(graphics, readable(usual), line, width)) {
+            return List.of(line);
+        }
+        List<String> pieces = new ArrayList<>();
+        for (String clause : CLAUSES.split(line)) {
+            int last = pieces.size() - 1;
+            String longer = last < 0 ? clause : pieces.get(last) + " " + clause;
+            if (last >= 0 && fits(graphics, usual, longer, width)) {
+                pieces.set(last, longer);
+            } else {
+                pieces.add(clause);
+            }
+        }
+        return pieces;
+    }
+
+    /** A font in which all texts fit into their widths; much smaller than the usual one it does not become. */
+    public static Font common(Graphics2D graphics, Font usual, Map<String, Integer> widths) {
+        Font common = usual;
+        for (Map.Entry<String, Integer> text : widths.entrySet()) {
+            common = fitting(graphics, common, text.getKey(), text.getValue());
+        }
+        Font least = readable(usual);
+        return common.getSize2D() < least.getSize2D() ? least : common;
+    }
+
+    private static Font readable(Font usual) {
+        return usual.deriveFont((float) Math.min(usual.getSize2D(), Math.max(LEGIBLE, READABLE * usual.getSize2D())));
     }
 
     /** How much of a picture labels at one of its edges take, with the gap between them and the edge. */

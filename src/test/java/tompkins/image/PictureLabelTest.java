@@ -9,6 +9,7 @@ import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import tompkins.image.PictureLabel.Corner;
 
@@ -67,7 +68,37 @@ class PictureLabelTest {
             lines.add((below.y - 20) / line);
         }
         graphics.dispose();
-        assertThat(lines).containsExactly(1, 2, 3, 3);
+        assertThat(lines).containsExactly(1, 2, 3, 5);
+    }
+
+    /** What would be too small to read from the back row goes into lines of its own, between its clauses. */
+    @Test
+    void aLongPartIsWrittenClauseByClause() {
+        Graphics2D graphics = new BufferedImage(800, 400, BufferedImage.TYPE_INT_RGB).createGraphics();
+        int line = PictureLabel.height(graphics, FONT);
+        List<Integer> lines = new ArrayList<>();
+        for (int width : new int[] {800, 400, 320, 150}) {
+            Rectangle below = PictureLabel.paintParts(graphics, FONT, List.of(TEXT), new Rectangle(0, 0, width, 400));
+            lines.add(below.y / line);
+        }
+        graphics.dispose();
+        // some 600 pixels with margins: 0.6 of it fit into 400, and not into 320, where the first two clauses fit
+        assertThat(lines).containsExactly(1, 1, 3, 4);
+    }
+
+    /** Beside each other two labels look alike, unless one had to become very small. */
+    @Test
+    void labelsOfOnePictureHaveOneSize() {
+        Graphics2D graphics = new BufferedImage(800, 400, BufferedImage.TYPE_INT_RGB).createGraphics();
+        assertThat(PictureLabel.common(graphics, FONT, Map.of("Now", 400, TEXT, 800)))
+                .isEqualTo(FONT);
+        float both = PictureLabel.common(graphics, FONT, Map.of("Now", 400, TEXT, 450))
+                .getSize2D();
+        assertThat(both).isBetween(13f, 18f);
+        assertThat(PictureLabel.common(graphics, FONT, Map.of("Now", 400, TEXT, 60))
+                        .getSize2D())
+                .isEqualTo(12f);
+        graphics.dispose();
     }
 
     /** Whatever stands in it, a label stays in its picture. */

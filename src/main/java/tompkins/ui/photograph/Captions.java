@@ -3,6 +3,7 @@ package tompkins.ui.photograph;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.BooleanSupplier;
 import tompkins.animation.FrameSequence;
 import tompkins.animation.RideFilm;
 import tompkins.light.ColourLaw;
@@ -37,7 +38,7 @@ public final class Captions {
     private final Settings settings;
     private final boolean usual;
     private NumberProperty animated;
-    private boolean riding;
+    private BooleanSupplier ridden = () -> false;
 
     /** Captions on a canvas, if the settings say so; {@code usual} counts if they say nothing. */
     public Captions(PictureCanvas canvas, Settings settings, boolean usual) {
@@ -65,9 +66,9 @@ public final class Captions {
         update();
     }
 
-    /** Tells whether the line of a ride says how fast the camera is: the picture on the screen is a little late. */
-    public void setRiding(boolean rides) {
-        riding = rides;
+    /** Asks from now on whether the line of a ride says how fast the camera is: the picture is a little late. */
+    public void setRidden(BooleanSupplier line) {
+        ridden = line;
     }
 
     private void update() {
@@ -76,7 +77,7 @@ public final class Captions {
 
     /** What is written into a picture on the screen: as {@link #shown}, without what the line of a ride says. */
     String onScreen(Studio studio) {
-        return riding ? view(studio) : shown(studio);
+        return ridden.getAsBoolean() ? view(studio) : shown(studio);
     }
 
     /**
@@ -110,14 +111,14 @@ public final class Captions {
      * @param goesOn whether the speed has no more digits than can be read while they change
      */
     public static String of(RideMoment moment, boolean goesOn) {
-        return String.join(", ", parts(moment, goesOn));
+        return joined(moment.studio(), parts(moment, goesOn));
     }
 
-    /** The parts of that caption. */
+    /** The parts of that caption, without a note that the picture is no photograph. */
     public static List<String> parts(RideMoment moment, boolean goesOn) {
         Studio studio = moment.studio();
         return List.of(
-                motion(studio, goesOn ? brief(studio.velocity()) : studio.velocity()),
+                String.join(", ", words(studio, goesOn ? brief(studio.velocity()) : studio.velocity())),
                 Texts.get("caption.ride", tenths(moment.properTime()), tenths(moment.sceneTime())));
     }
 
@@ -161,15 +162,22 @@ public final class Captions {
      * objects move, too, it says which speed is that of the camera.
      */
     static String motion(Studio studio) {
-        return motion(studio, studio.velocity());
+        return joined(studio, words(studio, studio.velocity()));
     }
 
-    /** As above, with fewer digits of the speed if the velocity has fewer; gamma is that of the studio. */
-    private static String motion(Studio studio, Velocity velocity) {
-        List<String> words = new ArrayList<>();
+    private static String joined(Studio studio, List<String> words) {
+        List<String> all = new ArrayList<>(words);
         if (studio.view() == View.MEASURED) {
-            words.add(view(studio));
+            all.add(0, view(studio));
         }
+        return String.join(", ", all);
+    }
+
+    /**
+     * The speed and the laws, with fewer digits of the speed if the velocity has fewer; gamma is that of the studio.
+     */
+    private static List<String> words(Studio studio, Velocity velocity) {
+        List<String> words = new ArrayList<>();
         List<String> objects = objects(studio);
         boolean told = objects.isEmpty() || !velocity.isRest();
         if (told) {
@@ -184,9 +192,11 @@ public final class Captions {
             words.add(Texts.get("caption.gamma", SpeedScale.GAMMA.reading(studio.velocity())));
         }
         words.addAll(objects.size() > MOST_OBJECTS ? List.of(Texts.get("caption.many", objects.size())) : objects);
-        if (studio.colours() != ColourLaw.UNCHANGED) {
+        if (studio.colours() != ColourLaw.UNCHANGED
+                && studio.view() == View.SEEN
+                && studio.transformation() == TransformationLaw.LORENTZ) {
             words.add(Wording.label(studio.colours()));
         }
-        return String.join(", ", words);
+        return words;
     }
 }

@@ -7,6 +7,8 @@ import java.awt.RenderingHints;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.function.Function;
 import tompkins.image.PictureLabel;
 import tompkins.image.PictureLabel.Corner;
@@ -29,13 +31,15 @@ record PicturePainter(
 
     /** Paints on an empty canvas. */
     void paint(Graphics2D g) {
+        Font titles = common(g, this::title);
+        Font below = common(g, this::caption);
         for (PictureArrangement.Pane pane : seen.panes()) {
             paint(g, pane.image(), pane.bounds(), pane.part());
             Graphics2D clipped = (Graphics2D) g.create();
             clipped.clip(inUnits(pane.visible()));
             boolean right = seen.splits() && pane.isOther();
-            label(clipped, title(pane), pane.visible(), right ? Corner.TOP_RIGHT : Corner.TOP_LEFT);
-            label(clipped, caption(pane), pane.visible(), right ? Corner.BOTTOM_RIGHT : Corner.BOTTOM_LEFT);
+            label(clipped, titles, title(pane), pane.visible(), right ? Corner.TOP_RIGHT : Corner.TOP_LEFT);
+            label(clipped, below, caption(pane), pane.visible(), right ? Corner.BOTTOM_RIGHT : Corner.BOTTOM_LEFT);
             clipped.dispose();
         }
         if (seen.splits()) {
@@ -45,7 +49,7 @@ record PicturePainter(
         if (seen.comparison() != Comparison.NONE
                 && seen.shown().other() != null
                 && seen.shown().otherImage() == null) {
-            label(g, Texts.get("compare.otherShape", otherName), visible(), Corner.TOP_LEFT);
+            label(g, font, Texts.get("compare.otherShape", otherName), visible(), Corner.TOP_LEFT);
         }
     }
 
@@ -103,9 +107,16 @@ record PicturePainter(
         return captions == null ? "" : captions.apply(pane.picture().studio());
     }
 
-    private void label(Graphics2D g, String text, Rectangle bounds, Corner corner) {
+    /** One font for what is written at the same edge of both pictures. */
+    private Font common(Graphics2D g, Function<PictureArrangement.Pane, String> text) {
+        Map<String, Integer> widths = new HashMap<>();
+        seen.panes().forEach(pane -> widths.merge(text.apply(pane), inUnits(pane.visible()).width, Math::min));
+        return PictureLabel.common(g, font, widths);
+    }
+
+    private void label(Graphics2D g, Font size, String text, Rectangle bounds, Corner corner) {
         if (!text.isEmpty()) {
-            PictureLabel.paint(g, font, text, inUnits(bounds), corner);
+            PictureLabel.paint(g, size, text, inUnits(bounds), corner);
         }
     }
 

@@ -64,7 +64,7 @@ public final class Motion {
         steering = new SteeringMouse(canvas, new CameraHand(window.model(), window.view(), pilot));
         new RideKeys(canvas, pilot, steering::turn);
         canvas.addOverlay((g, picture, bounds, visible, free) -> paintLine(g, free));
-        pilot.addListener(() -> captions.setRiding(pilot.isRiding()));
+        captions.setRidden(this::isOnRide);
         pilot.addListener(canvas::repaint);
         pilot.addListener(this::complete);
         strip.fill(
@@ -220,17 +220,22 @@ public final class Motion {
             Rectangle below = PictureLabel.paintParts(g, font, parts, free);
             String news = pilot.task().news();
             if (!news.isEmpty()) {
-                // in a line of its own, where it can be read from the back row
-                PictureLabel.paint(g, font, news, below, PictureLabel.Corner.TOP_MIDDLE);
+                // below the rest, where it can be read from the back row
+                PictureLabel.paintParts(g, font, List.of(news), below);
             }
         }
+    }
+
+    /** Whether the camera is on a ride, which may be paused. */
+    private boolean isOnRide() {
+        return ride != null && ride.isShown() && pilot.moment() != null;
     }
 
     /** What the line at the top of the picture says; nothing if the camera is not on a ride. */
     private List<String> parts() {
         RideMoment moment = pilot.moment();
         List<String> parts = new ArrayList<>();
-        if (moment != null && ride != null && ride.isShown()) {
+        if (isOnRide()) {
             parts.addAll(state(moment));
             parts.addAll(Captions.parts(moment, pilot.isRiding()));
             if (pilot.isRiding() && window.settings().number(PictureOverlays.RATE, 0) != 0) {
@@ -246,7 +251,10 @@ public final class Motion {
                 : pilot.isRecording()
                         ? "ride.state.recording"
                         : pilot.isRiding()
-                                ? pilot.isBraking() ? "ride.state.brake" : ""
+                                ? pilot.isBraking()
+                                                && !moment.studio().velocity().isRest()
+                                        ? "ride.state.brake"
+                                        : ""
                                 : moment.properTime() == 0 ? "ride.state.ready" : "ride.state.pause";
         return key.isEmpty() ? List.of() : List.of(Texts.get(key));
     }

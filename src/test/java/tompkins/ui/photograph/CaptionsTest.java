@@ -40,6 +40,9 @@ class CaptionsTest {
                 .isEqualTo("\u03b2 = 0.6, Galilean");
         assertThat(Captions.of(FAST.withColours(ColourLaw.DOPPLER), null))
                 .isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25, Doppler shift");
+        assertThat(Captions.of(FAST.withColours(ColourLaw.DOPPLER).withView(View.MEASURED), null))
+                .as("what is measured has its own colours")
+                .isEqualTo("Measured, not a photograph, \u03b2 = 0.6, \u03b3 = 1.25");
     }
 
     /** No one shall take for a photograph what none is, whatever captions are wanted. */
@@ -76,11 +79,14 @@ class CaptionsTest {
     void onARideTheLineOfTheRideTellsTheSpeed() {
         Captions captions =
                 new Captions(new PictureCanvas(size -> {}), new Settings(folder.resolve("window.properties")), true);
-        captions.setRiding(true);
+        captions.setRidden(() -> true);
         assertThat(captions.onScreen(FAST)).isEmpty();
         assertThat(captions.onScreen(FAST.withView(View.MEASURED))).isEqualTo("Measured, not a photograph");
+        assertThat(Captions.parts(RideMoment.start(FAST.withView(View.MEASURED)), true))
+                .as("what the caption says the line need not say")
+                .containsExactly("\u03b2 = 0.6, \u03b3 = 1.25", "on board 0.0, scene 0.0 time units");
         assertThat(captions.shown(FAST)).as("in a copy").isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25");
-        captions.setRiding(false);
+        captions.setRidden(() -> false);
         assertThat(captions.onScreen(FAST)).isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25");
     }
 
