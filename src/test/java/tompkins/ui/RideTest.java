@@ -10,7 +10,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.stream.Stream;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
@@ -22,10 +25,13 @@ import org.junit.jupiter.api.io.TempDir;
 import tompkins.camera.Aim.PicturePosition;
 import tompkins.camera.Camera;
 import tompkins.io.StudioReader;
+import tompkins.property.Descriptions;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.Ride;
 import tompkins.studio.RideLeg;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
+import tompkins.studio.View;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.ride.RidePilot;
 
@@ -255,6 +261,52 @@ class RideTest {
         driver.release(KeyEvent.VK_W);
         driver.click(driver.find(JButton.class, "Ride through this scene (F6)"));
         assertThat(driver.window().motion().pilot().isRiding()).isFalse();
+    }
+
+    /** Otherwise no key would do anything after a click at a switch, and nobody would know why. */
+    @Test
+    void keysSteerAfterAClickAtASwitch() {
+        driver.key(KeyEvent.VK_F6);
+        driver.click(driver.find(JToggleButton.class, "Measured"));
+        assertThat(driver.studio().view()).isEqualTo(View.MEASURED);
+        double before = driver.studio().velocity().speed();
+        driver.hold(KeyEvent.VK_W);
+        WindowDriver.await(
+                "thrust", () -> driver.window().model().studio().velocity().speed() > before + 0.01);
+        driver.release(KeyEvent.VK_W);
+        driver.key(KeyEvent.VK_SPACE);
+        // what is typed into a field is no thrust
+        driver.click(driver.find(JTextField.class, "Speed"));
+        driver.key(KeyEvent.VK_B);
+        assertThat(WindowDriver.onEventThread(
+                        () -> driver.window().motion().pilot().isBraking()))
+                .isFalse();
+    }
+
+    /** The arrows look through the list of rides, and Enter begins one. */
+    @Test
+    void aRideIsChosenWithTheKeys() {
+        driver.close();
+        List<Ride> rides = Stream.of("first", "second", "third")
+                .map(name -> new Ride(name, "Hold W.", new Vector3d(0, 0, -1), Velocity.REST, 1, List.of()))
+                .toList();
+        driver =
+                new WindowDriver(folder.resolve("settings"), Descriptions.with(start, "rides", rides), null, List.of());
+        driver.key(KeyEvent.VK_F6);
+        RidePilot pilot = driver.window().motion().pilot();
+        WindowDriver.await("a ride", pilot::isRiding);
+        JComboBox<?> offered = driver.find(JComboBox.class, "Rides of this scene");
+        WindowDriver.onEventThread(() -> {
+            offered.requestFocusInWindow();
+        });
+        WindowDriver.await("the keys", offered::isFocusOwner);
+        driver.key(KeyEvent.VK_DOWN);
+        driver.key(KeyEvent.VK_DOWN);
+        driver.key(KeyEvent.VK_DOWN);
+        assertThat(offered.isFocusOwner()).isTrue();
+        driver.key(KeyEvent.VK_ENTER);
+        WindowDriver.await("the last ride", () -> offered.getSelectedItem().equals(rides.get(2)));
+        WindowDriver.await("the keys of the ride", () -> canvas().isFocusOwner());
     }
 
     @Test

@@ -1,14 +1,18 @@
 package tompkins.ui.ride;
 
-import java.awt.event.FocusAdapter;
-import java.awt.event.FocusEvent;
+import java.awt.Component;
+import java.awt.KeyEventPostProcessor;
+import java.awt.KeyboardFocusManager;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
+import java.beans.PropertyChangeListener;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import javax.swing.SwingUtilities;
 import javax.swing.Timer;
+import javax.swing.text.JTextComponent;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ui.picture.PictureCanvas;
@@ -21,6 +25,9 @@ import tompkins.ui.picture.PictureCanvas;
 final class RideKeys {
 
     private static final int REPEAT_MILLISECONDS = 20;
+
+    /** The property of the focus that tells that another component has the keys, or another window. */
+    private static final String FOCUS = "focusOwner";
 
     private static final Vector3dc FORWARDS = new Vector3d(0, 0, 1);
     private static final Vector3dc BACK = new Vector3d(0, 0, -1);
@@ -45,8 +52,11 @@ final class RideKeys {
     /** A key that is held: its thrust, and what ends it soon after the key is released. */
     private record Held(Vector3dc thrust, Timer ending) {}
 
+    private final PictureCanvas canvas;
     private final RidePilot pilot;
     private final Turn turn;
+    private final KeyEventPostProcessor elsewhere = this::takeUnused;
+    private final PropertyChangeListener focus = event -> letGo();
     private final Map<Integer, Held> held = new HashMap<>();
 
     /** What turns the view by steps to the right and up. */
@@ -59,36 +69,70 @@ final class RideKeys {
     RideKeys(PictureCanvas canvas, RidePilot pilot, Turn turn) {
         this.pilot = pilot;
         this.turn = turn;
+        this.canvas = canvas;
         canvas.addKeyListener(new KeyAdapter() {
             @Override
             public void keyPressed(KeyEvent event) {
-                if (isOfRide(event)) {
-                    press(event);
-                }
+                take(event);
             }
 
             @Override
             public void keyReleased(KeyEvent event) {
+                take(event);
+            }
+
+            @Override
+            public void keyTyped(KeyEvent event) {
+                take(event);
+            }
+        });
+        pilot.addListener(this::listenElsewhere);
+    }
+
+    /** While the camera flies, keys that have no use where the focus is steer it: a switch was clicked, for example. */
+    private void listenElsewhere() {
+        KeyboardFocusManager manager = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+        manager.removeKeyEventPostProcessor(elsewhere);
+        manager.removePropertyChangeListener(FOCUS, focus);
+        if (pilot.isFlying()) {
+            manager.addKeyEventPostProcessor(elsewhere);
+            manager.addPropertyChangeListener(FOCUS, focus);
+        } else {
+            letGo();
+        }
+    }
+
+    private boolean takeUnused(KeyEvent event) {
+        Component focused = event.getComponent();
+        if (!event.isConsumed()
+                && focused != canvas
+                && !(focused instanceof JTextComponent)
+                && SwingUtilities.getRoot(focused) == SwingUtilities.getRoot(canvas)) {
+            take(event);
+        }
+        return event.isConsumed();
+    }
+
+    private void take(KeyEvent event) {
+        switch (event.getID()) {
+            case KeyEvent.KEY_RELEASED -> {
                 Held ending = held.get(key(event));
                 if (ending != null) {
                     ending.ending.restart();
                 }
             }
-
-            @Override
-            public void keyTyped(KeyEvent event) {
+            case KeyEvent.KEY_PRESSED -> {
+                if (isOfRide(event)) {
+                    press(event);
+                }
+            }
+            default -> {
                 // letters of a ride mean nothing else
                 if (isOfRide(event)) {
                     event.consume();
                 }
             }
-        });
-        canvas.addFocusListener(new FocusAdapter() {
-            @Override
-            public void focusLost(FocusEvent event) {
-                letGo();
-            }
-        });
+        }
     }
 
     private boolean isOfRide(KeyEvent event) {

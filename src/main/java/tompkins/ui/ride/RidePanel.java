@@ -109,6 +109,8 @@ public final class RidePanel extends Part {
     private void offerRides(StudioModel model, Runnable flown) {
         Naming.name(rides, "ride.rides");
         Naming.items(rides, Ride::name);
+        // arrow keys in the list only look for a ride; Enter begins it
+        rides.putClientProperty("JComboBox.isTableCellEditor", true);
         Runnable update = () -> {
             List<Ride> offered = model.studio().rides();
             rides.setVisible(offered.size() > 1);
