@@ -19,10 +19,16 @@ import tompkins.ui.widget.Texts;
 /** Says on a spoilt picture what is wrong with it, and offers a remedy. */
 final class PictureNotice {
 
+    private static final String AT_TOP = "[20%!][top]";
+    private static final String IN_THE_MIDDLE = "[50%!][top]";
+
     private final StudioModel model;
     private final JPanel panel = new NoticePanel();
     private final Note problem = new Note("");
     private final JButton button = new JButton();
+    /** Below what is written at the top of the picture; a ride writes more there. */
+    private final MigLayout layout = new MigLayout("novisualpadding, insets 10, fill", "[center]", AT_TOP);
+
     private Studio noticed;
     private Remedy remedy;
     private Function<Picture, String> trouble = picture -> "";
@@ -36,8 +42,7 @@ final class PictureNotice {
         panel.add(problem.component(), "growx, wmin 0");
         panel.add(button, "alignx center, wmin 0");
         panel.setVisible(false);
-        // below what is written at the top of the picture
-        canvas.setLayout(new MigLayout("novisualpadding, insets 10, fill", "[center]", "[20%!][top]"));
+        canvas.setLayout(layout);
         canvas.add(panel, "cell 0 1, wmin 0");
     }
 
@@ -55,6 +60,7 @@ final class PictureNotice {
     /** Shows what there is to say about the picture on the screen; about an incomplete one only a ride knows. */
     void show(Picture picture) {
         String said = trouble.apply(picture);
+        layout.setRowConstraints(said.isEmpty() ? AT_TOP : IN_THE_MIDDLE);
         if (!said.isEmpty()) {
             noticed = picture.studio();
             remedy = null;
