@@ -1,12 +1,15 @@
 package tompkins.ui.editor;
 
+import java.util.ArrayList;
 import java.util.List;
+import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.measure.Projection;
 import tompkins.measure.SceneShapes;
 import tompkins.measure.Sighting;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Event;
@@ -30,6 +33,18 @@ final class InPicture {
 
     /** To find out what is seen among more primitives takes too long. */
     private static final double MOST_PRIMITIVES = 100_000;
+
+    /** So many points across and down are looked at, to find out how much of the picture an object takes. */
+    private static final int GRID = 16;
+
+    /** What takes no more of the picture than this is hardly seen. */
+    private static final double LEAST = 1.5 / (GRID * GRID);
+
+    /** An object that is brought takes no more of the picture than this. */
+    private static final double MOST = 0.5;
+
+    /** Where objects are brought, one after the other: shares of the width, from the middle. */
+    private static final double[] PLACES = {0, 0.2, -0.2, 0.35, -0.35};
 
     private static final StudioPath FIRST = StudioPath.ROOT.then("scene").then(0);
 
@@ -56,28 +71,90 @@ final class InPicture {
     }
 
     /**
-     * An object, shifted to where the middle of the picture shows the middle of its first part, before what is seen
-     * there; the object itself if it has no bounded part.
+     * An object that is added to a studio, where its picture shows it: where it is, or else before what is seen in the
+     * middle or beside it. What moves may leave its place at once, and is always brought. Other things stay where they
+     * are if they would hide all else, or lie in each other, and so does what has no bounded part.
      */
-    static SceneObject brought(Studio studio, SceneObject object) {
+    static SceneObject inSight(Studio studio, SceneObject object) {
+        if (studio.scene().stream().mapToDouble(SceneObject::primitiveCount).sum() > MOST_PRIMITIVES) {
+            return shows(studio, object) ? object : brought(studio, object, 0);
+        }
+        boolean leaves = object instanceof Moving;
+        if (!leaves && shows(studio, object) && part(studio, object) > LEAST) {
+            return object;
+        }
+        for (double aside : PLACES) {
+            SceneObject there = brought(studio, object, aside);
+            double part = part(studio, there);
+            if (part > 0 && part <= MOST && (leaves || NewObject.isFree(there, studio.scene()))) {
+                return there;
+            }
+        }
+        return leaves ? brought(studio, object, 0) : object;
+    }
+
+    /** Whether a studio with another object has another picture. */
+    static boolean isSeen(Studio studio, SceneObject object) {
+        return part(studio, object) > 0;
+    }
+
+    /** How much of the picture of a studio another object changes, from 0 to 1. */
+    private static double part(Studio studio, SceneObject object) {
+        List<SceneObject> longer = new ArrayList<>(studio.scene());
+        longer.add(object);
+        RenderPlan before = RenderPlan.of(studio);
+        RenderPlan after = RenderPlan.of(studio.withScene(longer));
+        Projection projection = Projection.of(studio);
+        double changed = alone(studio, object).objects().stream()
+                        .map(part -> projection.position(new SeenFrame(studio, part.motion()), part.middle()))
+                        .filter(projection::shows)
+                        .anyMatch(middle -> differ(before, after, middle.x(), middle.y()))
+                ? 1
+                : 0;
+        for (int i = 0; i < GRID * GRID; i++) {
+            double x = (i % GRID + 0.5) * before.width() / GRID;
+            double y = (i / GRID + 0.5) * before.height() / GRID;
+            changed += differ(before, after, x, y) ? 1 : 0;
+        }
+        return changed / (GRID * GRID + 1);
+    }
+
+    private static boolean differ(RenderPlan before, RenderPlan after, double x, double y) {
+        Sighting first = Sighting.of(before, x, y);
+        Sighting second = Sighting.of(after, x, y);
+        // parts of two objects may have the same description
+        return second.hit() != null
+                && (first.hit() == null
+                        || !second.hit().object().equals(first.hit().object())
+                        || second.cameraDistance() != first.cameraDistance());
+    }
+
+    /**
+     * An object, shifted to where a place of the picture shows the middle of its first part, before what is seen there;
+     * the object itself if it has no bounded part.
+     *
+     * @param aside how far the place is from the middle, as a share of the width
+     */
+    private static SceneObject brought(Studio studio, SceneObject object, double aside) {
         List<SceneShapes.Thing> parts = alone(studio, object).objects();
         if (parts.isEmpty()) {
             return object;
         }
         FrameMotion motion = parts.get(0).motion();
         Vector3d middle = parts.get(0).middle();
-        Event wanted = new SeenFrame(studio, motion).fromCamera(ahead(studio));
+        Event wanted = new SeenFrame(studio, motion).fromCamera(ahead(studio, aside));
         Vector3d shift = ObjectShift.of(studio.withScene(List.of(object)), FIRST, FIRST, motion)
                 .bringing(new Event(middle.x, middle.y, middle.z, wanted.time()), null, 0, wanted);
         return object.shifted(Numbers.rounded(shift, 3));
     }
 
-    /** The event, in the camera frame, from which light for the middle of the picture comes. */
-    private static Event ahead(Studio studio) {
+    /** The event, in the camera frame, from which light for a place of the picture comes. */
+    private static Event ahead(Studio studio, double aside) {
         Projection projection = Projection.of(studio);
-        double distance = Math.min(FARTHEST, BEFORE * distance(studio, projection.middle()));
-        Vector3dc look = projection.direction(
-                projection.middle().x(), projection.middle().y());
+        Vector2dc middle = projection.middle();
+        Vector2dc place = new Vector2d(middle.x() + aside * studio.settings().width(), middle.y());
+        double distance = Math.min(FARTHEST, BEFORE * distance(studio, place));
+        Vector3dc look = projection.direction(place.x(), place.y());
         Event lens = projection.lensEvent();
         double delay = studio.view() == View.MEASURED ? 0 : distance;
         return lens.plus(new Event(distance * look.x(), distance * look.y(), distance * look.z(), -delay));

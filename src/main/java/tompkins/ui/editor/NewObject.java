@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.light.LightSource;
@@ -46,11 +47,15 @@ final class NewObject {
 
     private NewObject() {}
 
-    /** A new element of a list, of a type, in a place of its own. */
-    static Object of(Class<?> type, List<?> list) {
+    /**
+     * A new element of a list, of a type, in a place of its own.
+     *
+     * @param seen whether a floor is seen; otherwise a plane becomes a wall
+     */
+    static Object of(Class<?> type, List<?> list, Predicate<Plane> seen) {
         Object standard = Descriptions.standard(type);
         if (standard instanceof Plane plane) {
-            return floorOrWall(plane, list);
+            return floorOrWall(plane, list, seen);
         }
         if (standard instanceof TriangleMesh mesh) {
             return beside(ahead(mesh), list);
@@ -66,11 +71,11 @@ final class NewObject {
         return Descriptions.with(Descriptions.with(ahead, "object", mesh), "description", mesh.description());
     }
 
-    /** A floor; or if there is one already, a wall behind everything. */
-    private static Plane floorOrWall(Plane floor, List<?> list) {
+    /** A floor; or if there is one already, or it is not seen, a wall behind everything. */
+    private static Plane floorOrWall(Plane floor, List<?> list, Predicate<Plane> seen) {
         Plane next = floor;
         double farthest = occupied(list).stream().mapToDouble(Bounds::maxZ).reduce(AHEAD.z(), Math::max);
-        for (int walls = 1; isTaken(next, list); walls++) {
+        for (int walls = 1; isTaken(next, list) || walls == 1 && !seen.test(next); walls++) {
             Vector3d point = new Vector3d(0, 0, Math.ceil(farthest) + walls * WALLS_APART);
             next = new Plane(floor.description(), point, new Vector3d(0, 0, -1), floor.surface());
         }
@@ -119,6 +124,13 @@ final class NewObject {
             }
         }
         return object;
+    }
+
+    /** Whether nothing that has an end is where an object is. */
+    static boolean isFree(SceneObject object, List<?> list) {
+        return bounds(object)
+                .map(room -> occupied(list).stream().noneMatch(other -> overlap(room, other)))
+                .orElse(true);
     }
 
     /** The boxes around what has an end; none if there is too much of it. */

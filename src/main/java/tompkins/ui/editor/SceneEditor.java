@@ -13,7 +13,6 @@ import tompkins.camera.ThinLensCamera;
 import tompkins.light.LightSource;
 import tompkins.property.Descriptions;
 import tompkins.sceneobject.Hidden;
-import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.SceneObject;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
@@ -241,10 +240,11 @@ public final class SceneEditor extends Part {
         StudioTree.Line entry = entry();
         int place = entry == null ? list().size() : (Integer) entry.path().last() + 1;
         List<?> before = list();
-        Object made = NewObject.of(type, before);
-        // what moves may have left the picture, or be hidden
-        Object added =
-                path.equals(SCENE) && made instanceof Moving moving ? InPicture.brought(model.studio(), moving) : made;
+        boolean hides = path.equals(SCENE) && !isFirstObject(path);
+        Object made = NewObject.of(type, before, plane -> !hides || InPicture.isSeen(model.studio(), plane));
+        Object added = path.equals(SCENE) && made instanceof SceneObject object
+                ? InPicture.inSight(model.studio(), object)
+                : made;
         List<Object> longer = new ArrayList<>(ListEdits.inserted(before, place, added));
         if (isFirstObject(path)) {
             NewObject.floorBeneath(added).ifPresent(longer::add);

@@ -2,6 +2,7 @@ package tompkins.ui.editor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.withinPercentage;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.awt.Container;
 import java.awt.Rectangle;
@@ -327,6 +328,30 @@ class SceneEditorTest {
                 .allMatch(z -> z > back);
     }
 
+    /** It is shown where it is, or brought where it can be seen. */
+    @ParameterizedTest
+    @MethodSource("objects")
+    void everyNewObjectIsSeenAtOnce(Class<?> type) {
+        assumeThat(type).as("nothing to see yet").isNotIn(Group.class, Silhouette.class, Hidden.class);
+        Plane wall = new Plane("wall", new Vector3d(0, 0, 6), new Vector3d(0, 0, -1), ColouredSurface.DEFAULT);
+        model.set(Studio.DEFAULT.withScene(List.of(wall)).withVelocity(Velocity.of(0, 0, 0.8)));
+        tree.setSelectionRow(0);
+        Studio before = model.studio();
+        editor.addElement(type);
+        RenderPlan plain = RenderPlan.of(before);
+        RenderPlan plan = RenderPlan.of(model.studio());
+        int seen = 0;
+        for (int i = 0; i < 40 * 30; i++) {
+            double x = (i % 40 + 0.5) * plan.width() / 40;
+            double y = (i / 40 + 0.5) * plan.height() / 30;
+            seen += Sighting.of(plan, x, y).cameraDistance()
+                            < Sighting.of(plain, x, y).cameraDistance()
+                    ? 1
+                    : 0;
+        }
+        assertThat(seen).isBetween(1, 600);
+    }
+
     @Test
     void whatIsNotInThePictureSaysSo() {
         model.set(Studio.DEFAULT);
@@ -335,7 +360,7 @@ class SceneEditorTest {
         fresh.addElement(Sphere.class);
         assertThat(Components.notes(form)).noneMatch(note -> note.contains("lies outside"));
         fresh.addElement(Sphere.class);
-        // 14 degrees from the middle, where the edge is 10 degrees from it
+        // 14 degrees from the middle, where the edge is 10 degrees from it: before the first it would hide all else
         assertThat(((Sphere) model.studio().scene().get(1)).centre()).isEqualTo(new Vector3d(2.5, 0, 10));
         assertThat(Components.notes(form)).anyMatch(note -> note.contains("lies outside"));
         model.set(model.studio().withCamera(FieldOfView.with(model.studio().camera(), 120)));
@@ -343,7 +368,8 @@ class SceneEditorTest {
         assertThat(Components.notes(form)).noneMatch(note -> note.contains("lies outside"));
         model.set(model.studio().withCamera(Aim.along(model.studio().camera(), new Vector3d(0, 0, -1))));
         fresh.addElement(Box.class);
-        assertThat(Components.notes(form)).anyMatch(note -> note.contains("lies outside"));
+        assertThat(Components.notes(form)).noneMatch(note -> note.contains("lies outside"));
+        assertThat(((Box) model.studio().scene().get(3)).to().z()).as("behind").isNegative();
     }
 
     /** An empty scene offers nothing else to choose first. */
@@ -632,7 +658,10 @@ class SceneEditorTest {
     }
 
     private static boolean areApart(Bounds one, Bounds other) {
-        return one.maxX() < other.minX() || other.maxX() < one.minX();
+        return one.maxX() < other.minX()
+                || other.maxX() < one.minX()
+                || one.maxZ() < other.minZ()
+                || other.maxZ() < one.minZ();
     }
 
     @Test
