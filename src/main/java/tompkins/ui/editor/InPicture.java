@@ -72,25 +72,31 @@ final class InPicture {
 
     /**
      * An object that is added to a studio, where its picture shows it: where it is, or else before what is seen in the
-     * middle or beside it. What moves may leave its place at once, and is always brought. Other things stay where they
-     * are if they would hide all else, or lie in each other, and so does what has no bounded part.
+     * middle or beside it, apart from other things if there is room. What moves may leave its place at once, and is
+     * always brought. Other things stay where they are if they have no bounded part, or would hide all else, or lie
+     * outside and would lie in each other.
      */
     static SceneObject inSight(Studio studio, SceneObject object) {
         if (studio.scene().stream().mapToDouble(SceneObject::primitiveCount).sum() > MOST_PRIMITIVES) {
             return shows(studio, object) ? object : brought(studio, object, 0);
         }
         boolean leaves = object instanceof Moving;
-        if (!leaves && shows(studio, object) && part(studio, object) > LEAST) {
+        boolean hidden = shows(studio, object);
+        if (!leaves && hidden && part(studio, object) > LEAST) {
             return object;
         }
+        SceneObject crowded = leaves ? brought(studio, object, 0) : object;
         for (double aside : PLACES) {
             SceneObject there = brought(studio, object, aside);
             double part = part(studio, there);
-            if (part > 0 && part <= MOST && (leaves || NewObject.isFree(there, studio.scene()))) {
-                return there;
+            if (part > 0 && part <= MOST) {
+                if (leaves || NewObject.isFree(there, studio.scene())) {
+                    return there;
+                }
+                crowded = hidden && crowded == object ? there : crowded;
             }
         }
-        return leaves ? brought(studio, object, 0) : object;
+        return crowded;
     }
 
     /** Whether a studio with another object has another picture. */

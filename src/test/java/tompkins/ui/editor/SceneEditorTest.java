@@ -8,6 +8,7 @@ import java.awt.Container;
 import java.awt.Rectangle;
 import java.awt.event.MouseEvent;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
@@ -29,6 +30,7 @@ import tompkins.camera.Aim;
 import tompkins.camera.FieldOfView;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.io.BundledScenes;
 import tompkins.lesson.Lesson;
 import tompkins.lesson.Prediction;
 import tompkins.light.LightSource;
@@ -350,6 +352,24 @@ class SceneEditorTest {
                     : 0;
         }
         assertThat(seen).isBetween(1, 600);
+    }
+
+    /** Where everything stands close together there is no room that is free, but some that is seen. */
+    @Test
+    void aNewObjectIsSeenInATown() throws Exception {
+        Studio town = BundledScenes.studio("town-square.json");
+        model.set(town);
+        tree.setSelectionRow(0);
+        editor.addElement(Sphere.class);
+        Sphere added = (Sphere) model.studio().scene().get(town.scene().size());
+        RenderPlan plan = RenderPlan.of(model.studio());
+        long seen = IntStream.range(0, 40 * 30)
+                .mapToObj(
+                        i -> Sighting.of(plan, (i % 40 + 0.5) * plan.width() / 40, (i / 40 + 0.5) * plan.height() / 30)
+                                .hit())
+                .filter(hit -> hit != null && hit.object().equals(added))
+                .count();
+        assertThat(seen).isBetween(10L, 600L);
     }
 
     @Test
