@@ -3,17 +3,22 @@ package tompkins.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
+import java.awt.FocusTraversalPolicy;
 import java.awt.geom.Point2D;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
+import javax.swing.DefaultButtonModel;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JEditorPane;
 import javax.swing.JFileChooser;
+import javax.swing.JFrame;
 import javax.swing.JRadioButton;
 import javax.swing.JSlider;
 import javax.swing.JSplitPane;
@@ -32,7 +37,7 @@ import tompkins.studio.StudioPath;
 import tompkins.ui.widget.Drawing;
 import tompkins.ui.widget.Texts;
 
-/** Everything in the windows that can be used, or read with keys, has a name for screen readers. */
+/** Everything in the windows that can be used, or read with keys, has a name for screen readers, and Tab reaches it. */
 @Timeout(300)
 @NeedsDisplay
 class AccessibleNamesTest {
@@ -59,6 +64,32 @@ class AccessibleNamesTest {
                         .toList()
                         .stream());
         assertThat(nameless.map(AccessibleNamesTest::describe)).isEmpty();
+    }
+
+    /** The Tab key reaches everything in the window below its menus; of buttons of which one is chosen, that one. */
+    private void assertReached() {
+        List<String> missed = WindowDriver.onEventThread(() -> {
+            JFrame frame = driver.window().frame();
+            FocusTraversalPolicy policy = frame.getFocusTraversalPolicy();
+            Set<Component> reached = new HashSet<>();
+            Component next = policy.getFirstComponent(frame);
+            while (reached.add(next)) {
+                next = policy.getComponentAfter(frame, next);
+            }
+            return Components.all(frame.getContentPane())
+                    .filter(each -> each.isShowing() && each.isEnabled() && each.isFocusable() && isUsed(each))
+                    .filter(each -> !(each instanceof JSplitPane || each.getParent() instanceof JComboBox<?>))
+                    // into one that can be typed into it goes at once
+                    .filter(each -> !(each instanceof JComboBox<?> box && box.isEditable()))
+                    .filter(each -> !reached.contains(each) && !(each instanceof JToggleButton && hasGroup(each)))
+                    .map(AccessibleNamesTest::describe)
+                    .toList();
+        });
+        assertThat(missed).isEmpty();
+    }
+
+    private static boolean hasGroup(Component button) {
+        return ((AbstractButton) button).getModel() instanceof DefaultButtonModel model && model.getGroup() != null;
     }
 
     private static boolean isUsed(Component component) {
@@ -102,12 +133,14 @@ class AccessibleNamesTest {
                 .toList()
                 .forEach(AbstractButton::doClick));
         assertNamed();
+        assertReached();
     }
 
     @Test
     void inTheBarsAndWithAPinnedRay() {
         driver.menu("menu.ride");
         driver.menu("menu.ride");
+        assertReached();
         driver.menu("menu.playPanel");
         driver.menu("menu.measure");
         WindowDriver.onEventThread(() -> driver.window().view().setPin(new Point2D.Double(10, 10)));
@@ -116,6 +149,7 @@ class AccessibleNamesTest {
                 () -> Components.showing(driver.window().frame(), JComponent.class)
                         .anyMatch(each -> "ray.story".equals(each.getName())));
         assertNamed();
+        assertReached();
     }
 
     @Test
@@ -143,6 +177,7 @@ class AccessibleNamesTest {
             press(JButton.class, Texts.get("lesson.next." + next));
             Components.enter(driver.window().frame(), "Speed of the cube (c)", "0.5");
             assertNamed();
+            assertReached();
         }
     }
 
