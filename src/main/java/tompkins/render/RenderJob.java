@@ -133,10 +133,12 @@ public final class RenderJob {
         if (pass.chosen() == null) {
             return true;
         }
+        // not by the next set bit, which may be far behind the block
         for (int row = top; row < top + height; row += pass.stride()) {
-            int next = pass.chosen().nextSetBit(row * plan.width() + left);
-            if (next >= 0 && next < row * plan.width() + left + width) {
-                return true;
+            for (int column = left; column < left + width; column += pass.stride()) {
+                if (pass.chosen().get(film.pixel(column, row))) {
+                    return true;
+                }
             }
         }
         return false;
