@@ -32,7 +32,7 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        27_096),
+                        27_171),
                 arguments("file, image", 4_510),
                 arguments("explain, lesson, measure, animation", 6_269),
                 arguments("io, app", 7_983),

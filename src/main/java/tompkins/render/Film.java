@@ -174,6 +174,11 @@ final class Film {
      * third of the error away (see the charts of previews in docs/speed-and-accuracy.md).
      */
     LinearImage image() {
+        return interpolated(completeStride(), means());
+    }
+
+    /** The mean of the samples of each pixel, channel by channel; 0 where there are none. */
+    float[] means() {
         float[] rgb = new float[sums.length];
         IntStream.range(0, height).parallel().forEach(row -> {
             for (int pixel = pixel(0, row); pixel < pixel(0, row + 1); pixel++) {
@@ -182,7 +187,11 @@ final class Film {
                 }
             }
         });
-        int stride = completeStride();
+        return rgb;
+    }
+
+    /** The picture of such means, which changes those of pixels without samples, between the pixels at a distance. */
+    LinearImage interpolated(int stride, float[] rgb) {
         if (stride < Tile.SIZE) {
             for (int step = stride / 2; step > 0; step /= 2) {
                 interpolate(step, rgb);
@@ -192,7 +201,7 @@ final class Film {
     }
 
     /** The smallest distance at which all pixels have samples; {@link Tile#SIZE} if there is none. */
-    private int completeStride() {
+    int completeStride() {
         int stride = 1;
         while (stride < Tile.SIZE && !isComplete(stride)) {
             stride *= 2;

@@ -265,17 +265,13 @@ public final class RenderJob {
     }
 
     /**
-     * The picture so far, to be looked at until it has a quality. Where few samples of a blur are noise it is without
-     * that, unless the picture will stay as noisy.
+     * The picture so far, to be looked at until it has a quality. A blur is without the noise of few samples, unless
+     * the picture has them all, or will stay as noisy.
      */
     public LinearImage preview(Quality aim) {
-        int samples = film.samples(0);
-        boolean staysNoisy = aim instanceof Quality.Samples few && few.samples() < AdaptiveSchedule.FIRST_SAMPLES;
-        boolean isNoisy = plan.blurs()
-                && film.comparesSamples()
-                && samples > 1
-                && samples < AdaptiveSchedule.FIRST_SAMPLES
-                && film.pixels() <= MOST_FILTERED;
+        boolean staysNoisy = aim instanceof Quality.Samples all
+                && all.samples() < Math.max(AdaptiveSchedule.FIRST_SAMPLES, film.samples(0) + 1);
+        boolean isNoisy = plan.blurs() && film.comparesSamples() && film.pixels() <= MOST_FILTERED;
         return isNoisy && !staysNoisy ? NoiseFilter.image(film) : film.image();
     }
 

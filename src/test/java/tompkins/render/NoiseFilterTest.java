@@ -3,6 +3,8 @@ package tompkins.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
 import tompkins.image.PictureDifference;
@@ -29,7 +31,29 @@ class NoiseFilterTest {
                     .as("no noisier in the end than before")
                     .isEqualTo(four.image().rgb());
             RenderJob sixteen = renderer.render(RenderPlan.of(small), new Quality.Samples(16));
-            assertThat(sixteen.preview(good).rgb()).isEqualTo(sixteen.image().rgb());
+            assertThat(sixteen.preview(new Quality.Samples(16)).rgb())
+                    .as("complete")
+                    .isEqualTo(sixteen.image().rgb());
+            assertThat(PictureDifference.ofLight(sixteen.preview(good), many))
+                    .isLessThan(0.7 * PictureDifference.ofLight(sixteen.image(), many));
+        }
+    }
+
+    /** One sample of each pixel, and of every second one in both directions. */
+    @Test
+    void singleSamplesOfABlurAreFiltered() throws InterruptedException {
+        Studio figure = PaperStudios.fig3a();
+        RenderPlan plan = RenderPlan.of(figure.withSettings(figure.settings().withSize(320, 240)));
+        try (Renderer renderer = new Renderer()) {
+            LinearImage many = renderer.render(plan, new Quality.Samples(128)).image();
+            List<Double> gains = new ArrayList<>();
+            Quality aim = new Quality.Samples(16);
+            RenderListener looks = RenderListener.afterEachPass(job -> gains.add(
+                    PictureDifference.ofLight(job.preview(aim), many) / PictureDifference.ofLight(job.image(), many)));
+            renderer.startCoarse(plan, aim, looks).await();
+            assertThat(gains.get(2)).as("every second pixel").isLessThan(0.7);
+            assertThat(gains.get(3)).as("one sample").isLessThan(0.4);
+            assertThat(gains.get(gains.size() - 1)).as("complete").isEqualTo(1);
         }
     }
 
