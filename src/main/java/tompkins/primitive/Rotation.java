@@ -205,6 +205,17 @@ public final class Rotation {
         return primitive.reachFrom(centre, axis) * (1 + MARGIN);
     }
 
+    /** A distance from the axis below which no point of a primitive with bounds is. */
+    public double leastReach(Primitive primitive) {
+        Vector3d outwards = acrossAxis(primitive.bounds().centre().sub(centre), axis);
+        if (!(outwards.length() > 0)) {
+            return 0;
+        }
+        outwards.normalize();
+        double least = primitive.conservativeMinimumAlong(outwards.x, outwards.y, outwards.z) - outwards.dot(centre);
+        return Math.max(0, least * (1 - MARGIN));
+    }
+
     /** The cylinder that holds, at all times, everything that some primitives come by. */
     public CylinderPrimitive swept(List<Primitive> primitives) {
         Primitive first = primitives.get(0);

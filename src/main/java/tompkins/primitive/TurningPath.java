@@ -51,6 +51,8 @@ public final class TurningPath {
 
     private double entry;
     private double exit;
+    private double hollowFrom;
+    private double hollowTo;
 
     // the length of the present piece, and bounds on it
     double length;
@@ -143,9 +145,11 @@ public final class TurningPath {
      *
      * @param low height of its start over the centre, along the axis
      * @param high that of its end
+     * @param radius its radius
+     * @param hollow the radius, 0 or more, of a hollow around the axis
      * @return whether it comes there at all
      */
-    public boolean enters(double low, double high, double radius) {
+    public boolean enters(double low, double high, double radius, double hollow) {
         double height = axisX * startX + axisY * startY + axisZ * startZ;
         double climb = axisX * dx + axisY * dy + axisZ * dz;
         double acrossX = dx - climb * axisX;
@@ -160,13 +164,19 @@ public final class TurningPath {
         double nearY = outY + middle * acrossY;
         double nearZ = outZ + middle * acrossZ;
         double wide = radius + ROUNDING * size;
-        double squaredChord = wide * wide - (nearX * nearX + nearY * nearY + nearZ * nearZ);
+        double squaredNear = nearX * nearX + nearY * nearY + nearZ * nearZ;
+        double squaredChord = wide * wide - squaredNear;
         if (squaredChord < 0) {
             return false;
         }
         double half = squaredSlope > 0 ? Math.sqrt(squaredChord / squaredSlope) : Primitive.NO_HIT;
         entry = Math.max(0, middle - half);
         exit = middle + half;
+        double narrow = Math.max(0, hollow - 2 * ROUNDING * size);
+        double squaredHollow = narrow * narrow - squaredNear;
+        double halfHollow = squaredHollow > 0 ? Math.sqrt(squaredHollow / squaredSlope) : 0;
+        hollowFrom = middle - halfHollow;
+        hollowTo = middle + halfHollow;
         double margin = ROUNDING * size;
         double toLow = low - margin - height;
         double toHigh = high + margin - height;
@@ -176,6 +186,11 @@ public final class TurningPath {
         entry = Math.max(entry, (climb > 0 ? toLow : toHigh) / climb);
         exit = Math.min(exit, (climb > 0 ? toHigh : toLow) / climb);
         return entry < exit;
+    }
+
+    /** Whether a piece between the entry and the exit lies in the hollow. */
+    public boolean isInHollow(double from, double to) {
+        return from >= hollowFrom && to <= hollowTo;
     }
 
     /** Where it enters; 0 if it starts inside. */

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.CylinderPrimitive;
 import tompkins.primitive.Face;
@@ -40,15 +41,21 @@ final class RotatingGroup extends Primitive {
     private final Primitive[] round;
     private final TreeNode tree;
 
-    /** What the tree holds, in the order of its leaves, and the faces of each. */
+    /**
+     * What the tree holds, in the order of its leaves; a box around each, as leaves hold two; and the faces of each.
+     */
     private final Primitive[] others;
 
+    private final TreeNode[] boxes;
     private final Face[][] faces;
 
     // the cylinder that the others come by
     private final double low;
     private final double high;
     private final double radius;
+
+    /** No point of the others comes nearer to the axis. */
+    private final double hollow;
 
     /** The memory of each thread. */
     private final ThreadLocal<Search> searches = ThreadLocal.withInitial(Search::new);
@@ -65,7 +72,14 @@ final class RotatingGroup extends Primitive {
         low = others.start().sub(rotation.centre()).dot(rotation.axis());
         high = others.end().sub(rotation.centre()).dot(rotation.axis());
         radius = others.radius();
+        hollow = Arrays.stream(this.others)
+                .mapToDouble(rotation::leastReach)
+                .min()
+                .orElse(0);
         tree = this.others.length == 0 ? null : TreeBuilder.build(this.others, 1);
+        boxes = IntStream.range(0, this.others.length)
+                .mapToObj(i -> new TreeNode(this.others[i].bounds(), this.others, i, i + 1))
+                .toArray(TreeNode[]::new);
         faces = Arrays.stream(this.others)
                 .map(member -> member.faces(rotation.centre()).toArray(Face[]::new))
                 .toArray(Face[][]::new);
@@ -146,7 +160,7 @@ final class RotatingGroup extends Primitive {
                     path.find(each, TurningPath.ROUND, distance);
                 }
             }
-            if (tree == null || !path.enters(low, high, radius)) {
+            if (tree == null || !path.enters(low, high, radius, hollow)) {
                 return;
             }
             double entry = path.entry();
@@ -155,8 +169,12 @@ final class RotatingGroup extends Primitive {
             double step = (exit - entry) / chords;
             int first = known > entry ? Math.max(0, (int) ((known - entry) / step) - 1) : 0;
             for (int i = first; i < chords && entry + i * step <= nearest(); i++) {
-                take(entry + i * step, i + 1 == chords ? exit : entry + (i + 1) * step);
-                search(tree);
+                double start = entry + i * step;
+                double end = i + 1 == chords ? exit : entry + (i + 1) * step;
+                if (!path.isInHollow(start, end)) {
+                    take(start, end);
+                    search(tree);
+                }
             }
         }
 
@@ -203,6 +221,9 @@ final class RotatingGroup extends Primitive {
                 return;
             }
             for (int i = node.from; i < node.to; i++) {
+                if (!boxes[i].isNear(x, y, z, inverseX, inverseY, inverseZ, sag)) {
+                    continue;
+                }
                 boolean startsHere = from == 0 && ray.boundary == others[i];
                 for (Face face : faces[i]) {
                     double start = startsHere && ray.part == face.part() ? face.leaving(path) : from;

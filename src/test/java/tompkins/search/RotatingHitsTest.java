@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
@@ -68,7 +69,25 @@ class RotatingHitsTest {
                 new Cylinder("axle", CENTRE, new Vector3d(CENTRE).add(AXIS), 0.5, true, DULL),
                 new Parallelogram("sheet", a, new Vector3d(1, 0, 0.2), new Vector3d(0, 1, 0.4), DULL),
                 new Triangle("triangle", a, b, new Vector3d(0.5, -0.9, 0.1), DULL),
+                blind(),
                 TriangleMesh.DEFAULT);
+    }
+
+    /** Slats and rods all round the axis, along it, with nothing between them. */
+    private static SceneObject blind() {
+        Vector3d out = new Vector3d(2, -2, -1).div(3);
+        Vector3d right = new Vector3d(2, 1, 2).div(3);
+        List<SceneObject> slats = new ArrayList<>();
+        for (int i = 0; i < 5; i++) {
+            double angle = 2 * Math.PI * i / 5;
+            Vector3d radial = out.mul(Math.cos(angle), new Vector3d()).fma(Math.sin(angle), right);
+            Vector3d along = new Vector3d(AXIS).cross(radial).mul(0.3);
+            Vector3d corner = new Vector3d(CENTRE).fma(0.9, radial).fma(-0.5, AXIS);
+            Vector3d up = new Vector3d(AXIS);
+            slats.add(new Parallelogram("slat", corner, along, up, DULL));
+            slats.add(new Cylinder("rod", corner, new Vector3d(corner).add(up), 0.05, true, DULL));
+        }
+        return new Group("blind", slats);
     }
 
     private static Rotating turning(double speed, SceneObject object) {
