@@ -35,6 +35,16 @@ public final class PacketQuery {
         hasEntries = false;
     }
 
+    /** Whether some ray may meet something. */
+    public boolean mayMeet() {
+        return parts != null || search.mayMeet();
+    }
+
+    /** Whether the ray at a place may meet something. */
+    public boolean mayMeet(int place) {
+        return parts != null || search.mayMeet(place);
+    }
+
     /**
      * Searches for the nearest hit of a ray; asked in the order of the places.
      *

@@ -272,6 +272,11 @@ final class PacketSearch {
         leaves[place] = nearest.leaf();
     }
 
+    /** Whether a ray may meet something. */
+    boolean mayMeet() {
+        return inBatches || candidates.count() > 0;
+    }
+
     /** Whether the ray at a place may meet something. */
     boolean mayMeet(int place) {
         return inBatches ? hits[place] != null : candidates.mayMeet(place);

@@ -20,6 +20,11 @@ public final class WorldSearch {
     private final NearestHit nearest;
     private final Ray[] mapped;
     private final FramePacket[] packets;
+
+    /** The packets with rays that may meet something. */
+    private final FramePacket[] open;
+
+    private int openCount;
     private final Ray packetStart = Ray.blank();
     private RayPacket startRays;
 
@@ -39,6 +44,7 @@ public final class WorldSearch {
         int count = trees.length;
         mapped = new Ray[count];
         packets = new FramePacket[count];
+        open = new FramePacket[count];
         for (int i = 0; i < count; i++) {
             mapped[i] = Ray.blank();
         }
@@ -87,23 +93,30 @@ public final class WorldSearch {
     /** Begins to search for the rays of a packet. */
     public void begin(RayPacket rays) {
         startRays = rays;
+        openCount = 0;
         for (int i : filled) {
             if (packets[i] == null) {
                 packets[i] = new FramePacket(trees[i], nearest);
             }
-            packets[i].rays.set(rays);
-            routes.transform(packets[i].rays, i);
-            packets[i].query.begin(packets[i].rays);
+            FramePacket packet = packets[i];
+            packet.rays.set(rays);
+            routes.transform(packet.rays, i);
+            packet.query.begin(packet.rays);
+            if (packet.query.mayMeet()) {
+                open[openCount++] = packet;
+            }
         }
     }
 
     /** As {@link #nearest(Ray)}, for a ray of that packet; asked in the order of the places. */
     public boolean nearest(int place) {
         begin(packetStart);
-        for (int i : filled) {
-            RayPacket rays = packets[i].rays;
-            PacketQuery query = packets[i].query;
-            if (!Double.isNaN(rays.dx[place]) && query.nearest(place, limit(rays.directionLength[place]))) {
+        for (int i = 0; i < openCount; i++) {
+            RayPacket rays = open[i].rays;
+            PacketQuery query = open[i].query;
+            if (query.mayMeet(place)
+                    && !Double.isNaN(rays.dx[place])
+                    && query.nearest(place, limit(rays.directionLength[place]))) {
                 compare(query.ray());
             }
         }
