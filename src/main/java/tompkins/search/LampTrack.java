@@ -16,6 +16,9 @@ public final class LampTrack {
     /** What {@link #at} returns for a place for which nothing is prepared. */
     public static final double NOWHERE = -1;
 
+    /** To ask fewer than this one by one takes no longer. */
+    private static final int LEAST_PRIMITIVES = 10;
+
     /** With more primitives than this it takes longer to prepare a piece than it saves in a picture. */
     private static final int MOST_PRIMITIVES = 20_000;
 
@@ -78,7 +81,7 @@ public final class LampTrack {
      * @return null if it is not worth while, because the primitives are few or very many, or if the lamp does not move
      */
     public static LampTrack of(Vector3dc from, Vector3dc to, ObjectTree objects, AtomicLong left) {
-        if (!objects.hasTree() || objects.size() > MOST_PRIMITIVES || from.equals(to)) {
+        if (objects.bounded().size() < LEAST_PRIMITIVES || objects.size() > MOST_PRIMITIVES || from.equals(to)) {
             return null;
         }
         Bounds all = objects.bounds();

@@ -32,6 +32,7 @@ class LampTrackTest {
     @CsvSource({
         " 200,  3,  5, -7,  1,    0,    0",
         "5000,  3,  5, -7,  0.3, -0.1, -0.5",
+        "  12,  1, -1,  0,  0,    0,    1",
         "5000,  1, -1,  0,  0,    0,    1",
         "5000, -4,  5,  2,  0.2,  0.1,  0.6",
         "5000,  0, 40, 10,  0,    1,    1",
@@ -98,7 +99,8 @@ class LampTrackTest {
         Vector3d from = new Vector3d(7, 0, 0);
         Vector3d to = new Vector3d(8, 0, 0);
 
-        assertThat(track(from, to, 19)).as("no tree").isNull();
+        assertThat(track(from, to, 9)).as("few").isNull();
+        assertThat(track(from, to, 10)).as("enough").isNotNull();
         assertThat(track(from, to, 20_001)).as("too many").isNull();
         assertThat(track(from, from, 30)).as("at rest").isNull();
         assertThat(track(new Vector3d(0, 0, 2e7), new Vector3d(1, 0, 2e7), 30))
