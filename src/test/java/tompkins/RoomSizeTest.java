@@ -32,12 +32,12 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        27_171),
-                arguments("file, image", 4_510),
+                        27_249),
+                arguments("file, image", 4_506),
                 arguments("explain, lesson, measure, animation", 6_269),
                 arguments("io, app", 7_983),
                 arguments("study", 4_548),
-                arguments("ui", 21_360));
+                arguments("ui", 21_353));
     }
 
     @ParameterizedTest
