@@ -32,10 +32,10 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        27_249),
+                        27_259),
                 arguments("file, image", 4_506),
                 arguments("explain, lesson, measure, animation", 6_269),
-                arguments("io, app", 7_983),
+                arguments("io, app", 8_007),
                 arguments("study", 4_548),
                 arguments("ui", 21_353));
     }

@@ -11,7 +11,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Comparator;
 import java.util.List;
-import java.util.UUID;
+import java.util.concurrent.ThreadLocalRandom;
 import java.util.stream.Stream;
 
 /**
@@ -27,7 +27,7 @@ final class Leftovers {
 
     /** A name for the folder of an unfinished file, which no other has. */
     static String newName() {
-        return ".tompkins-" + UUID.randomUUID() + ".part";
+        return ".tompkins-" + Long.toHexString(ThreadLocalRandom.current().nextLong()) + ".part";
     }
 
     /** Removes from a folder what earlier runs have left there, as far as that is allowed. */

@@ -34,11 +34,17 @@ final class DescriptionTypes {
     private static final ClassValue<List<String>> KEYS = Descriptions.kept(type ->
             Descriptions.components(type).stream().map(RecordComponent::getName).toList());
 
+    private static final ClassValue<Boolean> IS_FAMILY =
+            Descriptions.kept(type -> type.isInterface() && type.isSealed());
+
+    private static final ClassValue<Optional<Class<?>>> USUAL_MEMBER = Descriptions.kept(family ->
+            Descriptions.members(family).stream().filter(USUAL::contains).findFirst());
+
     private DescriptionTypes() {}
 
     /** Whether a type is a family, whose members have a key {@code type} in scene files. */
     static boolean isFamily(Class<?> type) {
-        return type.isInterface() && type.isSealed();
+        return IS_FAMILY.get(type);
     }
 
     /** The names of the records of a family. */
@@ -48,7 +54,7 @@ final class DescriptionTypes {
 
     /** The record of a family that is meant where none is named. */
     static Optional<Class<?>> usualMember(Class<?> family) {
-        return Descriptions.members(family).stream().filter(USUAL::contains).findFirst();
+        return USUAL_MEMBER.get(family);
     }
 
     /** The keys of a record. */

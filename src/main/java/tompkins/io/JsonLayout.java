@@ -54,8 +54,12 @@ public final class JsonLayout {
     }
 
     private static String bracketed(String open, List<String> parts, String close, int indent) {
-        int length = parts.stream().mapToInt(part -> part.length() + 2).sum();
-        if (length <= WIDTH - indent && parts.stream().noneMatch(part -> part.contains("\n"))) {
+        int length = 0;
+        for (String part : parts) {
+            // what has lines of its own fits into none
+            length += part.indexOf('\n') < 0 ? part.length() + 2 : WIDTH + 1;
+        }
+        if (length <= WIDTH - indent) {
             return open + String.join(", ", parts) + close;
         }
         String margin = "\n" + " ".repeat(indent);

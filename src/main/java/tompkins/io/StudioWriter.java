@@ -40,7 +40,13 @@ public final class StudioWriter {
      * large meshes, and the largest pictures if all together would be too long for a photograph.
      */
     public static String writeSelfContained(Studio studio) {
-        Set<String> named = Set.copyOf(filesOnlyNamed(studio));
+        Set<String> named = new LinkedHashSet<>();
+        Map<String, Long> held = new HashMap<>();
+        String bare = text(studio, noting(named, held));
+        if (held.isEmpty()) {
+            return bare;
+        }
+        chooseNamed(bare, named, held);
         return text(studio, content -> isKept(content) && !named.contains(content.name()));
     }
 
@@ -48,15 +54,24 @@ public final class StudioWriter {
     public static List<String> filesOnlyNamed(Studio studio) {
         Set<String> named = new LinkedHashSet<>();
         Map<String, Long> held = new HashMap<>();
-        Predicate<FileContent> none = content -> {
+        Map<String, Object> members = members(studio, noting(named, held));
+        if (!held.isEmpty()) {
+            chooseNamed(text(members), named, held);
+        }
+        return List.copyOf(named);
+    }
+
+    /** Embeds nothing, and notes the names of large files, and of the others with the length that they would take. */
+    private static Predicate<FileContent> noting(Set<String> named, Map<String, Long> held) {
+        return notingLarge(content -> named.add(content.name()), content -> {
             held.merge(content.name(), lengthInside(content), Long::sum);
             return false;
-        };
-        Map<String, Object> members = members(studio, notingLarge(content -> named.add(content.name()), none));
-        if (held.isEmpty()) {
-            return List.copyOf(named);
-        }
-        long length = text(members).length()
+        });
+    }
+
+    /** Moves the largest files to those that are only named, until the others fit into a photograph. */
+    private static void chooseNamed(String bare, Set<String> named, Map<String, Long> held) {
+        long length = bare.length()
                 + held.values().stream().mapToLong(Long::longValue).sum();
         while (length > PhotographInfo.LONGEST_SCENE && !held.isEmpty()) {
             String largest = Collections.max(held.entrySet(), Map.Entry.comparingByValue())
@@ -64,7 +79,6 @@ public final class StudioWriter {
             length -= held.remove(largest);
             named.add(largest);
         }
-        return List.copyOf(named);
     }
 
     /** What the meshes of a studio say in their files that is not shown. */

@@ -6,6 +6,7 @@ import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
@@ -125,9 +126,12 @@ public final class Descriptions {
     }
 
     private static List<Object> readValues(Object description) {
-        return components(description.getClass()).stream()
-                .map(component -> value(component, description))
-                .toList();
+        List<RecordComponent> components = components(description.getClass());
+        Object[] values = new Object[components.size()];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = value(components.get(i), description);
+        }
+        return Collections.unmodifiableList(Arrays.asList(values));
     }
 
     /**

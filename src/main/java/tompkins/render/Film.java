@@ -128,7 +128,11 @@ final class Film {
 
     /** Number of pixels that have samples. */
     int sampledPixels() {
-        return (int) Arrays.stream(samples).filter(count -> count != 0).count();
+        int sampled = 0;
+        for (int count : samples) {
+            sampled += count == 0 ? 0 : 1;
+        }
+        return sampled;
     }
 
     /**

@@ -64,7 +64,9 @@ final class PixelVariance {
         }
         try {
             PixelVariance variance = new PixelVariance(film, stopped);
-            variance.expect(new Specks(film, variance, stopped));
+            if (film.comparesSamples()) {
+                variance.expect(new Specks(film, variance, stopped));
+            }
             return variance.rootMeanSquare();
         } catch (CancellationException unwanted) {
             return Double.NaN;
