@@ -102,7 +102,7 @@ public final class RidePanel extends Part {
         panel.setVisible(false);
         setUnits(pilot.unitsPerSecond());
         pilot.addListener(this::update);
-        model.addListener(this::updateButtons);
+        model.addListener(this::updateTask);
         update();
     }
 
@@ -188,7 +188,6 @@ public final class RidePanel extends Part {
         ride.setText(Texts.get(riding ? "ride.pause" : "ride.ride"));
         record.setSelected(pilot.isRecording());
         record.setText(Texts.get(pilot.isRecording() ? "ride.stopRecording" : "ride.record"));
-        task.setText((pilot.task().text() + "\n" + pilot.task().news()).strip());
         if (pilot.task().ride() != null) {
             // none while the camera flies from elsewhere
             updating.during(
@@ -198,10 +197,15 @@ public final class RidePanel extends Part {
             light.show(pilot.unitsPerSecond());
             setUnits(pilot.unitsPerSecond());
         }
-        updateButtons();
+        updateTask();
     }
 
-    private void updateButtons() {
+    /** What can be done where the camera is: after an undo it may be on no ride. */
+    private void updateTask() {
+        task.setText(
+                pilot.moment() == null
+                        ? ""
+                        : (pilot.task().text() + "\n" + pilot.task().news()).strip());
         boolean flown = pilot.canReplay() && !pilot.isRecording();
         replay.setEnabled(flown);
         export.setEnabled(flown);

@@ -3,6 +3,7 @@ package tompkins.ui.ride;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
@@ -28,7 +29,9 @@ import tompkins.studio.RideLeg;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.trace.RenderPlan;
+import tompkins.ui.Components;
 import tompkins.ui.WindowDriver;
+import tompkins.ui.model.Settings;
 import tompkins.ui.model.StudioModel;
 
 /** Where rides begin, and what is said where nothing is to be seen; without a display. */
@@ -93,6 +96,21 @@ class RidePilotTest {
             pilot.setRiding(true);
             assertThat(model.studio().velocity()).isEqualTo(photograph.velocity());
             assertThat(pilot.task().text()).isEmpty();
+        });
+    }
+
+    @Test
+    void whatToTryGoesAndComesWithTheRide() {
+        onEventThread(() -> {
+            RidePanel panel = new RidePanel(model, new Settings((Path) null), pilot, () -> {}, studio -> {});
+            panel.setShown(true);
+            pilot.begin(SECOND);
+            pilot.setRiding(false);
+            assertThat(Components.notes(panel.component())).contains("Look down.");
+            model.undo();
+            assertThat(Components.notes(panel.component())).doesNotContain("Look down.");
+            model.redo();
+            assertThat(Components.notes(panel.component())).contains("Look down.");
         });
     }
 
