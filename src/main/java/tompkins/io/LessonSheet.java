@@ -99,7 +99,7 @@ public record LessonSheet(String title, Lesson lesson, byte[] png, List<LessonRe
                         results.stream()
                                 .map(result -> "<td>" + text(result.number().name()) + unit(result) + "<td>"
                                         + text(result.number().formula()) + "<td>"
-                                        + NumberText.of(result.number().value()) + "<td>"
+                                        + result.predictedText() + "<td>"
                                         + text(result.measuredText()))
                                 .toList());
     }

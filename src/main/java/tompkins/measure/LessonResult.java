@@ -2,7 +2,6 @@ package tompkins.measure;
 
 import java.util.List;
 import tompkins.lesson.LessonNumber;
-import tompkins.property.NumberText;
 
 /**
  * The result of measuring a number of a lesson.
@@ -26,11 +25,16 @@ public record LessonResult(LessonNumber number, double measured, Sketch sketch) 
                 new Fact.Word("formula", "formula", number.formula()),
                 Quantity.exact("value", "", number.unit(), number.value()),
                 Quantity.exact("measured", "", number.unit(), measured),
-                new Fact.Word("", "value", NumberText.of(number.value()) + unit),
+                new Fact.Word("", "value", predictedText() + unit),
                 new Fact.Word("", "measured", measuredText() + unit),
                 Quantity.exact("tolerance", "tolerance", "", number.tolerance()),
                 new Fact.Flag("agrees", "agrees", agrees()),
                 new Fact.Word("unit", "", number.unit()));
+    }
+
+    /** What the formula gives, with no more digits than the tolerance has. */
+    public String predictedText() {
+        return new Quantity("", "", number.unit(), number.value(), number.tolerance()).briefText();
     }
 
     /** What was measured, to the second digit of the tolerance. */

@@ -33,6 +33,11 @@ public record Quantity(String key, String name, String unit, double value, doubl
         return isUncertain() ? decimals(value) : NumberText.of(NumberText.rounded(value, digits));
     }
 
+    /** The number as text, to the second digit of its uncertainty, but without zeros at the end. */
+    public String briefText() {
+        return NumberText.of(isUncertain() ? Double.parseDouble(decimals(value)) : value);
+    }
+
     /** The first two digits of its uncertainty. */
     public String uncertaintyText() {
         return decimals(uncertainty);

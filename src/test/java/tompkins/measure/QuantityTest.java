@@ -24,4 +24,20 @@ class QuantityTest {
         assertThat(new Quantity("angle", "", "degrees", value, uncertainty).text(5))
                 .isEqualTo(shown);
     }
+
+    /** What a formula gives: an exact 2 stays a 2. */
+    @ParameterizedTest
+    @CsvSource({
+        "1.333333, 0.003, 1.3333",
+        "3.4509, 0.0005, 3.4509",
+        "2, 0.01, 2",
+        "-2.92, 0.0005, -2.92",
+        "6561, 0.5, 6561",
+        "2522, 70, 2522",
+        "0, 0.000001, 0",
+        "1.333333, 0, 1.333333"
+    })
+    void aFormulaHasNoMoreDigitsThanItsTolerance(double value, double tolerance, String shown) {
+        assertThat(new Quantity("", "", "", value, tolerance).briefText()).isEqualTo(shown);
+    }
 }

@@ -7,7 +7,6 @@ import javax.swing.JPanel;
 import tompkins.io.FactText;
 import tompkins.lesson.LessonNumber;
 import tompkins.measure.LessonResult;
-import tompkins.property.NumberText;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
@@ -36,7 +35,7 @@ final class LessonNumbersPage extends Part {
             LessonNumber number = result.number();
             addWrapped(number.name());
             addWrapped(readable(number.formula()));
-            add(NumberText.of(number.value()) + FactText.SIGNS.unit(number.unit()), "");
+            add(result.predictedText() + FactText.SIGNS.unit(number.unit()), "");
             add(FactText.SIGNS.value(result.told()), "font: $large.font");
         }
         boolean agree = results.stream().allMatch(LessonResult::agrees);
