@@ -20,6 +20,7 @@ import tompkins.measure.Sketch;
 import tompkins.ui.picture.Mark;
 import tompkins.ui.picture.Overlay;
 import tompkins.ui.picture.Picture;
+import tompkins.ui.ray.LabelPlacer;
 
 /** What is measured in pictures: points with their names, lines, and what was fitted to them. */
 public final class MeasureMarks implements Overlay {
@@ -27,6 +28,11 @@ public final class MeasureMarks implements Overlay {
     private static final Color COLOUR = new Color(120, 255, 255);
     private static final double INNER = 2;
     private static final double OUTER = 8;
+
+    /** Names are so far apart, and no name is more than so many lines away from its point. */
+    private static final int GAP = 6;
+
+    private static final int MOST_LINES = 4;
 
     /**
      * What is marked in one picture, in pixels of its photograph.
@@ -71,60 +77,86 @@ public final class MeasureMarks implements Overlay {
     public void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible, Rectangle free) {
         AffineTransform toScreen = AffineTransform.getTranslateInstance(bounds.x, bounds.y);
         toScreen.scale((double) bounds.width / picture.ownWidth(), (double) bounds.height / picture.ownHeight());
-        List<Rectangle2D> written = new ArrayList<>();
-        for (Marked marked : picture == otherPicture.get() ? other : now) {
-            paint(g, marked, toScreen, visible, written);
+        List<Marked> marks = picture == otherPicture.get() ? other : now;
+        List<Line2D> lines = new ArrayList<>();
+        for (Marked marked : marks) {
+            List<Line2D> own = lines(marked.sketch, toScreen);
+            Path2D shape = new Path2D.Double();
+            own.forEach(line -> shape.append(line, false));
+            Mark.paintLines(g, shape, COLOUR, false);
+            lines.addAll(own);
         }
-    }
-
-    private static void paint(
-            Graphics2D g, Marked marked, AffineTransform toScreen, Rectangle visible, List<Rectangle2D> written) {
-        Path2D shape = new Path2D.Double();
-        for (List<Vector2dc> line : marked.sketch.lines()) {
-            shape.moveTo(line.get(0).x(), line.get(0).y());
-            line.forEach(place -> shape.lineTo(place.x(), place.y()));
-        }
-        shape.transform(toScreen);
-        List<Point2D> points = new ArrayList<>();
-        for (Vector2dc point : marked.sketch.points()) {
-            points.add(toScreen.transform(new Point2D.Double(point.x(), point.y()), null));
-        }
-        List<Point2D> named = points.isEmpty() ? List.of(highest(shape)) : points;
-        for (Point2D point : points) {
-            for (int side = -1; side <= 1; side += 2) {
-                double x = point.getX();
-                double y = point.getY();
-                shape.append(new Line2D.Double(x + side * INNER, y, x + side * OUTER, y), false);
-                shape.append(new Line2D.Double(x, y + side * INNER, x, y + side * OUTER), false);
+        LabelPlacer placer = new LabelPlacer(visible, lines);
+        for (Marked marked : marks) {
+            List<Point2D> named = named(marked.sketch, toScreen);
+            for (int i = 0; i < Math.min(named.size(), marked.names.size()); i++) {
+                write(g, marked.names.get(i), named.get(i), visible, placer);
             }
         }
-        Mark.paintLines(g, shape, COLOUR, false);
-        for (int i = 0; i < Math.min(named.size(), marked.names.size()); i++) {
-            write(g, marked.names.get(i), named.get(i), visible, written);
-        }
     }
 
-    private static Point2D highest(Path2D shape) {
+    private static Point2D onScreen(Vector2dc place, AffineTransform toScreen) {
+        return toScreen.transform(new Point2D.Double(place.x(), place.y()), null);
+    }
+
+    /** All that is drawn: lines, and a cross at each point. */
+    private static List<Line2D> lines(Sketch sketch, AffineTransform toScreen) {
+        List<Line2D> lines = new ArrayList<>();
+        for (List<Vector2dc> line : sketch.lines()) {
+            for (int i = 1; i < line.size(); i++) {
+                lines.add(new Line2D.Double(onScreen(line.get(i - 1), toScreen), onScreen(line.get(i), toScreen)));
+            }
+        }
+        for (Vector2dc place : sketch.points()) {
+            Point2D point = onScreen(place, toScreen);
+            double x = point.getX();
+            double y = point.getY();
+            for (int side = -1; side <= 1; side += 2) {
+                lines.add(new Line2D.Double(x + side * INNER, y, x + side * OUTER, y));
+                lines.add(new Line2D.Double(x, y + side * INNER, x, y + side * OUTER));
+            }
+        }
+        return lines;
+    }
+
+    /** Where names belong: points, or without any the highest place of the lines. */
+    private static List<Point2D> named(Sketch sketch, AffineTransform toScreen) {
+        if (!sketch.points().isEmpty()) {
+            return sketch.points().stream()
+                    .map(point -> onScreen(point, toScreen))
+                    .toList();
+        }
+        Path2D shape = new Path2D.Double();
+        lines(sketch, toScreen).forEach(line -> shape.append(line, false));
         Rectangle2D bounds = shape.getBounds2D();
-        return new Point2D.Double(bounds.getCenterX(), bounds.getY());
+        return List.of(new Point2D.Double(bounds.getCenterX(), bounds.getY()));
     }
 
     /**
-     * Writes above a point, so that its line crosses no words, and higher where something is written already; below it
-     * at the upper edge of what is seen.
+     * Writes beside a point where nothing is in the way: above it or below, to the right or to the left, and farther
+     * away, at the end of a thin line.
      */
-    private static void write(Graphics2D g, String text, Point2D point, Rectangle visible, List<Rectangle2D> written) {
+    private static void write(Graphics2D g, String text, Point2D point, Rectangle visible, LabelPlacer placer) {
         Font font = UIManager.getFont("small.font");
         FontMetrics metrics = g.getFontMetrics(font);
         int height = metrics.getHeight();
-        double x = Math.min(point.getX() + OUTER, visible.getMaxX() - metrics.stringWidth(text) - OUTER);
-        boolean above = point.getY() - OUTER - height >= visible.y;
-        double y = point.getY() + (above ? -OUTER - height : OUTER);
-        Rectangle2D room = new Rectangle2D.Double(Math.max(x, visible.x), y, metrics.stringWidth(text), height);
-        while (written.stream().anyMatch(room::intersects)) {
-            room.setRect(room.getX(), room.getY() + (above ? -height : height), room.getWidth(), height);
+        int width = metrics.stringWidth(text) + GAP;
+        List<Rectangle2D> places = new ArrayList<>();
+        for (int line = 0; line < MOST_LINES; line++) {
+            for (int side = -1; side <= 1; side += 2) {
+                double y = point.getY() + side * (OUTER + 1 + line * height) - (side < 0 ? height : 0);
+                for (double x : new double[] {point.getX() + OUTER, point.getX() - OUTER - width}) {
+                    double inside = Math.max(visible.x, Math.min(x, visible.getMaxX() - width));
+                    places.add(new Rectangle2D.Double(inside, y, width, height));
+                }
+            }
         }
-        written.add(room);
-        Mark.paintText(g, font, text, room.getX(), room.getY() + metrics.getAscent(), COLOUR);
+        Rectangle2D room = placer.take(places);
+        double side = Math.signum(room.getCenterY() - point.getY());
+        double start = point.getY() + side * OUTER;
+        if (Math.abs(room.getCenterY() - start) > height) {
+            Mark.paintLines(g, new Line2D.Double(point.getX(), start, point.getX(), room.getCenterY()), COLOUR, true);
+        }
+        Mark.paintText(g, font, text, room.getX() + GAP / 2.0, room.getY() + metrics.getAscent(), COLOUR);
     }
 }

@@ -24,8 +24,8 @@ import tompkins.ui.widget.Texts;
 
 /**
  * Where the camera flies, and where it comes from: a ring with a point for the one, a ring with a cross for the other,
- * like the head and the tail of an arrow. If it flies to a place outside the picture, an arrow at the edge points
- * there.
+ * like the head and the tail of an arrow. If both are outside the picture, an arrow at its edge points to where it
+ * flies.
  */
 public final class VelocityArrow implements Overlay {
 
@@ -36,6 +36,9 @@ public final class VelocityArrow implements Overlay {
 
     private static final double LENGTH = 34;
     private static final double HEAD = 11;
+
+    /** Room for the black edge of a text. */
+    private static final int EDGE = 2;
 
     private boolean shown;
 
@@ -52,11 +55,12 @@ public final class VelocityArrow implements Overlay {
         }
         Vector3dc ahead = studio.velocity().direction();
         List<Vector2dc> heads = places(picture, ahead, bounds, visible);
-        heads.forEach(head -> paintHead(g, head));
-        if (heads.isEmpty()) {
+        List<Vector2dc> tails = places(picture, new Vector3d().sub(ahead), bounds, visible);
+        heads.forEach(head -> paintHead(g, head, visible));
+        tails.forEach(tail -> paintTail(g, tail, visible));
+        if (heads.isEmpty() && tails.isEmpty()) {
             paintArrow(g, sideways(studio.camera(), ahead), visible);
         }
-        places(picture, new Vector3d().sub(ahead), bounds, visible).forEach(tail -> paintTail(g, tail));
     }
 
     /** Where each eye sees a direction, as far as it is visible. */
@@ -80,29 +84,33 @@ public final class VelocityArrow implements Overlay {
         return sideways.length() < 1e-9 ? new Vector2d(0, -1) : sideways.normalize();
     }
 
-    private static void paintHead(Graphics2D g, Vector2dc place) {
+    private static void paintHead(Graphics2D g, Vector2dc place, Rectangle visible) {
         Path2D mark = ring(place);
         mark.append(Drawing.circle(place.x(), place.y(), 1.5), false);
         Mark.paint(g, mark);
-        label(g, Texts.get("arrow.ahead"), place);
+        label(g, Texts.get("arrow.ahead"), place, visible);
     }
 
-    private static void paintTail(Graphics2D g, Vector2dc place) {
+    private static void paintTail(Graphics2D g, Vector2dc place, Rectangle visible) {
         double arm = RADIUS * Math.sqrt(0.5);
         Path2D mark = ring(place);
         mark.append(new Line2D.Double(place.x() - arm, place.y() - arm, place.x() + arm, place.y() + arm), false);
         mark.append(new Line2D.Double(place.x() - arm, place.y() + arm, place.x() + arm, place.y() - arm), false);
         Mark.paint(g, mark);
-        label(g, Texts.get("arrow.back"), place);
+        label(g, Texts.get("arrow.back"), place, visible);
     }
 
     private static Path2D ring(Vector2dc place) {
         return new Path2D.Double(Drawing.circle(place.x(), place.y(), RADIUS));
     }
 
-    private static void label(Graphics2D g, String text, Vector2dc place) {
+    /** Writes below the ring, because what is measured has its name above; to the left where the right has no room. */
+    private static void label(Graphics2D g, String text, Vector2dc place, Rectangle visible) {
         Font font = UIManager.getFont("small.font");
-        Mark.paintText(g, font, text, place.x() + RADIUS + 5, place.y() + font.getSize2D() / 3);
+        int width = g.getFontMetrics(font).stringWidth(text);
+        double right = place.x() + RADIUS;
+        double x = right + width + EDGE < visible.getMaxX() ? right : place.x() - RADIUS - width;
+        Mark.paintText(g, font, text, x, place.y() + RADIUS + font.getSize2D() / 2);
     }
 
     private static void paintArrow(Graphics2D g, Vector2d sideways, Rectangle bounds) {

@@ -8,14 +8,14 @@ import java.util.List;
 import java.util.Optional;
 
 /** Finds places for the words of a drawing: inside it, off its lines, and off each other. */
-final class LabelPlacer {
+public final class LabelPlacer {
 
     private final Rectangle2D room;
     private final List<Line2D> lines;
     private final List<Rectangle2D> taken = new ArrayList<>();
 
     /** Places in a room with some lines. */
-    LabelPlacer(Rectangle2D room, List<Line2D> lines) {
+    public LabelPlacer(Rectangle2D room, List<Line2D> lines) {
         this.room = room;
         this.lines = lines;
     }
@@ -29,7 +29,7 @@ final class LabelPlacer {
     }
 
     /** As above; if none is free, takes the first of those with the least in the way. */
-    Rectangle2D take(List<Rectangle2D> places) {
+    public Rectangle2D take(List<Rectangle2D> places) {
         Rectangle2D best =
                 places.stream().min(Comparator.comparingLong(this::inTheWay)).orElseThrow();
         taken.add(best);

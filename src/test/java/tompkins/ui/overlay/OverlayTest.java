@@ -133,8 +133,38 @@ class OverlayTest {
         assertThat(ring.x).isBetween(x - 14, x - 9);
         assertThat(ring.y).isBetween(240 - 14, 240 - 9);
         Rectangle tail = marked(painted(arrow(), flying(-0.05, 0, -0.5)));
-        assertThat(tail).as("ring around the tail, and an arrow").isNotEqualTo(ring);
-        assertThat(tail.contains(x, 240)).isTrue();
+        assertThat(tail).as("ring around the tail, and other words").isNotEqualTo(ring);
+        assertThat(tail.getLocation()).as("and no arrow").isEqualTo(ring.getLocation());
+    }
+
+    /** Whoever looks straight back sees where the camera comes from; what is measured there has its name above. */
+    @Test
+    void theMarksOfTheFlightLeaveRoomForANameAbove() {
+        BufferedImage tail = painted(arrow(), flying(0, 0, -0.5));
+        MeasureMarks marks = new MeasureMarks(() -> null);
+        marks.show(
+                List.of(new MeasureMarks.Marked(
+                        new Sketch(List.of(new Vector2d(320, 240)), List.of()), List.of("the name"))),
+                List.of());
+        BufferedImage name = painted(marks, Studio.DEFAULT);
+        // the words, to the right of ring and cross
+        assertThat(IntStream.range(0, WIDTH * HEIGHT)
+                        .filter(i -> i % WIDTH > 320 + 14 && isMarked(tail, i) && isMarked(name, i))
+                        .count())
+                .isZero();
+    }
+
+    private static boolean isMarked(BufferedImage canvas, int pixel) {
+        return canvas.getRGB(pixel % WIDTH, pixel / WIDTH) != Color.GRAY.getRGB();
+    }
+
+    @Test
+    void wordsAtTheRightEdgeAreWhole() {
+        Rectangle inside = marked(painted(arrow(), flying(0.05, 0, 0.5)));
+        // the view is 20 degrees wide: the ring lies 12 pixels from the edge
+        double edge = 308 / 320.0 * Math.tan(Math.toRadians(10));
+        Rectangle beside = marked(painted(arrow(), flying(0.5 * edge, 0, 0.5)));
+        assertThat(beside.width).isBetween(inside.width - 4, inside.width + 4);
     }
 
     @Test
