@@ -175,6 +175,9 @@ public final class TompkinsWindow {
     static TompkinsWindow opened(FirstScene first, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
         TompkinsWindow window = new TompkinsWindow(first, commandLine);
         window.frame.setVisible(true);
+        if (window.model.studio().lesson() instanceof Lesson) {
+            window.beginLesson();
+        }
         window.late.prepare(examples);
         return window;
     }

@@ -129,6 +129,36 @@ class LessonWindowTest {
         WindowDriver.await("the answer", next::isEnabled);
     }
 
+    /** As one that is chosen from the menu; the menus come later. */
+    @Test
+    void aLessonWithWhichTheWindowOpensHasTheKeysAndItsPlace() {
+        driver.close();
+        driver = new WindowDriver(folder.resolve("other"), cube, null, List.of(Studios.sphere(), cube));
+        JRadioButton first = driver.find(JRadioButton.class, "Only the front face, but narrower.");
+        WindowDriver.await("the keys at the first prediction", first::isFocusOwner);
+        WindowDriver.await("its place", () -> shows("1 of 1, 0 done"));
+    }
+
+    @Test
+    void enterLeadsFromPageToPage() {
+        begin();
+        JRadioButton first = driver.find(JRadioButton.class, "Only the front face, but narrower.");
+        WindowDriver.await("the keys at the first prediction", first::isFocusOwner);
+        driver.key(KeyEvent.VK_ENTER);
+        assertThat(step("LOOK").isEnabled()).as("without an answer").isFalse();
+        driver.key(KeyEvent.VK_SPACE);
+        driver.key(KeyEvent.VK_TAB);
+        driver.key(KeyEvent.VK_SPACE);
+        driver.key(KeyEvent.VK_ENTER);
+        WindowDriver.await("the slider", step("LOOK")::isSelected);
+        driver.key(KeyEvent.VK_END);
+        assertThat(speed()).isEqualTo(0.95);
+        driver.key(KeyEvent.VK_ENTER);
+        WindowDriver.await("the reason", step("REASON")::isSelected);
+        driver.key(KeyEvent.VK_ENTER);
+        WindowDriver.await("the numbers", step("MEASURE")::isSelected);
+    }
+
     @Test
     void aLessonLeadsFromThePredictionToItsNumbers() {
         begin();

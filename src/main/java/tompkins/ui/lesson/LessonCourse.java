@@ -20,6 +20,7 @@ public final class LessonCourse {
     private final Settings settings;
     private final Consumer<Studio> opener;
     private List<Studio> lessons = List.of();
+    private Runnable follower = () -> {};
 
     /** A course without lessons; {@code opener} opens one of them. */
     public LessonCourse(Settings settings, Consumer<Studio> opener) {
@@ -27,9 +28,15 @@ public final class LessonCourse {
         this.opener = opener;
     }
 
-    /** Puts the lessons in. */
+    /** Puts the lessons in, and tells who follows. */
     public void setLessons(List<Studio> all) {
         lessons = List.copyOf(all);
+        follower.run();
+    }
+
+    /** Has somebody told when the lessons are there; a window opens before that. */
+    void follow(Runnable other) {
+        follower = other;
     }
 
     private List<String> finished() {

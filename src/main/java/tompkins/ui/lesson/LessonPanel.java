@@ -29,6 +29,7 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.CardPanel;
 import tompkins.ui.widget.ChoiceRow;
+import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Part;
@@ -116,11 +117,17 @@ public final class LessonPanel extends Part {
             steps.put(each, button);
         }
         next.addActionListener(event -> goOn());
+        Keys.bindEnter(next, next::doClick);
         // always here, even while there is no lesson: what is added later would not have taken part in a change of look
         panel.add(head, "growx, wmin 0, wrap");
         panel.add(problem.component(), "growx, wmin 0, wrap");
         fillHead();
         model.follow(this::update);
+        course.follow(() -> {
+            if (lesson != null) {
+                updateNext();
+            }
+        });
     }
 
     /** Begins the lesson of the model's studio with its first page; false if it has none. */
@@ -222,6 +229,13 @@ public final class LessonPanel extends Part {
         reason = new LessonReasonPage(fitting);
         numbers = new LessonNumbersPage();
         cards = new CardPanel();
+        Keys.bindEnter(cards.component(), () -> {
+            if (next.isEnabled()) {
+                // before what has the keys is hidden with its page
+                next.requestFocusInWindow();
+                next.doClick();
+            }
+        });
         cards.add(LessonQuestionPage.class, question.component());
         cards.add(LessonLookPage.class, look.component());
         cards.add(LessonReasonPage.class, reason.component());

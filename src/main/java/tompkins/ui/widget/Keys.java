@@ -17,6 +17,8 @@ public final class Keys {
     /** Leaves or stops what is going on. */
     static final KeyStroke ESCAPE = KeyStroke.getKeyStroke("ESCAPE");
 
+    private static final KeyStroke ENTER = KeyStroke.getKeyStroke("ENTER");
+
     /** Takes what was typed into a field in which Enter begins another line. */
     static final KeyStroke CONTROL_ENTER = KeyStroke.getKeyStroke("ctrl ENTER");
 
@@ -61,6 +63,11 @@ public final class Keys {
     /** Does something when a key is pressed in a component that has the focus. */
     public static void bindFocused(JComponent component, KeyStroke key, Runnable action) {
         bind(component, JComponent.WHEN_FOCUSED, key, action);
+    }
+
+    /** Does something when Enter is pressed anywhere in a component, unless what has the focus there uses it itself. */
+    public static void bindEnter(JComponent component, Runnable action) {
+        bind(component, JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, ENTER, action);
     }
 
     /** Whether a letter was typed with Ctrl, such as + in Ctrl and +, and so belongs to a key of the menus. */
