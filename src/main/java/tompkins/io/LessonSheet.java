@@ -65,7 +65,7 @@ public record LessonSheet(String title, Lesson lesson, byte[] png, List<LessonRe
                 + "<img alt=\"The picture of the question\" src=\"data:image/png;base64,"
                 + Base64.getEncoder().encodeToString(png)
                 + "\">\n"
-                + lesson.predictions().stream()
+                + lesson.shuffled().stream()
                         .map(prediction -> tag("p", "&#x2610; " + text(prediction.text())))
                         .collect(Collectors.joining())
                 + tag("p", "I am &#x2610; sure, &#x2610; not sure, because")
@@ -92,7 +92,7 @@ public record LessonSheet(String title, Lesson lesson, byte[] png, List<LessonRe
 
     private String answers() {
         return tag("h2", "Answers: " + text(title))
-                + lesson.predictions().stream().map(this::answer).collect(Collectors.joining())
+                + lesson.shuffled().stream().map(this::answer).collect(Collectors.joining())
                 + tag("p", text(lesson.reveal()))
                 + table(
                         "<th>number<th>formula<th>worked out<th>measured by the program",

@@ -1,6 +1,9 @@
 package tompkins.lesson;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.Random;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
@@ -65,6 +68,16 @@ public record Lesson(
             throw new InvalidPropertyException(
                     "numbers", "a list of at most " + MOST_NUMBERS, "a list of " + numbers.size());
         }
+    }
+
+    /**
+     * The predictions in the order in which they are offered. It is the same each time, and tells nothing about which
+     * one is right.
+     */
+    public List<Prediction> shuffled() {
+        List<Prediction> mixed = new ArrayList<>(predictions);
+        Collections.shuffle(mixed, new Random(question.hashCode() + reveal.hashCode()));
+        return mixed;
     }
 
     /** Whether a prediction is the right one. */

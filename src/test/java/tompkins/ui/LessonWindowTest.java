@@ -30,6 +30,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.io.BundledScenes;
+import tompkins.lesson.Lesson;
 import tompkins.sceneobject.Moving;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
@@ -115,12 +116,19 @@ class LessonWindowTest {
                                 .equals(each.getAccessibleContext().getAccessibleName())));
     }
 
+    /** Waits until the first prediction has the keys. */
+    private JRadioButton awaitKeys() {
+        String text = ((Lesson) cube.lesson()).shuffled().get(0).text();
+        JRadioButton first = driver.find(JRadioButton.class, text);
+        WindowDriver.await("the keys at the first prediction", first::isFocusOwner);
+        return first;
+    }
+
     /** From the menu on, without a search for the question: the first prediction has the keys. */
     @Test
     void aLessonIsAnsweredByKeys() {
         begin();
-        JRadioButton first = driver.find(JRadioButton.class, "Only the front face, but narrower.");
-        WindowDriver.await("the keys at the first prediction", first::isFocusOwner);
+        JRadioButton first = awaitKeys();
         assertThat(first.isSelected()).isFalse();
         driver.key(KeyEvent.VK_SPACE);
         driver.key(KeyEvent.VK_TAB);
@@ -134,16 +142,14 @@ class LessonWindowTest {
     void aLessonWithWhichTheWindowOpensHasTheKeysAndItsPlace() {
         driver.close();
         driver = new WindowDriver(folder.resolve("other"), cube, null, List.of(Studios.sphere(), cube));
-        JRadioButton first = driver.find(JRadioButton.class, "Only the front face, but narrower.");
-        WindowDriver.await("the keys at the first prediction", first::isFocusOwner);
+        awaitKeys();
         WindowDriver.await("its place", () -> shows("1 of 1, 0 done"));
     }
 
     @Test
     void enterLeadsFromPageToPage() {
         begin();
-        JRadioButton first = driver.find(JRadioButton.class, "Only the front face, but narrower.");
-        WindowDriver.await("the keys at the first prediction", first::isFocusOwner);
+        awaitKeys();
         driver.key(KeyEvent.VK_ENTER);
         assertThat(step("LOOK").isEnabled()).as("without an answer").isFalse();
         driver.key(KeyEvent.VK_SPACE);

@@ -43,7 +43,7 @@ final class LessonQuestionPage extends Part {
         panel.add(Note.paragraph(lesson.question()).component(), "wmin 0");
         ButtonGroup group = new ButtonGroup();
         JPanel answers = Rows.of("wrap 2, gap 2 3", "[pref!][grow,fill]");
-        lesson.predictions().forEach(prediction -> add(prediction, group, answers));
+        lesson.shuffled().forEach(prediction -> add(prediction, group, answers));
         panel.add(answers, "wmin 0");
         ButtonGroup sureness = new ButtonGroup();
         JPanel row = Rows.of("flowx, gap 12 0", "[pref!][pref!][pref!][grow]");
