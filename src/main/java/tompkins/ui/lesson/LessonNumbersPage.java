@@ -1,9 +1,14 @@
 package tompkins.ui.lesson;
 
 import com.formdev.flatlaf.FlatClientProperties;
+import java.awt.FontMetrics;
 import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.UIManager;
+import net.miginfocom.swing.MigLayout;
 import tompkins.io.FactText;
 import tompkins.lesson.LessonNumber;
 import tompkins.measure.LessonResult;
@@ -15,7 +20,10 @@ import tompkins.ui.widget.Texts;
 /** The last page of a lesson: what was measured in its picture, beside what the formulas say. */
 final class LessonNumbersPage extends Part {
 
-    private final JPanel table = Rows.of("wrap 4, gap 12 3", "[grow 60,fill][grow 40,fill][pref!][pref!]");
+    /** Room that a text wants beside its words. */
+    private static final int CARET = 2;
+
+    private final JPanel table = Rows.of("wrap 4, gap 12 3", "");
     private final Note note = new Note("");
 
     /** An empty page. */
@@ -28,15 +36,25 @@ final class LessonNumbersPage extends Part {
     /** Shows what was measured. */
     void show(List<LessonResult> results) {
         table.removeAll();
+        List<LessonNumber> numbers = results.stream().map(LessonResult::number).toList();
+        int name = widest(numbers.stream().map(LessonNumber::name));
+        int formula = widest(numbers.stream().map(number -> readable(number.formula())));
+        // where not all have room, both give up the same share
+        String columns = String.format(
+                Locale.ROOT,
+                "[0:%1$dpx:,grow,fill,shrink %1$d][0:%2$dpx:%2$dpx,fill,shrink %2$d][pref!][pref!]",
+                name,
+                formula);
+        ((MigLayout) table.getLayout()).setColumnConstraints(columns);
         for (String heading : List.of("number", "formula", "value", "measured")) {
             add(Texts.get("lesson." + heading), "");
         }
         for (LessonResult result : results) {
             LessonNumber number = result.number();
-            addWrapped(number.name());
-            addWrapped(readable(number.formula()));
-            add(result.predictedText() + FactText.SIGNS.unit(number.unit()), "");
-            add(FactText.SIGNS.value(result.told()), "font: $large.font");
+            addWrapped(readable(number.name()));
+            addWrapped(unbroken(number.formula()));
+            add(readable(result.predictedText()) + FactText.SIGNS.unit(number.unit()), "");
+            add(readable(FactText.SIGNS.value(result.told())), "font: $large.font");
         }
         boolean agree = results.stream().allMatch(LessonResult::agrees);
         note.setText(Texts.get(agree ? "lesson.agree" : "lesson.disagree"));
@@ -44,13 +62,32 @@ final class LessonNumbersPage extends Part {
         table.repaint();
     }
 
+    private int widest(Stream<String> texts) {
+        FontMetrics metrics = table.getFontMetrics(UIManager.getFont("Label.font"));
+        return texts.mapToInt(metrics::stringWidth).max().orElse(0) + CARET;
+    }
+
     private void addWrapped(String text) {
         table.add(Note.paragraph(text).component(), "wmin 0, aligny top");
     }
 
-    /** A formula with the signs of printed ones. */
-    static String readable(String formula) {
-        return formula.replace("sqrt", "\u221a").replace('-', '\u2212');
+    /** A formula, or a text with formulas, with the signs of printed ones; a hyphen between letters stays. */
+    static String readable(String text) {
+        return text.replace("sqrt", "\u221a").replaceAll("(?<!\\p{L})-|-(?!\\p{L})", "\u2212");
+    }
+
+    /** A formula that breaks into lines outside of its parentheses only. */
+    static String unbroken(String formula) {
+        StringBuilder text = new StringBuilder(readable(formula));
+        int depth = 0;
+        for (int i = 0; i < text.length(); i++) {
+            char sign = text.charAt(i);
+            depth += sign == '(' ? 1 : sign == ')' ? -1 : 0;
+            if (sign == ' ' && depth > 0) {
+                text.setCharAt(i, '\u00a0');
+            }
+        }
+        return text.toString();
     }
 
     private void add(String text, String style) {

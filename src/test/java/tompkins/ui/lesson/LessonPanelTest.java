@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JButton;
@@ -55,6 +56,12 @@ class LessonPanelTest {
     private static final double HEAD = 3.5;
 
     private static final int WINDOW = 1280;
+
+    /** Of a page in a window of 1024 x 700, of which the strip takes a third; in sizes of the type. */
+    private static final double SMALL_WIDTH = 46.4;
+
+    private static final double SMALL_HEIGHT = 11.7;
+
     private static final int MARGINS = 20;
 
     private final StudioModel model = new StudioModel(with(Lesson.DEFAULT), null);
@@ -118,6 +125,16 @@ class LessonPanelTest {
         assertThat(panel.component().isVisible()).isTrue();
         model.open(Studio.DEFAULT, null);
         assertThat(panel.component().isVisible()).isFalse();
+    }
+
+    @Test
+    void predictionsAreOfferedInTheirOwnOrder() throws IOException {
+        for (Lesson lesson : ours().toList()) {
+            JComponent page = new LessonQuestionPage(lesson, () -> {}).component();
+            assertThat(Components.notes(page))
+                    .containsSubsequence(
+                            lesson.shuffled().stream().map(Prediction::text).toList());
+        }
     }
 
     @Test
@@ -223,6 +240,14 @@ class LessonPanelTest {
         assertThat(course.isFinished(second)).isFalse();
     }
 
+    /** Formulas break outside of their parentheses only, and words keep their hyphens. */
+    @Test
+    void formulasAreReadable() {
+        assertThat(LessonNumbersPage.readable("off-axis: cos a = -v - 1")).isEqualTo("off-axis: cos a = −v − 1");
+        assertThat(LessonNumbersPage.unbroken("3 sqrt((1 - v)/(1 + v)) x"))
+                .isEqualTo("3 √((1\u00a0−\u00a0v)/(1\u00a0+\u00a0v)) x");
+    }
+
     @Test
     void aLessonWithoutNumbersEndsWithTheReason() {
         model.open(with(Descriptions.with(Lesson.DEFAULT, "numbers", List.of())), null);
@@ -294,12 +319,61 @@ class LessonPanelTest {
         });
     }
 
+    /** Nobody can tell the right answer from its place. */
+    @Test
+    void theRightAnswersHaveAllPlaces() throws IOException {
+        List<Integer> places = ours().map(lesson -> {
+                    List<Prediction> offered = lesson.shuffled();
+                    assertThat(offered).containsExactlyInAnyOrderElementsOf(lesson.predictions());
+                    assertThat(lesson.shuffled()).as("always the same").isEqualTo(offered);
+                    return offered.indexOf(lesson.predictions().get(lesson.right() - 1));
+                })
+                .toList();
+        assertThat(IntStream.range(0, 3)).allMatch(place -> Collections.frequency(places, place) >= places.size() / 4);
+    }
+
+    static Stream<Lesson> ours() throws IOException {
+        return BundledScenes.studios().stream()
+                .map(Studio::lesson)
+                .filter(Lesson.class::isInstance)
+                .map(Lesson.class::cast);
+    }
+
+    @ParameterizedTest(name = "{index}")
+    @MethodSource("ours")
+    void everyPageOfOurLessonsFitsASmallWindow(Lesson lesson) {
+        WindowDriver.onEventThread(() -> {
+            Look.LIGHT.install(1);
+            for (Prediction chosen : lesson.predictions()) {
+                List<JComponent> pages = pages(lesson, chosen);
+                for (JComponent page : pages) {
+                    Components.layOut(page, Look.pixels(SMALL_WIDTH));
+                    assertThat(page.getHeight())
+                            .as("page %d after “%s”", pages.indexOf(page), chosen.text())
+                            .isLessThanOrEqualTo(Look.pixels(SMALL_HEIGHT));
+                }
+            }
+        });
+    }
+
     private void assertPagesFit(Look look, Lesson lesson) {
         look.install(1);
         int width = WINDOW - Look.pixels(SIDE);
         model.open(with(lesson), null);
-        LessonQuestionPage.Answer answer = new LessonQuestionPage.Answer(
-                lesson.predictions().get(lesson.right() % lesson.predictions().size()), true);
+        Prediction wrong =
+                lesson.predictions().get(lesson.right() % lesson.predictions().size());
+        List<JComponent> pages = pages(lesson, wrong);
+        for (JComponent page : pages) {
+            Components.layOut(page, width - MARGINS);
+            assertThat(LayoutProblems.in(page)).isEmpty();
+            assertThat(page.getHeight()).as("page %d", pages.indexOf(page)).isLessThan(Look.pixels(HEIGHT - HEAD));
+        }
+        Components.layOut(strip(), width);
+    }
+
+    /** All pages, after a sure answer. */
+    private List<JComponent> pages(Lesson lesson, Prediction chosen) {
+        LessonQuestionPage.Answer answer = new LessonQuestionPage.Answer(chosen, true);
         LessonReasonPage reason = new LessonReasonPage(lesson);
         reason.show(answer);
         LessonNumbersPage numbers = new LessonNumbersPage();
@@ -308,17 +382,11 @@ class LessonPanelTest {
                 .toList());
         LessonLookPage lookPage = new LessonLookPage(new LessonSlider(model, lookStudio(lesson)));
         lookPage.show(answer);
-        List<JComponent> pages = List.of(
+        return List.of(
                 new LessonQuestionPage(lesson, () -> {}).component(),
                 lookPage.component(),
                 reason.component(),
                 numbers.component());
-        for (JComponent page : pages) {
-            Components.layOut(page, width - MARGINS);
-            assertThat(LayoutProblems.in(page)).isEmpty();
-            assertThat(page.getHeight()).as("page %d", pages.indexOf(page)).isLessThan(Look.pixels(HEIGHT - HEAD));
-        }
-        Components.layOut(strip(), width);
     }
 
     /** The slider is as wide whatever it moves. */
