@@ -271,6 +271,16 @@ class LessonWindowTest {
     @Test
     void whoOnlyMovedTheSliderIsNotAskedToSave() {
         begin();
+        moveAndLeave();
+    }
+
+    @Test
+    void norInALessonThatIsAFile() {
+        WindowDriver.onEventThread(() -> driver.window().model().open(cube, folder.resolve("cube.json")));
+        moveAndLeave();
+    }
+
+    private void moveAndLeave() {
         JSlider slider = driver.find(JSlider.class, "Speed of the cube (c), slider");
         WindowDriver.onEventThread(() -> slider.setValue(700));
         assertThat(speed()).isCloseTo(0.665, within(1e-9));

@@ -85,18 +85,19 @@ public final class SceneOpener {
     }
 
     /**
-     * As {@link #leaveScene}, but without a question for an example of which only the camera or the motion was changed:
-     * undo brings it back.
+     * As {@link #leaveScene}, but without a question where only the slider of a lesson was moved, or the camera or the
+     * motion of an example: undo brings it back.
      */
     private void leaveForAnother(Runnable next) {
         Studio opened = window.model().opened();
         Studio now = LessonStudio.unmoved(window.model().studio(), opened);
-        boolean looked = window.model().file() == null
-                && now.hasSameObjects(opened)
-                && (now.ride().isEmpty() || now.ride().equals(opened.ride()))
-                && now.lesson().equals(opened.lesson())
-                && now.title().equals(opened.title())
-                && now.remarks().equals(opened.remarks());
+        boolean looked = now.equals(opened)
+                || window.model().file() == null
+                        && now.hasSameObjects(opened)
+                        && (now.ride().isEmpty() || now.ride().equals(opened.ride()))
+                        && now.lesson().equals(opened.lesson())
+                        && now.title().equals(opened.title())
+                        && now.remarks().equals(opened.remarks());
         if (looked) {
             next.run();
         } else {
