@@ -92,7 +92,9 @@ public final class Experiment {
             return measure(ratio.first(), path + ".first") / measure(ratio.second(), path + ".second");
         }
         if (measurement instanceof WithNumber other) {
-            return with(at(path, () -> studio(other))).measure(other.measurement(), path + ".measurement");
+            Studio changed = at(path, () -> studio(other));
+            Experiment there = changed.equals(studio()) ? this : with(changed);
+            return there.measure(other.measurement(), path + ".measurement");
         }
         if (measurement instanceof WithShutter other) {
             Studio changed = studio().withCamera(studio().camera().withShutter(other.shutter()));
@@ -130,9 +132,9 @@ public final class Experiment {
             return Math.toDegrees(Outline.angularRadius(plan, outline));
         }
         if (measurement instanceof StarCount count) {
-            return studio().background() instanceof StarSky sky
-                    ? StarSighting.count(sky, studio(), Math.toRadians(count.withinDegrees()))
-                    : Double.NaN;
+            double angle = Math.toRadians(count.withinDegrees());
+            lines.addAll(Outline.ahead(plan, angle));
+            return studio().background() instanceof StarSky sky ? StarSighting.count(sky, studio(), angle) : Double.NaN;
         }
         LensSpread spread = (LensSpread) measurement;
         return LensWays.spread(plan, marked(new PicturePoint(spread.across(), spread.down())));

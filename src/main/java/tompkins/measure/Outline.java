@@ -4,6 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.camera.Aim.PicturePosition;
+import tompkins.math.Vectors;
 import tompkins.property.InvalidPropertyException;
 import tompkins.trace.RenderPlan;
 
@@ -42,6 +46,32 @@ final class Outline {
             outline.add(found.get(0));
         }
         return outline;
+    }
+
+    /** Those parts of a circle of directions around where the camera flies that are in the picture, in pixels. */
+    static List<List<Vector2dc>> ahead(RenderPlan plan, double radius) {
+        Vector3dc axis = plan.studio().velocity().direction();
+        Vector3d direction = new Vector3d(axis).mul(Math.cos(radius)).fma(Math.sin(radius), Vectors.firstAxis(axis));
+        double longest = 4.0 * plan.width() / WAYS;
+        List<List<Vector2dc>> parts = new ArrayList<>();
+        List<Vector2dc> before = positions(plan, direction);
+        for (int i = 0; i < WAYS; i++) {
+            direction.rotateAxis(2 * Math.PI / WAYS, axis.x(), axis.y(), axis.z());
+            List<Vector2dc> now = positions(plan, direction);
+            // a panorama tears the circle apart at its sides and poles
+            if (before.size() == 1 && now.size() == 1 && before.get(0).distance(now.get(0)) < longest) {
+                parts.add(List.of(before.get(0), now.get(0)));
+            }
+            before = now;
+        }
+        return parts;
+    }
+
+    private static List<Vector2dc> positions(RenderPlan plan, Vector3dc direction) {
+        return PicturePosition.of(plan.studio().camera(), direction, plan.width(), plan.height()).stream()
+                .filter(place ->
+                        place.x() >= 0 && place.x() <= plan.width() && place.y() >= 0 && place.y() <= plan.height())
+                .toList();
     }
 
     /** Where the way from a point in a direction leaves the picture. */

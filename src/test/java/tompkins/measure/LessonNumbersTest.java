@@ -21,6 +21,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -179,6 +180,34 @@ class LessonNumbersTest {
                 LessonStudio.of(studio("01-round-ball")).orElseThrow().results();
         assertThat(results.get(0).sketch().lines().get(0)).hasSize(64);
         assertThat(results.get(1).sketch()).isEqualTo(Sketch.EMPTY);
+    }
+
+    /** Also if a measurement says at which place of the slider, and that is the one of the picture. */
+    @Test
+    void whatIsMeasuredInThisPictureIsDrawn() throws IOException {
+        List<LessonResult> results =
+                LessonStudio.of(studio("11-slices")).orElseThrow().results();
+        assertThat(results.get(1).sketch().points()).isNotEmpty();
+        assertThat(results.get(0).sketch()).isEqualTo(Sketch.EMPTY);
+    }
+
+    /** In a panorama each degree from straight ahead is as wide as any other. */
+    @Test
+    void starsAreCountedWithinACircle() throws IOException {
+        LessonStudio lesson = LessonStudio.of(studio("17-stars-ahead")).orElseThrow();
+        Sketch circle = lesson.results().get(3).sketch();
+        double pixels = lesson.studio().settings().width() / 180.0;
+        double middle = lesson.studio().settings().width() / 2.0;
+        List<Vector2dc> places = circle.lines().stream().flatMap(List::stream).toList();
+        assertThat(places.stream().mapToDouble(Vector2dc::x).max().orElseThrow() - middle)
+                .isCloseTo(toDegrees(acos(0.9)) * pixels, within(0.1));
+        assertThat(places.stream().mapToDouble(Vector2dc::x).min().orElseThrow() - middle)
+                .isCloseTo(-toDegrees(acos(0.9)) * pixels, within(0.1));
+        // that of all that is ahead runs up and down the sides of the picture
+        assertThat(lesson.results().get(2).sketch().lines())
+                .isNotEmpty()
+                .allSatisfy(line ->
+                        assertThat(line.get(0).x()).isCloseTo(line.get(1).x(), within(1e-6)));
     }
 
     @Test

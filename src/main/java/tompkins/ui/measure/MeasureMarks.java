@@ -30,7 +30,7 @@ public final class MeasureMarks implements Overlay {
     private static final double OUTER = 8;
 
     /** Names are so far apart, and no name is more than so many lines away from its point. */
-    private static final int GAP = 6;
+    private static final int GAP = 16;
 
     private static final int MOST_LINES = 4;
 
