@@ -121,6 +121,11 @@ public enum FactText {
         return fact instanceof Quantity quantity ? number(quantity) : value(fact);
     }
 
+    /** A formula, or a text with formulas, with the signs of printed ones; a hyphen between letters stays. */
+    public static String readable(String text) {
+        return text.replace("sqrt", "\u221a").replaceAll("(?<!\\p{L})-|-(?!\\p{L})", "\u2212");
+    }
+
     /** What a fact is called. */
     public String name(Fact fact) {
         return this == SIGNS ? fact.name().replace("^2", "\u00b2").replace(" - ", " \u2212 ") : fact.name();

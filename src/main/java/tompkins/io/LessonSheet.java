@@ -93,14 +93,14 @@ public record LessonSheet(String title, Lesson lesson, byte[] png, List<LessonRe
     private String answers() {
         return tag("h2", "Answers: " + text(title))
                 + lesson.shuffled().stream().map(this::answer).collect(Collectors.joining())
-                + tag("p", text(lesson.reveal()))
+                + tag("p", text(FactText.readable(lesson.reveal())))
                 + table(
                         "<th>number<th>formula<th>worked out<th>measured by the program",
                         results.stream()
                                 .map(result -> "<td>" + text(result.number().name()) + unit(result) + "<td>"
-                                        + text(result.number().formula()) + "<td>"
-                                        + result.predictedText() + "<td>"
-                                        + text(result.measuredText()))
+                                        + text(FactText.readable(result.number().formula())) + "<td>"
+                                        + FactText.readable(result.predictedText()) + "<td>"
+                                        + text(FactText.readable(result.measuredText())))
                                 .toList());
     }
 

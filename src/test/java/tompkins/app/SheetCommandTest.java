@@ -74,6 +74,13 @@ class SheetCommandTest {
     }
 
     @Test
+    void formulasHavePrintedSigns() throws IOException {
+        assertThat(sheet("--set", "lesson.numbers[0].formula=sqrt(1 - v)").code())
+                .isZero();
+        assertThat(sections()[3]).contains("<td>\u221a(1 \u2212 v)<td>");
+    }
+
+    @Test
     void nothingIsReplacedAndALessonIsNeeded() throws IOException {
         Path sheet = Files.writeString(folder.resolve("sheet.html"), "mine");
         ProgramRun run = sheet();

@@ -38,7 +38,7 @@ final class LessonNumbersPage extends Part {
         table.removeAll();
         List<LessonNumber> numbers = results.stream().map(LessonResult::number).toList();
         int name = widest(numbers.stream().map(LessonNumber::name));
-        int formula = widest(numbers.stream().map(number -> readable(number.formula())));
+        int formula = widest(numbers.stream().map(number -> FactText.readable(number.formula())));
         // where not all have room, both give up the same share
         String columns = String.format(
                 Locale.ROOT,
@@ -51,10 +51,10 @@ final class LessonNumbersPage extends Part {
         }
         for (LessonResult result : results) {
             LessonNumber number = result.number();
-            addWrapped(readable(number.name()));
+            addWrapped(FactText.readable(number.name()));
             addWrapped(unbroken(number.formula()));
-            add(readable(result.predictedText()) + FactText.SIGNS.unit(number.unit()), "");
-            add(readable(FactText.SIGNS.value(result.told())), "font: $large.font");
+            add(FactText.readable(result.predictedText()) + FactText.SIGNS.unit(number.unit()), "");
+            add(FactText.readable(FactText.SIGNS.value(result.told())), "font: $large.font");
         }
         boolean agree = results.stream().allMatch(LessonResult::agrees);
         note.setText(Texts.get(agree ? "lesson.agree" : "lesson.disagree"));
@@ -71,14 +71,9 @@ final class LessonNumbersPage extends Part {
         table.add(Note.paragraph(text).component(), "wmin 0, aligny top");
     }
 
-    /** A formula, or a text with formulas, with the signs of printed ones; a hyphen between letters stays. */
-    static String readable(String text) {
-        return text.replace("sqrt", "\u221a").replaceAll("(?<!\\p{L})-|-(?!\\p{L})", "\u2212");
-    }
-
     /** A formula that breaks into lines outside of its parentheses only. */
     static String unbroken(String formula) {
-        StringBuilder text = new StringBuilder(readable(formula));
+        StringBuilder text = new StringBuilder(FactText.readable(formula));
         int depth = 0;
         for (int i = 0; i < text.length(); i++) {
             char sign = text.charAt(i);

@@ -3,6 +3,7 @@ package tompkins.ui.lesson;
 import com.formdev.flatlaf.FlatClientProperties;
 import java.util.Comparator;
 import javax.swing.JLabel;
+import tompkins.io.FactText;
 import tompkins.lesson.Lesson;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Part;
@@ -25,7 +26,7 @@ final class LessonReasonPage extends Part {
         panel.add(verdict, "wmin 0");
         panel.add(right.component(), "wmin 0");
         panel.add(reply.component(), "wmin 0");
-        panel.add(Note.paragraph(LessonNumbersPage.readable(lesson.reveal())).component(), "wmin 0");
+        panel.add(Note.paragraph(FactText.readable(lesson.reveal())).component(), "wmin 0");
         // as high from the beginning as it can become, so that the picture keeps its size
         lesson.predictions().stream()
                 .max(Comparator.comparingInt(prediction -> prediction.reply().length()))

@@ -26,6 +26,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.io.BundledScenes;
+import tompkins.io.FactText;
 import tompkins.lesson.Lesson;
 import tompkins.lesson.LessonControl;
 import tompkins.lesson.LessonNumber;
@@ -243,7 +244,7 @@ class LessonPanelTest {
     /** Formulas break outside of their parentheses only, and words keep their hyphens. */
     @Test
     void formulasAreReadable() {
-        assertThat(LessonNumbersPage.readable("off-axis: cos a = -v - 1")).isEqualTo("off-axis: cos a = −v − 1");
+        assertThat(FactText.readable("off-axis: cos a = -v - 1")).isEqualTo("off-axis: cos a = −v − 1");
         assertThat(LessonNumbersPage.unbroken("3 sqrt((1 - v)/(1 + v)) x"))
                 .isEqualTo("3 √((1\u00a0−\u00a0v)/(1\u00a0+\u00a0v)) x");
     }
