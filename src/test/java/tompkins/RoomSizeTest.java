@@ -34,10 +34,10 @@ class RoomSizeTest {
                                 + " studio, world, trace, render",
                         27_259),
                 arguments("file, image", 4_506),
-                arguments("explain, lesson, measure, animation", 6_269),
-                arguments("io, app", 8_007),
+                arguments("explain, lesson, measure, animation", 6_323),
+                arguments("io, app", 8_012),
                 arguments("study", 4_548),
-                arguments("ui", 21_353));
+                arguments("ui", 21_466));
     }
 
     @ParameterizedTest
