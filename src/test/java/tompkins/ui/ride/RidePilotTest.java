@@ -33,6 +33,7 @@ import tompkins.ui.Components;
 import tompkins.ui.WindowDriver;
 import tompkins.ui.model.Settings;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.Look;
 
 /** Where rides begin, and what is said where nothing is to be seen; without a display. */
 @Timeout(120)
@@ -102,6 +103,7 @@ class RidePilotTest {
     @Test
     void whatToTryGoesAndComesWithTheRide() {
         onEventThread(() -> {
+            Look.LIGHT.install();
             RidePanel panel = new RidePanel(model, new Settings((Path) null), pilot, () -> {}, studio -> {});
             panel.setShown(true);
             pilot.begin(SECOND);
