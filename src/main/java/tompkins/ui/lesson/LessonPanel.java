@@ -22,6 +22,7 @@ import tompkins.lesson.LessonPlan;
 import tompkins.lesson.NoLesson;
 import tompkins.measure.LessonResult;
 import tompkins.measure.LessonStudio;
+import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
@@ -160,7 +161,7 @@ public final class LessonPanel extends Part {
             draw(List.of());
         }
         LessonPlan plan = model.studio().lesson();
-        if (!plan.equals(shown)) {
+        if (!Descriptions.areEqual(plan, shown)) {
             shown = plan;
             make();
         } else if (lesson != null) {

@@ -2,6 +2,8 @@ package tompkins.ui.picture;
 
 import java.awt.Dimension;
 import java.awt.image.BufferedImage;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
@@ -13,6 +15,9 @@ import javax.swing.SwingUtilities;
  */
 public final class ScreenPictures implements AutoCloseable {
 
+    /** The mean number of samples of a pixel with which a picture shows what there is to see. */
+    private static final double ENOUGH_TO_BEGIN = 1.0 / 16;
+
     /** What is wanted: pictures, and the room in which they are shown, which is null while it is unknown. */
     private record Wanted(Picture now, Picture other, Room room, boolean difference) {}
 
@@ -23,15 +28,25 @@ public final class ScreenPictures implements AutoCloseable {
     private Wanted doneFor;
     private ScreenPicture done = ScreenPicture.EMPTY;
 
+    /** Done as soon as the first picture is on the screen. */
+    private final CompletableFuture<Void> begun = new CompletableFuture<>();
+
     /** Hands images to {@code screen} on the event thread; its own thread tells {@code failures} about trouble. */
     public ScreenPictures(Consumer<ScreenPicture> screen, Consumer<Throwable> failures) {
         this.screen = screen;
         worker = new NewestFirst("tompkins-screen", failures);
     }
 
-    /** There is a better picture. Called by any thread. */
+    /**
+     * There is a better picture. Called by a thread of its renderer, which waits with finer ones until the first is on
+     * the screen: a window that is still being built needs the processors, and may want another size.
+     */
     public void setNow(Picture picture) {
         want(old -> new Wanted(picture, old.other, old.room, old.difference));
+        if (picture.samples() >= ENOUGH_TO_BEGIN) {
+            // the screen may never take one
+            begun.completeOnTimeout(null, 1, TimeUnit.SECONDS).join();
+        }
     }
 
     /** There is another picture to compare with, or none. Called by any thread. */
@@ -70,7 +85,10 @@ public final class ScreenPictures implements AutoCloseable {
         done = new ScreenPicture(order.now, now, order.other, other, difference);
         doneFor = order;
         if (ready.getAndSet(done) == null) {
-            SwingUtilities.invokeLater(() -> screen.accept(ready.getAndSet(null)));
+            SwingUtilities.invokeLater(() -> {
+                screen.accept(ready.getAndSet(null));
+                begun.complete(null);
+            });
         }
     }
 
