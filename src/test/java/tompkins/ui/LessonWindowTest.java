@@ -139,7 +139,7 @@ class LessonWindowTest {
 
     /** As one that is chosen from the menu; the menus come later. */
     @Test
-    void aLessonWithWhichTheWindowOpensHasTheKeysAndItsPlace() {
+    void aLessonThatOpensTheWindowHasKeysAndPlace() {
         driver.close();
         driver = new WindowDriver(folder.resolve("other"), cube, null, List.of(Studios.sphere(), cube));
         awaitKeys();
