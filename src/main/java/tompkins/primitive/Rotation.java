@@ -208,7 +208,9 @@ public final class Rotation {
     /** A distance from the axis below which no point of a primitive with bounds is. */
     public double leastReach(Primitive primitive) {
         Vector3d outwards = acrossAxis(primitive.bounds().centre().sub(centre), axis);
-        if (!(outwards.length() > 0)) {
+        // once more, since near the axis that is rounding, which may even point along it
+        outwards = acrossAxis(outwards.normalize(), axis);
+        if (!(outwards.length() > 0.5)) {
             return 0;
         }
         outwards.normalize();
