@@ -27,21 +27,19 @@ import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import tompkins.TestRun;
 import tompkins.io.BundledScenes;
 import tompkins.studio.Studio;
 import tompkins.ui.picture.PictureCanvas;
 
 /**
  * Somebody presses whatever there is, with mouse and keys, and nothing fails. {@code -Dtompkins.seed} chooses other
- * actions.
+ * actions, and {@code -Dtompkins.actions=5000} more: some minutes.
  */
 @Timeout(1200)
 @NeedsDisplay
 class MonkeyTest {
 
     private static final int USUALLY = 80;
-    private static final int THOROUGHLY = 5_000;
 
     /** Begins the names of what would end the program, or change what other programs see. */
     private static final List<String> SPARED = List.of("menu.close", "menu.copy");
@@ -101,7 +99,7 @@ class MonkeyTest {
         Thread.UncaughtExceptionHandler before = Thread.getDefaultUncaughtExceptionHandler();
         Thread.setDefaultUncaughtExceptionHandler((thread, failure) -> failures.add(failure));
         try {
-            int left = TestRun.cases(USUALLY, THOROUGHLY);
+            int left = Integer.getInteger("tompkins.actions", USUALLY);
             while (left > 0 && failures.isEmpty()) {
                 try (WindowDriver driver = new WindowDriver(folder, scene(), null, List.of(scene(), scene()))) {
                     while (left > 0
