@@ -37,7 +37,7 @@ class RoomSizeTest {
                 arguments("explain, lesson, measure, animation", 6_323),
                 arguments("io, app", 8_012),
                 arguments("study", 4_548),
-                arguments("ui", 21_485));
+                arguments("ui", 21_487));
     }
 
     @ParameterizedTest

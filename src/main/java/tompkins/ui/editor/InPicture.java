@@ -81,19 +81,20 @@ final class InPicture {
             return shows(studio, object) ? object : brought(studio, object, 0);
         }
         boolean leaves = object instanceof Moving;
-        boolean hidden = shows(studio, object);
-        if (!leaves && hidden && part(studio, object) > LEAST) {
+        boolean isInside = shows(studio, object);
+        RenderPlan before = RenderPlan.of(studio);
+        if (!leaves && isInside && part(before, object) > LEAST) {
             return object;
         }
         SceneObject crowded = leaves ? brought(studio, object, 0) : object;
         for (double aside : PLACES) {
             SceneObject there = brought(studio, object, aside);
-            double part = part(studio, there);
+            double part = part(before, there);
             if (part > 0 && part <= MOST) {
                 if (leaves || NewObject.isFree(there, studio.scene())) {
                     return there;
                 }
-                crowded = hidden && crowded == object ? there : crowded;
+                crowded = isInside && crowded == object ? there : crowded;
             }
         }
         return crowded;
@@ -101,14 +102,14 @@ final class InPicture {
 
     /** Whether a studio with another object has another picture. */
     static boolean isSeen(Studio studio, SceneObject object) {
-        return part(studio, object) > 0;
+        return part(RenderPlan.of(studio), object) > 0;
     }
 
-    /** How much of the picture of a studio another object changes, from 0 to 1. */
-    private static double part(Studio studio, SceneObject object) {
+    /** How much of the picture of a plan another object changes, from 0 to 1. */
+    private static double part(RenderPlan before, SceneObject object) {
+        Studio studio = before.studio();
         List<SceneObject> longer = new ArrayList<>(studio.scene());
         longer.add(object);
-        RenderPlan before = RenderPlan.of(studio);
         RenderPlan after = RenderPlan.of(studio.withScene(longer));
         Projection projection = Projection.of(studio);
         double changed = alone(studio, object).objects().stream()

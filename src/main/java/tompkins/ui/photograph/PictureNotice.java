@@ -26,6 +26,7 @@ final class PictureNotice {
     private final JPanel panel = new NoticePanel();
     private final Note problem = new Note("");
     private final JButton button = new JButton();
+
     /** Below what is written at the top of the picture; a ride writes more there. */
     private final MigLayout layout = new MigLayout("novisualpadding, insets 10, fill", "[center]", AT_TOP);
 
