@@ -34,7 +34,7 @@ class RoomSizeTest {
                                 + " studio, world, trace, render",
                         27_261),
                 arguments("file, image", 4_506),
-                arguments("explain, lesson, measure, animation", 6_323),
+                arguments("explain, lesson, measure, animation", 6_316),
                 arguments("io, app", 8_012),
                 arguments("study", 4_548),
                 arguments("ui", 21_487));

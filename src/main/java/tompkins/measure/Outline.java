@@ -6,7 +6,6 @@ import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import tompkins.camera.Aim.PicturePosition;
 import tompkins.math.Vectors;
 import tompkins.property.InvalidPropertyException;
 import tompkins.trace.RenderPlan;
@@ -50,28 +49,22 @@ final class Outline {
 
     /** Those parts of a circle of directions around where the camera flies that are in the picture, in pixels. */
     static List<List<Vector2dc>> ahead(RenderPlan plan, double radius) {
+        Projection projection = Projection.of(plan.studio());
         Vector3dc axis = plan.studio().velocity().direction();
         Vector3d direction = new Vector3d(axis).mul(Math.cos(radius)).fma(Math.sin(radius), Vectors.firstAxis(axis));
         double longest = 4.0 * plan.width() / WAYS;
         List<List<Vector2dc>> parts = new ArrayList<>();
-        List<Vector2dc> before = positions(plan, direction);
+        Vector2dc before = projection.position(direction);
         for (int i = 0; i < WAYS; i++) {
             direction.rotateAxis(2 * Math.PI / WAYS, axis.x(), axis.y(), axis.z());
-            List<Vector2dc> now = positions(plan, direction);
+            Vector2dc now = projection.position(direction);
             // a panorama tears the circle apart at its sides and poles
-            if (before.size() == 1 && now.size() == 1 && before.get(0).distance(now.get(0)) < longest) {
-                parts.add(List.of(before.get(0), now.get(0)));
+            if (projection.shows(before) && projection.shows(now) && before.distance(now) < longest) {
+                parts.add(List.of(before, now));
             }
             before = now;
         }
         return parts;
-    }
-
-    private static List<Vector2dc> positions(RenderPlan plan, Vector3dc direction) {
-        return PicturePosition.of(plan.studio().camera(), direction, plan.width(), plan.height()).stream()
-                .filter(place ->
-                        place.x() >= 0 && place.x() <= plan.width() && place.y() >= 0 && place.y() <= plan.height())
-                .toList();
     }
 
     /** Where the way from a point in a direction leaves the picture. */
