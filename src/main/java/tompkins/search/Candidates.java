@@ -16,7 +16,6 @@ final class Candidates {
 
     private final PacketFrustum bundle;
     private final Primitive[] found = new Primitive[MOST];
-    private final TreeNode[] leaves = new TreeNode[MOST];
     private final double[] leastDistances = new double[MOST];
     private int count;
 
@@ -44,56 +43,36 @@ final class Candidates {
         return count + more <= MOST;
     }
 
-    /** As {@link #add(Primitive, TreeNode)}, for several that no leaf holds. */
-    boolean addAll(Primitive[] primitives) {
-        for (Primitive primitive : primitives) {
-            if (!add(primitive, null)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    /** As {@link #add(Primitive, TreeNode)}, for all that a leaf holds. */
-    boolean addAll(TreeNode leaf) {
-        for (int i = leaf.from; i < leaf.to; i++) {
-            if (!add(leaf.primitives[i], leaf)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
     /**
-     * Adds a primitive if some ray of the frustum can meet it.
+     * Adds those of some primitives, from one place (included) to another (excluded), that some ray of the frustum can
+     * meet.
      *
-     * @param leaf the leaf that holds it, or null if none does
-     * @return false if there is no room for it
+     * @return false if there is no room for one of them
      */
-    private boolean add(Primitive primitive, TreeNode leaf) {
-        if (bundle.misses(primitive)) {
-            return true;
+    boolean addAll(Primitive[] primitives, int from, int to) {
+        for (int i = from; i < to; i++) {
+            if (bundle.misses(primitives[i])) {
+                continue;
+            }
+            if (count == MOST) {
+                return false;
+            }
+            insert(primitives[i], bundle.leastDistance(primitives[i]));
         }
-        if (count == MOST) {
-            return false;
-        }
-        insert(primitive, leaf, bundle.leastDistance(primitive));
         return true;
     }
 
     /** Nearer ones first: a ray that has met one need not try what lies behind. */
-    private void insert(Primitive primitive, TreeNode leaf, double leastDistance) {
+    private void insert(Primitive primitive, double leastDistance) {
         // what may lie anywhere, like a plane, comes first
         double least = leastDistance > 0 ? leastDistance : 0;
         int place = count++;
         while (place > 0 && leastDistances[place - 1] > least) {
             found[place] = found[place - 1];
-            leaves[place] = leaves[place - 1];
             leastDistances[place] = leastDistances[place - 1];
             place--;
         }
         found[place] = primitive;
-        leaves[place] = leaf;
         leastDistances[place] = least;
     }
 
@@ -134,9 +113,7 @@ final class Candidates {
                 break;
             }
             tests++;
-            if (nearest.test(found[next], ray)) {
-                nearest.foundIn(leaves[next]);
-            }
+            nearest.test(found[next], ray);
         }
         nearest.count(0, tests);
     }

@@ -21,7 +21,6 @@ public final class NearestHit {
 
     private final RayCounts counts;
     private Primitive primitive;
-    private TreeNode leaf;
     private double distance;
 
     /** The memory of a thread; it counts the nodes and primitives that the thread's searches look at. */
@@ -41,43 +40,24 @@ public final class NearestHit {
         distance = foundDistance;
     }
 
-    /** Tests one primitive and says whether it is nearer than all before. */
-    boolean test(Primitive candidate, Ray ray) {
+    /**
+     * Tests one primitive, which replaces what was found before if it is nearer: of equally near ones the one that is
+     * listed first stays.
+     */
+    void test(Primitive candidate, Ray ray) {
         double candidateDistance = candidate.distance(ray, distance);
-        boolean nearer = isNearer(candidate, candidateDistance, primitive, distance);
-        if (nearer) {
+        if (candidateDistance < distance
+                || (candidateDistance == distance
+                        && candidateDistance < Primitive.NO_HIT
+                        && (primitive == null || candidate.order() < primitive.order()))) {
             primitive = candidate;
             distance = candidateDistance;
         }
-        return nearer;
-    }
-
-    /** Whether a candidate replaces what was found before: of equally near ones the one that is listed first stays. */
-    private static boolean isNearer(Primitive candidate, double candidateDistance, Primitive found, double distance) {
-        return candidateDistance < distance
-                || (candidateDistance == distance
-                        && candidateDistance < Primitive.NO_HIT
-                        && (found == null || candidate.order() < found.order()));
     }
 
     void count(long nodes, long tests) {
         counts.nodes += nodes;
         counts.tests += tests;
-    }
-
-    /** Notes the leaf in which the nearest primitive so far was found; null if none holds it. */
-    void foundIn(TreeNode node) {
-        leaf = node;
-    }
-
-    /** Forgets that leaf. */
-    public void forgetLeaf() {
-        leaf = null;
-    }
-
-    /** The leaf in which a nearest primitive was last found, or null if there was none yet. */
-    TreeNode leaf() {
-        return leaf;
     }
 
     /** The nearest primitive, or null. */

@@ -199,15 +199,11 @@ public final class ObjectTree {
             nodes++;
             TreeNode next = null;
             if (node.primitives != null) {
-                Primitive before = nearest.primitive();
                 Primitive[] primitives = node.primitives;
                 int to = node.to;
                 for (int i = node.from; i < to; i++) {
                     nearest.test(primitives[i], ray);
                     tests++;
-                }
-                if (nearest.primitive() != before) {
-                    nearest.foundIn(node);
                 }
             } else {
                 double limit = nearest.distance();
@@ -263,8 +259,7 @@ public final class ObjectTree {
         int count = 0;
         int nodes = 0;
         int tests = 0;
-        TreeNode climbed = scratch.leaf() == null ? root : scratch.leaf();
-        TreeNode node = climbed;
+        TreeNode node = root;
         Primitive shadow = null;
         search:
         while (node != null) {
@@ -295,11 +290,6 @@ public final class ObjectTree {
             }
             if (next == null && count > 0) {
                 next = waiting[--count];
-            }
-            while (next == null && climbed.parent() != null) {
-                TreeNode other = climbed.parent().other(climbed);
-                climbed = climbed.parent();
-                next = other.entry(x, y, z, inverseX, inverseY, inverseZ, limit) == TreeNode.MISSED ? null : other;
             }
             node = next;
         }

@@ -52,7 +52,6 @@ final class PacketSearch {
     // what each ray has met so far, if there is more than one batch
     private boolean inBatches;
     private final Primitive[] hits = new Primitive[RayPacket.MOST];
-    private final TreeNode[] leaves = new TreeNode[RayPacket.MOST];
     private final double[] distances = new double[RayPacket.MOST];
 
     /** Places of the rays that may still meet something nearer. */
@@ -79,7 +78,9 @@ final class PacketSearch {
         inBatches = false;
         clearCandidates();
         waiting.clear();
-        if (rays.count() == 0 || !bundle.enclose(rays, 0, rays.count()) || !candidates.addAll(objects.listed())) {
+        if (rays.count() == 0
+                || !bundle.enclose(rays, 0, rays.count())
+                || !candidates.addAll(objects.listed(), 0, objects.listed().length)) {
             return false;
         }
         if (objects.root() != null && !bundle.misses(objects.root())) {
@@ -137,7 +138,7 @@ final class PacketSearch {
 
     private boolean addCandidates(TreeNode leaf) {
         int before = candidates.count();
-        boolean added = candidates.addAll(leaf);
+        boolean added = candidates.addAll(leaf.primitives, leaf.from, leaf.to);
         if (!added || candidates.count() > before) {
             candidateLeaves.add(leaf);
         }
@@ -196,7 +197,6 @@ final class PacketSearch {
     private void openAll(int rayCount) {
         for (int place = 0; place < rayCount; place++) {
             hits[place] = null;
-            leaves[place] = null;
             distances[place] = Primitive.NO_HIT;
             open[place] = place;
         }
@@ -226,9 +226,9 @@ final class PacketSearch {
         for (int i = 0; i < openCount; i++) {
             int place = open[i];
             if (candidates.mayMeet(place)) {
-                begin(place, scratch);
+                scratch.resume(hits[place], distances[place]);
                 candidates.search(rays.copy(place, rayMemory), place, scratch);
-                end(place, scratch);
+                keep(place, scratch);
             }
         }
     }
@@ -253,23 +253,17 @@ final class PacketSearch {
         for (int i = 0; i < openCount; i++) {
             int place = open[i];
             Ray ray = rays.copy(place, rayMemory);
-            begin(place, scratch);
+            scratch.resume(hits[place], distances[place]);
             for (Iterator<TreeNode> nearestFirst = waiting.descendingIterator(); nearestFirst.hasNext(); ) {
                 ObjectTree.searchTree(nearestFirst.next(), ray, scratch);
             }
-            end(place, scratch);
+            keep(place, scratch);
         }
     }
 
-    private void begin(int place, NearestHit nearest) {
-        nearest.resume(hits[place], distances[place]);
-        nearest.foundIn(leaves[place]);
-    }
-
-    private void end(int place, NearestHit nearest) {
+    private void keep(int place, NearestHit nearest) {
         hits[place] = nearest.primitive();
         distances[place] = nearest.distance();
-        leaves[place] = nearest.leaf();
     }
 
     /** Whether a ray may meet something. */
@@ -293,7 +287,7 @@ final class PacketSearch {
      */
     boolean nearest(Ray ray, int place, double limit, NearestHit nearest) {
         if (inBatches) {
-            begin(place, nearest);
+            nearest.resume(hits[place], distances[place]);
         } else {
             nearest.start(limit);
             candidates.search(ray, place, nearest);

@@ -37,12 +37,8 @@ final class TreeNode {
     /** Place after the last one. */
     final int to;
 
-    private TreeNode parent;
-
     TreeNode(Bounds bounds, TreeNode low, TreeNode high) {
         this(bounds, low, high, null, low.from, high.to);
-        low.parent = this;
-        high.parent = this;
     }
 
     TreeNode(Bounds bounds, Primitive[] primitives, int from, int to) {
@@ -64,19 +60,9 @@ final class TreeNode {
         this.to = to;
     }
 
-    /** The node that this one is a half of, null for the root. */
-    TreeNode parent() {
-        return parent;
-    }
-
     /** Number of primitives that the node holds, itself or in its halves. */
     int size() {
         return to - from;
-    }
-
-    /** The other half of a half. */
-    TreeNode other(TreeNode half) {
-        return half == low ? high : low;
     }
 
     /**

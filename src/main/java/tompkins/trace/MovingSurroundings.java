@@ -43,7 +43,6 @@ final class MovingSurroundings implements Surroundings {
 
     @Override
     public void begin(RayPacket rays) {
-        nearest.forgetLeaf();
         retardedLight.beginBlock();
         search.begin(rays);
     }

@@ -40,7 +40,6 @@ final class RestingSurroundings implements Surroundings {
     @Override
     public void begin(RayPacket rays) {
         lastShadow = null;
-        nearest.forgetLeaf();
         packet.begin(rays);
     }
 

@@ -188,7 +188,6 @@ public final class RetardedLight {
         if (last != null && last.shadows(ray, length)) {
             return true;
         }
-        scratch.forgetLeaf();
         lastShadows[frame] = trees[frame].shadow(ray, length, scratch);
         return lastShadows[frame] != null;
     }

@@ -158,7 +158,6 @@ public final class WorldSearch {
 
     private boolean end() {
         nearest.resume(found, distance);
-        nearest.forgetLeaf();
         return found != null;
     }
 

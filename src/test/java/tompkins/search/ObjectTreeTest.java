@@ -133,28 +133,6 @@ class ObjectTreeTest {
         assertThat(hits).isGreaterThan(500);
     }
 
-    /** The search for a shadow starts in the leaf where something was seen last, wherever that is. */
-    @Test
-    void shadowIsFoundFromAnyLeaf() {
-        List<Primitive> primitives = spheres(1000, new Random(5));
-        ObjectTree tree = new ObjectTree(primitives, 1);
-        ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
-        NearestHit inTree = new NearestHit(new RayCounts());
-        Random random = new Random(13);
-
-        int shadows = 0;
-        for (int i = 0; i < 500; i++) {
-            tree.nearest(ray(random), inTree);
-            Ray ray = ray(random);
-            boolean shadow = list.shadow(ray, 5, new NearestHit(new RayCounts())) != null;
-            shadows += shadow ? 1 : 0;
-
-            assertThat(tree.shadow(ray, 5, inTree) != null).isEqualTo(shadow);
-        }
-        assertThat(shadows).isBetween(50, 450);
-        assertThat(inTree.leaf()).isNotNull();
-    }
-
     /** 0 times infinity is no number, which must not make a box count as missed. */
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
