@@ -1,5 +1,6 @@
 package tompkins.search;
 
+import java.util.List;
 import tompkins.ray.RayPacket;
 
 /**
@@ -12,6 +13,9 @@ final class EntryNodes {
     /** The number of rays that is fastest; any other gives the same results. */
     static final int RAYS = 32;
 
+    /** With more parts it is quicker to begin at the root. */
+    static final int MOST_PARTS = 128;
+
     /** With this number of nodes no further one is opened: more would cost each ray more than they save. */
     private static final int MOST = 16;
 
@@ -19,36 +23,36 @@ final class EntryNodes {
     private static final int MOST_STEPS = 32;
 
     private final PacketFrustum bundle = new PacketFrustum();
-    private final TreeNode[] nodes = new TreeNode[TreeParts.MOST];
-    private final double[] distances = new double[TreeParts.MOST];
+    private final TreeNode[] nodes = new TreeNode[MOST_PARTS];
+    private final double[] distances = new double[MOST_PARTS];
     private int count;
 
     /** What is still to be looked at, the nearest last. */
-    private final TreeNode[] waiting = new TreeNode[TreeParts.MOST];
+    private final TreeNode[] waiting = new TreeNode[MOST_PARTS];
 
-    private final double[] waitingDistances = new double[TreeParts.MOST];
+    private final double[] waitingDistances = new double[MOST_PARTS];
     private int waitingCount;
 
     /**
      * Looks for the nodes through which some rays enter the tree.
      *
-     * @param parts what the search for all rays of the packet has found on its way
+     * @param parts parts of the tree that together hold everything that the rays can meet; empty for all of it
      * @param rays a packet that holds the rays
      * @param from place of the first ray
      * @param to place behind the last ray
      * @return false if there is no tree, or if the rays spread too widely
      */
-    boolean find(ObjectTree objects, TreeParts parts, RayPacket rays, int from, int to) {
+    boolean find(ObjectTree objects, List<TreeNode> parts, RayPacket rays, int from, int to) {
         count = 0;
         waitingCount = 0;
         if (objects.root() == null || !bundle.enclose(rays, from, to)) {
             return false;
         }
-        if (parts.count() == 0) {
+        if (parts.isEmpty()) {
             add(objects.root());
         }
-        for (int i = 0; i < parts.count(); i++) {
-            add(parts.node(i));
+        for (int i = 0; i < parts.size(); i++) {
+            add(parts.get(i));
         }
         int steps = 0;
         // the nearest are opened first, since most rays end there

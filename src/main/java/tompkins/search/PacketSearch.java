@@ -1,29 +1,25 @@
 package tompkins.search;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Iterator;
+import java.util.List;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 
 /**
- * Searches for all rays of a packet at once, several times faster than for each, with the same result. If the rays can
+ * The search for what the rays of a packet meet among the objects of one frame, with the same result as that of a
+ * search for each. As far as that helps it is made for all rays together, which is several times faster. If they can
  * meet only a few primitives, these are found once for all rays. If there are more, they are taken in batches, the
- * nearest first, until all rays but a few have met something nearer than what waits. One for each thread, used again
- * for every packet.
+ * nearest first, until all rays but a few have met something nearer than what waits. If there are too many, the tree is
+ * searched for each ray, from where a few neighbours enter it ({@link EntryNodes}). One for each thread, used again for
+ * every packet.
  */
-final class PacketSearch {
+public final class PacketSearch {
 
     /** If the rays meet more parts of the tree than this at once, they also meet too many primitives in them. */
     private static final int MOST_WAITING = 64;
-
-    /**
-     * With this many parts that hold {@link #MANY} primitives each on average, there are too many: the rest need not be
-     * opened.
-     */
-    private static final int MOST_LARGE_WAITING = 12;
-
-    private static final int MANY = 1000;
 
     /** Number of candidates by which it is decided whether batches are worth while. */
     private static final int PROBES = 8;
@@ -39,6 +35,13 @@ final class PacketSearch {
 
     /** If the way to the next batch takes more steps, batches are not worth while either. */
     private static final int MOST_STEPS = 400;
+
+    private final ObjectTree objects;
+    private final NearestHit nearest;
+    private RayPacket rays;
+
+    /** Whether what each ray can meet was found for all together. */
+    private boolean together;
 
     private final PacketFrustum bundle = new PacketFrustum();
     private final Candidates candidates = new Candidates(bundle);
@@ -58,23 +61,32 @@ final class PacketSearch {
     private final int[] open = new int[RayPacket.MOST];
 
     private int openCount;
-    private final Ray rayMemory = Ray.blank();
-    private final TreeParts parts = new TreeParts();
 
-    /**
-     * Searches for the rays of a packet.
-     *
-     * @param objects all primitives of the frame
-     * @param rays the rays; at most {@link RayPacket#MOST}
-     * @param scratch memory for the search, and its counts
-     * @return null if what each ray meets was found: ask {@link #nearest} for it. Otherwise the rays spread too widely,
-     *     or can meet too many primitives; search the tree for each, from these parts on if there are any.
-     */
-    TreeParts find(ObjectTree objects, RayPacket rays, NearestHit scratch) {
-        return findAll(objects, rays, scratch) ? null : partsFound();
+    // what is left to each ray
+    private final List<TreeNode> parts = new ArrayList<>();
+    private final EntryNodes entries = new EntryNodes();
+    private boolean hasEntries;
+
+    private final Ray ray = Ray.blank();
+
+    /** A search among objects, whose results the memory holds. */
+    public PacketSearch(ObjectTree objects, NearestHit nearest) {
+        this.objects = objects;
+        this.nearest = nearest;
     }
 
-    private boolean findAll(ObjectTree objects, RayPacket rays, NearestHit scratch) {
+    /** Begins to search for the rays of a packet, which must stay as they are. */
+    public void begin(RayPacket newRays) {
+        rays = newRays;
+        together = findAll();
+        hasEntries = false;
+        if (!together) {
+            keepParts();
+        }
+    }
+
+    /** Whether what each ray can meet was found; else the rays spread too widely, or meet too many primitives. */
+    private boolean findAll() {
         inBatches = false;
         clearCandidates();
         waiting.clear();
@@ -86,20 +98,20 @@ final class PacketSearch {
         if (objects.root() != null && !bundle.misses(objects.root())) {
             waiting.add(objects.root());
         }
-        boolean batches = !objects.isMostlyLong() && gather(PROBES) && (waiting.isEmpty() || batchesPay(rays));
+        boolean batches = !objects.isMostlyLong() && gather(PROBES) && (waiting.isEmpty() || batchesPay());
         if (!(batches ? gather(Candidates.MOST) : gatherAll())) {
             return false;
         }
         candidates.sift(rays);
         inBatches = !waiting.isEmpty();
         if (inBatches) {
-            searchInBatches(rays, scratch);
+            searchInBatches();
         }
         return true;
     }
 
     /** Whether the candidates are so large that each is in the way of several rays; then batches are worth while. */
-    private boolean batchesPay(RayPacket rays) {
+    private boolean batchesPay() {
         candidates.sift(rays);
         int pairs = 0;
         for (int place = 0; place < rays.count(); place++) {
@@ -114,16 +126,11 @@ final class PacketSearch {
      * in batches.
      */
     private boolean gatherAll() {
-        int held = 0;
-        for (TreeNode node : waiting) {
-            held += node.size();
-        }
-        while (!waiting.isEmpty() && !areTooMany(waiting.size(), held)) {
+        while (!waiting.isEmpty() && waiting.size() <= MOST_WAITING) {
             TreeNode node = waiting.poll();
-            held -= node.size();
             if (node.primitives == null) {
-                held += putOff(node.low) ? node.low.size() : 0;
-                held += putOff(node.high) ? node.high.size() : 0;
+                putOff(node.low);
+                putOff(node.high);
             } else if (!addCandidates(node)) {
                 return false;
             }
@@ -145,13 +152,11 @@ final class PacketSearch {
         return added;
     }
 
-    private static boolean areTooMany(int parts, int held) {
-        return parts > MOST_WAITING || (parts > MOST_LARGE_WAITING && held > MANY * parts);
-    }
-
-    /** Lets a node wait unless all rays miss it, and says whether it waits. */
-    private boolean putOff(TreeNode node) {
-        return !bundle.misses(node) && waiting.add(node);
+    /** Lets a node wait unless all rays miss it. */
+    private void putOff(TreeNode node) {
+        if (!bundle.misses(node)) {
+            waiting.add(node);
+        }
     }
 
     /**
@@ -185,29 +190,29 @@ final class PacketSearch {
         putOff(lowFirst ? node.low : node.high);
     }
 
-    private TreeParts partsFound() {
+    /** Keeps the parts that together hold everything that the rays can meet; none if that is not known. */
+    private void keepParts() {
         parts.clear();
-        if (candidateLeaves.size() + waiting.size() <= TreeParts.MOST) {
-            candidateLeaves.forEach(parts::add);
-            waiting.forEach(parts::add);
+        if (candidateLeaves.size() + waiting.size() <= EntryNodes.MOST_PARTS) {
+            parts.addAll(candidateLeaves);
+            parts.addAll(waiting);
         }
-        return parts;
     }
 
-    private void openAll(int rayCount) {
-        for (int place = 0; place < rayCount; place++) {
+    private void openAll() {
+        for (int place = 0; place < rays.count(); place++) {
             hits[place] = null;
             distances[place] = Primitive.NO_HIT;
             open[place] = place;
         }
-        openCount = rayCount;
+        openCount = rays.count();
     }
 
-    private void searchInBatches(RayPacket rays, NearestHit scratch) {
-        openAll(rays.count());
+    private void searchInBatches() {
+        openAll();
         boolean more = true;
         while (more) {
-            searchBatch(rays, scratch);
+            searchBatch();
             closeRays();
             if (openCount <= FEW_RAYS) {
                 break;
@@ -217,18 +222,18 @@ final class PacketSearch {
             candidates.sift(rays);
         }
         if (!more) {
-            searchBatch(rays, scratch);
+            searchBatch();
         }
-        searchWaiting(rays, scratch);
+        searchWaiting();
     }
 
-    private void searchBatch(RayPacket rays, NearestHit scratch) {
+    private void searchBatch() {
         for (int i = 0; i < openCount; i++) {
             int place = open[i];
             if (candidates.mayMeet(place)) {
-                scratch.resume(hits[place], distances[place]);
-                candidates.search(rays.copy(place, rayMemory), place, scratch);
-                keep(place, scratch);
+                nearest.resume(hits[place], distances[place]);
+                candidates.search(rays.copy(place, ray), place, nearest);
+                keep(place);
             }
         }
     }
@@ -249,43 +254,52 @@ final class PacketSearch {
     }
 
     /** Lets each ray that is still open search by itself what waits. */
-    private void searchWaiting(RayPacket rays, NearestHit scratch) {
+    private void searchWaiting() {
         for (int i = 0; i < openCount; i++) {
             int place = open[i];
-            Ray ray = rays.copy(place, rayMemory);
-            scratch.resume(hits[place], distances[place]);
+            rays.copy(place, ray);
+            nearest.resume(hits[place], distances[place]);
             for (Iterator<TreeNode> nearestFirst = waiting.descendingIterator(); nearestFirst.hasNext(); ) {
-                ObjectTree.searchTree(nearestFirst.next(), ray, scratch);
+                ObjectTree.searchTree(nearestFirst.next(), ray, nearest);
             }
-            keep(place, scratch);
+            keep(place);
         }
     }
 
-    private void keep(int place, NearestHit nearest) {
+    private void keep(int place) {
         hits[place] = nearest.primitive();
         distances[place] = nearest.distance();
     }
 
-    /** Whether a ray may meet something. */
-    boolean mayMeet() {
-        return inBatches || candidates.count() > 0;
+    /** Whether what the rays can meet was found for all together. */
+    boolean isTogether() {
+        return together;
+    }
+
+    /** Whether some ray may meet something. */
+    public boolean mayMeet() {
+        return !together || inBatches || candidates.count() > 0;
     }
 
     /** Whether the ray at a place may meet something. */
-    boolean mayMeet(int place) {
-        return inBatches ? hits[place] != null : candidates.mayMeet(place);
+    public boolean mayMeet(int place) {
+        return !together || (inBatches ? hits[place] != null : candidates.mayMeet(place));
     }
 
     /**
-     * The nearest that a ray hits.
+     * Searches for the nearest hit of a ray; asked in the order of the places.
      *
-     * @param ray one of the rays of the packet
-     * @param place its place
      * @param limit what is farther may be left out
-     * @param nearest gets the result
-     * @return whether there is one
+     * @return whether there is one; the memory holds it, and {@link #ray()} the ray
      */
-    boolean nearest(Ray ray, int place, double limit, NearestHit nearest) {
+    public boolean nearest(int place, double limit) {
+        if (!together) {
+            return nearestAlone(place, limit);
+        }
+        if (!mayMeet(place)) {
+            return false;
+        }
+        rays.copy(place, ray);
         if (inBatches) {
             nearest.resume(hits[place], distances[place]);
         } else {
@@ -293,5 +307,18 @@ final class PacketSearch {
             candidates.search(ray, place, nearest);
         }
         return nearest.primitive() != null;
+    }
+
+    private boolean nearestAlone(int place, double limit) {
+        if (place % EntryNodes.RAYS == 0) {
+            hasEntries = entries.find(objects, parts, rays, place, Math.min(rays.count(), place + EntryNodes.RAYS));
+        }
+        rays.copy(place, ray);
+        return hasEntries ? objects.nearest(ray, limit, entries, nearest) : objects.nearest(ray, limit, nearest);
+    }
+
+    /** The ray whose hit was found last. */
+    public Ray ray() {
+        return ray;
     }
 }

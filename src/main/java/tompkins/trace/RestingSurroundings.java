@@ -11,7 +11,7 @@ import tompkins.ray.RayPacket;
 import tompkins.search.LampShadows;
 import tompkins.search.NearestHit;
 import tompkins.search.ObjectTree;
-import tompkins.search.PacketQuery;
+import tompkins.search.PacketSearch;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.world.Lamp;
 
@@ -22,7 +22,7 @@ final class RestingSurroundings implements Surroundings {
     private final List<Lamp> lamps;
     private final RayCounts counts;
     private final NearestHit nearest;
-    private final PacketQuery packet;
+    private final PacketSearch packet;
     private final Ray memory = Ray.blank();
 
     /** What threw the last shadow: it often throws the next one, too. */
@@ -34,7 +34,7 @@ final class RestingSurroundings implements Surroundings {
         this.lamps = lamps;
         this.counts = counts;
         nearest = new NearestHit(counts);
-        packet = new PacketQuery(objects, nearest);
+        packet = new PacketSearch(objects, nearest);
     }
 
     @Override

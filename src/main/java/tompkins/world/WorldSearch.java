@@ -6,7 +6,7 @@ import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 import tompkins.search.NearestHit;
 import tompkins.search.ObjectTree;
-import tompkins.search.PacketQuery;
+import tompkins.search.PacketSearch;
 
 /**
  * The search for the nearest hit in several frames. A ray is taken into each of them; its distances there are given in
@@ -53,10 +53,10 @@ public final class WorldSearch {
     /** The rays of a packet in one frame, and what they meet there. */
     private static final class FramePacket {
         final RayPacket rays = new RayPacket(RayPacket.MOST);
-        final PacketQuery query;
+        final PacketSearch query;
 
         FramePacket(ObjectTree objects, NearestHit nearest) {
-            query = new PacketQuery(objects, nearest);
+            query = new PacketSearch(objects, nearest);
         }
     }
 
@@ -113,7 +113,7 @@ public final class WorldSearch {
         begin(packetStart);
         for (int i = 0; i < openCount; i++) {
             RayPacket rays = open[i].rays;
-            PacketQuery query = open[i].query;
+            PacketSearch query = open[i].query;
             if (query.mayMeet(place)
                     && !Double.isNaN(rays.dx[place])
                     && query.nearest(place, limit(rays.directionLength[place]))) {

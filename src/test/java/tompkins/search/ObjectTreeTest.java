@@ -66,7 +66,7 @@ class ObjectTreeTest {
         int hits = 0;
         for (int i = 0; i < 100; i++) {
             Ray[] rays = neighbours(ray(random), random.nextDouble(0.1), random);
-            assertThat(entries.find(tree, new TreeParts(), block(rays), 0, rays.length))
+            assertThat(entries.find(tree, List.of(), block(rays), 0, rays.length))
                     .isTrue();
             for (Ray ray : rays) {
                 boolean hit = list.nearest(ray, inList);
@@ -95,9 +95,8 @@ class ObjectTreeTest {
                 usual.surfaceAlongZ()));
         ObjectTree tree = new ObjectTree(rods, 1);
         ObjectTree list = new ObjectTree(rods, Integer.MAX_VALUE);
-        PacketSearch search = new PacketSearch();
-        EntryNodes entries = new EntryNodes();
         NearestHit inTree = new NearestHit(new RayCounts());
+        PacketSearch search = new PacketSearch(tree, inTree);
         NearestHit inList = new NearestHit(new RayCounts());
         Random random = new Random(12);
 
@@ -109,22 +108,13 @@ class ObjectTreeTest {
                     .limit(RayPacket.MOST / EntryNodes.RAYS)
                     .flatMap(Stream::of)
                     .toArray(Ray[]::new);
-            RayPacket block = block(rays);
-            TreeParts parts = search.find(tree, block, inTree);
-            if (parts == null) {
-                continue;
-            }
-            gaveUp += parts.count() > 0 ? 1 : 0;
+            search.begin(block(rays));
+            gaveUp += search.isTogether() ? 0 : 1;
             for (int place = 0; place < rays.length; place++) {
-                if (place % EntryNodes.RAYS == 0) {
-                    assertThat(entries.find(tree, parts, block, place, place + EntryNodes.RAYS))
-                            .isTrue();
-                }
                 boolean hit = list.nearest(rays[place], inList);
                 hits += hit ? 1 : 0;
 
-                assertThat(tree.nearest(rays[place], Primitive.NO_HIT, entries, inTree))
-                        .isEqualTo(hit);
+                assertThat(search.nearest(place, Primitive.NO_HIT)).isEqualTo(hit);
                 assertThat(order(inTree)).isEqualTo(order(inList));
                 assertThat(inTree.distance()).isEqualTo(inList.distance());
             }
@@ -153,7 +143,7 @@ class ObjectTreeTest {
         ObjectTree tree = new ObjectTree(spheres(100, new Random(1)), 1);
         Ray[] opposite = {Ray.from(0, 0, 0, 0, 0, 1, 0), Ray.from(0, 0, 0, 0, 0, -1, 0)};
 
-        assertThat(new EntryNodes().find(tree, new TreeParts(), block(opposite), 0, 2))
+        assertThat(new EntryNodes().find(tree, List.of(), block(opposite), 0, 2))
                 .isFalse();
     }
 

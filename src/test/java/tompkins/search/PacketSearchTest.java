@@ -30,21 +30,19 @@ class PacketSearchTest {
     void whatABlockMeetsIsWhatEachRayMeets(int balls, double radius, double lens) {
         Random random = new Random(balls);
         ObjectTree tree = balls(balls, radius, random);
-        PacketSearch search = new PacketSearch();
         NearestHit scratch = new NearestHit(new RayCounts());
+        PacketSearch search = new PacketSearch(tree, scratch);
         NearestHit alone = new NearestHit(new RayCounts());
         RayPacket rays = new RayPacket(RayPacket.MOST);
         int found = 0;
         int hits = 0;
         for (int block = 0; block < BLOCKS; block++) {
             aim(rays, lens, random);
-            if (search.find(tree, rays, scratch) != null) {
-                continue;
-            }
-            found++;
+            search.begin(rays);
+            found += search.isTogether() ? 1 : 0;
             for (int place = 0; place < rays.count(); place++) {
                 Ray ray = rays.ray(place);
-                boolean hit = search.mayMeet(place) && search.nearest(ray, place, Primitive.NO_HIT, scratch);
+                boolean hit = search.nearest(place, Primitive.NO_HIT);
                 assertThat(hit).isEqualTo(tree.nearest(ray, alone));
                 if (hit) {
                     hits++;
@@ -63,12 +61,13 @@ class PacketSearchTest {
         Random random = new Random(1);
         ObjectTree tree = balls(30_000, 0.02, random);
         RayCounts counts = new RayCounts();
-        NearestHit scratch = new NearestHit(counts);
+        PacketSearch search = new PacketSearch(tree, new NearestHit(counts));
         RayPacket rays = new RayPacket(RayPacket.MOST);
         aim(rays, 0, random);
 
-        assertThat(new PacketSearch().find(tree, rays, scratch)).isNull();
+        search.begin(rays);
 
+        assertThat(search.isTogether()).isTrue();
         assertThat(counts.tests).isBetween(100L, 2L * RayPacket.MOST);
         assertThat(counts.nodes).isLessThan(RayPacket.MOST);
     }
@@ -81,8 +80,10 @@ class PacketSearchTest {
         RayPacket rays = new RayPacket(RayPacket.MOST);
         aim(rays, 0, random);
 
-        assertThat(new PacketSearch().find(tree, rays, new NearestHit(new RayCounts())))
-                .isNotNull();
+        PacketSearch search = new PacketSearch(tree, new NearestHit(new RayCounts()));
+        search.begin(rays);
+
+        assertThat(search.isTogether()).isFalse();
     }
 
     private static ObjectTree balls(int count, double radius, Random random) {
