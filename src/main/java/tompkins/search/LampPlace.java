@@ -116,10 +116,6 @@ final class LampPlace {
      * How far across the view all of a primitive stands from the plane of a slope, above it (sign 1) or below it (sign
      * -1); 0 if not all does.
      */
-    double gap(Primitive primitive, Vector3dc across, double slope, int sign) {
-        return ownGap(primitive, across, (slope - offset.dot(across)) / zoom, sign);
-    }
-
     private double ownGap(Primitive primitive, Vector3dc across, double slope, int sign) {
         double nx = sign * (across.x() - slope * forward.x());
         double ny = sign * (across.y() - slope * forward.y());

@@ -10,9 +10,6 @@ import tompkins.search.LightBufferProjection.Rectangle;
  */
 final class LightBufferBuilder {
 
-    /** A rectangle of at most this many cells is taken whole; a larger one may be empty except for a diagonal. */
-    private static final int SMALL_RECTANGLE = 16;
-
     private final LightBufferProjection view;
     private final ProjectedBounds[] sights;
 
@@ -38,63 +35,22 @@ final class LightBufferBuilder {
     void note(int from, int to, AtomicLong left) {
         for (int number = from; number < to && left.get() >= 0; number++) {
             int before = count;
-            Rectangle rectangle = sights[number].rectangle();
-            if (sights[number].strip() != null) {
-                noteStrip(number);
-            } else if (rectangle.width() * rectangle.height() <= SMALL_RECTANGLE) {
-                for (int column = rectangle.firstCellColumn(); column <= rectangle.lastCellColumn(); column++) {
-                    noteColumn(number, column, rectangle);
+            ProjectedBounds sight = sights[number];
+            Rectangle all = sight.rectangle();
+            for (int column = all.firstCellColumn(); column <= all.lastCellColumn(); column++) {
+                Rectangle inColumn = sight.rectangle(view, column, 0, LightBufferProjection.SIDE);
+                for (int row = inColumn.firstCellRow(); row <= inColumn.lastCellRow(); row++) {
+                    Rectangle inCell = sight.rectangle(view, column, row, 1);
+                    if (!inCell.isEmpty()) {
+                        noteCell(number, column, row, PackedEntry.of(sight.leastDistance(), inCell, column, row));
+                    }
                 }
-            } else {
-                noteSquare(number, 0, 0, LightBufferProjection.SIDE);
             }
             left.addAndGet(before - count);
         }
     }
 
-    private void noteStrip(int number) {
-        Rectangle all = sights[number].rectangle();
-        for (int column = all.firstCellColumn(); column <= all.lastCellColumn(); column++) {
-            noteColumn(
-                    number,
-                    column,
-                    all.and(view.rectangle(sights[number].strip(), column, 0, LightBufferProjection.SIDE)));
-        }
-    }
-
-    /** Notes those cells of a column that a rectangle reaches into. */
-    private void noteColumn(int number, int column, Rectangle rectangle) {
-        for (int row = rectangle.firstCellRow(); row <= rectangle.lastCellRow(); row++) {
-            noteCell(number, column, row);
-        }
-    }
-
-    /** Hands a primitive down to the quarters of a square of cells that it can be seen in. */
-    private void noteSquare(int number, int column, int row, int size) {
-        ProjectedBounds sight = sights[number];
-        if (!sight.rectangle().overlaps(column, row, size) || !view.isSeen(sight.primitive(), column, row, size)) {
-            return;
-        }
-        if (size == 1) {
-            noteCell(number, column, row);
-            return;
-        }
-        int half = size / 2;
-        // one call, because Java makes one piece of code of this method and of those that it calls here
-        for (int quarter = 0; quarter < 4; quarter++) {
-            noteSquare(number, column + quarter % 2 * half, row + quarter / 2 * half, half);
-        }
-    }
-
-    private void noteCell(int number, int column, int row) {
-        ProjectedBounds sight = sights[number];
-        Rectangle rectangle = sight.rectangle();
-        if (sight.strip() != null) {
-            rectangle = rectangle.and(view.rectangle(sight.strip(), column, row, 1));
-            if (rectangle.isEmpty()) {
-                return;
-            }
-        }
+    private void noteCell(int number, int column, int row, long entry) {
         if (count == cells.length) {
             cells = Arrays.copyOf(cells, 2 * count);
             numbers = Arrays.copyOf(numbers, 2 * count);
@@ -102,7 +58,7 @@ final class LightBufferBuilder {
         }
         cells[count] = row * LightBufferProjection.SIDE + column;
         numbers[count] = number;
-        entries[count] = PackedEntry.of(sight.leastDistance(), rectangle, column, row);
+        entries[count] = entry;
         count++;
     }
 

@@ -71,14 +71,6 @@ final class LightBufferProjection {
         int height() {
             return lastCellRow() - firstCellRow() + 1;
         }
-
-        /** Whether it reaches into a square of cells. */
-        boolean overlaps(int column, int row, int size) {
-            return column <= lastCellColumn()
-                    && column + size > firstCellColumn()
-                    && row <= lastCellRow()
-                    && row + size > firstCellRow();
-        }
     }
 
     /**
@@ -251,27 +243,6 @@ final class LightBufferProjection {
             u = u.and(both.minus(v.times(strip.perV)).times(1 / strip.perU));
         }
         return rectangle(u, v);
-    }
-
-    /** Whether a primitive may be seen in a square of cells. */
-    boolean isSeen(Primitive primitive, int column, int row, int size) {
-        boolean seen = true;
-        for (int sign = -1; seen && sign <= 1; sign += 2) {
-            int edge = sign > 0 ? size : 0;
-            seen = !isBeyond(primitive, right, leastU + (column + edge) * cellU + sign * MARGIN, sign)
-                    && !isBeyond(primitive, up, leastV + (row + edge) * cellV + sign * MARGIN, sign);
-        }
-        return seen;
-    }
-
-    /** Whether all of a primitive is seen above a slope (sign 1) or below it (sign -1), from all places. */
-    private boolean isBeyond(Primitive primitive, Vector3dc across, double slope, int sign) {
-        for (LampPlace place : places) {
-            if (!(place.gap(primitive, across, slope, sign) > 0)) {
-                return false;
-            }
-        }
-        return true;
     }
 
     /**

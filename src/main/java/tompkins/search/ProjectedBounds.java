@@ -22,4 +22,9 @@ record ProjectedBounds(
         return new ProjectedBounds(
                 primitive, view.leastDistance(box), view.rectangle(primitive, box), view.strip(primitive, box));
     }
+
+    /** Where it is seen in some rows of a column of cells, or more; empty if it is not. */
+    LightBufferProjection.Rectangle rectangle(LightBufferProjection view, int column, int row, int rows) {
+        return strip == null ? rectangle : rectangle.and(view.rectangle(strip, column, row, rows));
+    }
 }
