@@ -3,6 +3,7 @@ package tompkins.sceneobject;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.joml.Matrix3d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -12,6 +13,7 @@ import tompkins.primitive.Primitive;
 import tompkins.primitive.RestFrame;
 import tompkins.primitive.Rotation;
 import tompkins.property.InvalidPropertyException;
+import tompkins.property.NumberText;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.FrameTree;
@@ -29,7 +31,7 @@ public final class PrimitiveCollector {
 
     private static final String VELOCITY = "velocity";
 
-    private final ImagePoints imagePoints;
+    private final Function<Vector3dc, Event> imagePoints;
     private final FrameTree tree;
 
     /** The same frames, in the coordinates in which they are described. */
@@ -48,15 +50,15 @@ public final class PrimitiveCollector {
     /**
      * A collector.
      *
-     * @param imagePoints where points in front of the camera are photographed
+     * @param imagePoints gives, for a point that is fixed to the camera, the event in the scene frame at which the ray
+     *     through the centre of the lens photographs it
      * @param tree how coordinates change from frame to frame, and where those of each frame begin
      */
-    public PrimitiveCollector(ImagePoints imagePoints, FrameTree tree) {
+    public PrimitiveCollector(Function<Vector3dc, Event> imagePoints, FrameTree tree) {
         this.imagePoints = imagePoints;
         this.tree = tree;
         described = FrameTree.described(tree.law());
-        frame = new FrameObjects(null, tree.origin(null));
-        frames.add(frame);
+        frame = addFrame(null);
         rest = restFrame(Event.ORIGIN, 0);
     }
 
@@ -80,6 +82,37 @@ public final class PrimitiveCollector {
     /** The refusal of something that is so large, small or far away that results are no longer numbers. */
     public static InvalidPropertyException refusal(String property, String value) {
         return new InvalidPropertyException(property, ALLOWED, value);
+    }
+
+    /**
+     * Adds the primitives of a list of objects.
+     *
+     * @param name what scene files call the list
+     * @throws InvalidPropertyException if an object is too large or too small to work with, or too fast, or if there
+     *     are too many
+     */
+    public void add(String name, List<SceneObject> objects, Placement placement) {
+        requireFewEnough(name, objects);
+        for (int i = 0; i < objects.size(); i++) {
+            add(name + "[" + i + "]", objects.get(i), placement);
+        }
+    }
+
+    /** Counts before anything is made, because copies of copies could take forever. */
+    private static void requireFewEnough(String name, List<SceneObject> objects) {
+        double before = 0;
+        for (int i = 0; i < objects.size(); i++) {
+            SceneObject object = objects.get(i);
+            double count = object.primitiveCount();
+            if (before + count > SceneObject.MOST_PRIMITIVES) {
+                throw new InvalidPropertyException(
+                        name + "[" + i + "]",
+                        "small enough for at most " + NumberText.of(SceneObject.MOST_PRIMITIVES) + " primitives in all",
+                        '"' + object.description() + "\" with " + NumberText.of(count)
+                                + (before == 0 ? "" : " (after " + NumberText.of(before) + ")"));
+            }
+            before += count;
+        }
     }
 
     /**
@@ -122,7 +155,7 @@ public final class PrimitiveCollector {
         }
         primitive.setOrder(count++);
         primitive.setRestFrame(rest);
-        frame.growing().add(primitive);
+        frame.primitives().add(primitive);
     }
 
     /**
@@ -178,9 +211,13 @@ public final class PrimitiveCollector {
     }
 
     private FrameObjects frameFor(Velocity velocity, Event start) {
-        FrameObjects known = frame.moving(velocity);
-        if (known != null) {
-            return known;
+        for (FrameObjects known : frames) {
+            FrameMotion motion = known.motion();
+            if (motion != null
+                    && motion.outer() == frame.motion()
+                    && motion.velocity().proper().equals(velocity.proper())) {
+                return known;
+            }
         }
         if (frames.size() > Moving.MOST_FRAMES) {
             throw new InvalidPropertyException(
@@ -190,10 +227,13 @@ public final class PrimitiveCollector {
         if (tree.law() == TransformationLaw.LORENTZ) {
             motion.requireGamma(VELOCITY);
         }
-        FrameObjects found = new FrameObjects(motion, tree.origin(motion));
-        frame.add(found);
-        frames.add(found);
-        return found;
+        return addFrame(motion);
+    }
+
+    private FrameObjects addFrame(FrameMotion motion) {
+        FrameObjects added = new FrameObjects(motion, tree.origin(motion), new ArrayList<>());
+        frames.add(added);
+        return added;
     }
 
     /**
@@ -201,13 +241,13 @@ public final class PrimitiveCollector {
      * described.
      */
     Vector3dc imagePoint(Vector3dc point) {
-        Event event = described.route(null, frame.motion()).transform(imagePoints.inScene(point));
+        Event event = described.route(null, frame.motion()).transform(imagePoints.apply(point));
         return event.minus(rest.zero().plus(frame.origin())).position();
     }
 
-    /** The frame in which what is added now rests. */
-    public FrameObjects frame() {
-        return frame;
+    /** The number of the frame in which what is added now rests. */
+    public int frame() {
+        return frames.indexOf(frame);
     }
 
     /** Where and when what is added now is described. */
@@ -222,6 +262,6 @@ public final class PrimitiveCollector {
 
     /** All primitives at rest so far. */
     public List<Primitive> primitives() {
-        return frames.get(0).primitives();
+        return List.copyOf(frames.get(0).primitives());
     }
 }

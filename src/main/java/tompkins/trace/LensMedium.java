@@ -12,6 +12,7 @@ import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
 import tompkins.ray.Medium;
 import tompkins.ray.Ray;
+import tompkins.search.ObjectTree;
 import tompkins.spacetime.Event;
 import tompkins.surface.Refractive;
 import tompkins.world.FrameRoutes;
@@ -32,24 +33,25 @@ final class LensMedium {
     /**
      * The medium at an event of the camera frame: of what moves with the camera, or else of the scene; null in vacuum.
      */
-    static Medium around(Event lens, List<Primitive> cameraFrame, World world, FrameRoutes routes) {
+    static Medium around(Event lens, ObjectTree cameraFrame, World world, FrameRoutes routes) {
         double index = index(cameraFrame, lens.position());
         int frame = routes.camera();
         for (int i = 0; i < world.frameCount() && index == 1; i++) {
-            if (!world.refractive(i).isEmpty()) {
-                frame = i;
-                index = index(
-                        world.refractive(i),
-                        routes.route(routes.camera(), i).transform(lens).position());
-            }
+            frame = i;
+            index = index(
+                    world.objects(i),
+                    routes.route(routes.camera(), i).transform(lens).position());
         }
         return index == 1 ? null : new Medium(index, frame, null);
     }
 
-    /** The index of what is at a place among primitives: 1 in vacuum. */
-    private static double index(List<Primitive> primitives, Vector3dc place) {
+    /** The index of what is at a place among objects: 1 in vacuum. */
+    private static double index(ObjectTree objects, Vector3dc place) {
+        if (objects.surfaces().stream().noneMatch(Refractive.class::isInstance)) {
+            return 1;
+        }
         // a body may have many primitives, like a mesh
-        Map<List<Object>, List<Primitive>> bodies = primitives.stream()
+        Map<List<Object>, List<Primitive>> bodies = objects.primitives().stream()
                 .filter(primitive -> primitive.surface() instanceof Refractive)
                 .collect(Collectors.groupingBy(
                         primitive -> primitive.bounds() == null

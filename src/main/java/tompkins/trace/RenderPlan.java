@@ -37,7 +37,6 @@ import tompkins.surface.Surface;
 import tompkins.world.FlashTimes;
 import tompkins.world.FrameRoutes;
 import tompkins.world.Lamp;
-import tompkins.world.ObjectPreparation;
 import tompkins.world.World;
 
 /**
@@ -83,9 +82,9 @@ public final class RenderPlan {
                 : new World(studio, frames, this::imagePoint, plain);
         routes = world.routes(frames);
         PrimitiveCollector collector = new PrimitiveCollector();
-        ObjectPreparation.add("cameraFrame", studio.cameraFrame(), collector, Placement.NONE);
+        collector.add("cameraFrame", studio.cameraFrame(), Placement.NONE);
         cameraFrame = new ObjectTree(collector.primitives(), plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE);
-        Medium around = LensMedium.around(lensEvent(), cameraFrame.primitives(), world, routes);
+        Medium around = LensMedium.around(lensEvent(), cameraFrame, world, routes);
         TransformationLaw law = studio.transformation();
         boolean moves = (world.moves() || !isAtRest()) && law != TransformationLaw.NONE;
         keepsMedia = moves && law == TransformationLaw.LORENTZ;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Matrix3d;
@@ -16,8 +17,6 @@ import tompkins.primitive.Bounds;
 import tompkins.primitive.Placement;
 import tompkins.primitive.Primitive;
 import tompkins.property.InvalidPropertyException;
-import tompkins.sceneobject.FrameObjects;
-import tompkins.sceneobject.ImagePoints;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
 import tompkins.search.LampShadows;
@@ -64,7 +63,7 @@ public final class World {
      * @param plain whether to leave out everything that only saves time: trees, and light buffers
      * @throws tompkins.property.InvalidPropertyException if an object is too large, too small or too fast to work with
      */
-    public World(Studio studio, FrameTree tree, ImagePoints imagePoints, boolean plain) {
+    public World(Studio studio, FrameTree tree, Function<Vector3dc, Event> imagePoints, boolean plain) {
         described = studio.scene();
         describedLights = studio.lights();
         law = studio.transformation();
@@ -72,12 +71,12 @@ public final class World {
         PrimitiveCollector collector = new PrimitiveCollector(
                 point -> {
                     asked[0] = true;
-                    return imagePoints.inScene(point);
+                    return imagePoints.apply(point);
                 },
                 tree);
         Placement placement = new Placement(
                 1, new Matrix3d(), new Vector3d(), tree.origin(null).position());
-        ObjectPreparation.add("scene", described, collector, placement);
+        collector.add("scene", described, placement);
         followsCamera = asked[0];
         List<Lamp> unprepared = new ArrayList<>();
         for (int i = 0; i < describedLights.size(); i++) {
@@ -87,7 +86,12 @@ public final class World {
                 throw new InvalidPropertyException("lights[" + i + "]", tooFast);
             }
         }
-        frames = inTrees(collector.frames(), plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE);
+        int smallestTree = plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE;
+        // trees hold copies, so that what was collected can be forgotten
+        frames = collector.frames().stream()
+                .map(frame -> new InertialFrame(
+                        frame.motion(), frame.origin(), new ObjectTree(frame.primitives(), smallestTree)))
+                .toList();
         lamps = plain ? List.copyOf(unprepared) : prepared(unprepared, routes(tree));
         lights = lamps.stream().map(Lamp::light).toList();
     }
@@ -103,19 +107,9 @@ public final class World {
         } else if (source instanceof RestingLight light) {
             lamps.add(new Lamp(
                     light.seenFrom(placement.point(new Vector3d()).negate()),
-                    collector.frames().indexOf(collector.frame()),
+                    collector.frame(),
                     collector.rest().zero().time()));
         }
-    }
-
-    /** Puts what was collected into trees. These hold copies, so that what was collected can be forgotten. */
-    private static List<InertialFrame> inTrees(List<FrameObjects> collected, int smallestTree) {
-        List<InertialFrame> frames = new ArrayList<>();
-        for (FrameObjects frame : collected) {
-            frames.add(new InertialFrame(
-                    frame.motion(), frame.origin(), new ObjectTree(frame.primitives(), smallestTree)));
-        }
-        return List.copyOf(frames);
     }
 
     private List<Lamp> prepared(List<Lamp> unprepared, FrameRoutes routes) {
@@ -240,11 +234,6 @@ public final class World {
         return Bounds.around(Stream.of(box.corners())
                 .map(corner -> toScene.place(corner, sceneTime))
                 .toArray(Vector3dc[]::new));
-    }
-
-    /** The boundaries of media that rest in a frame. */
-    public List<Primitive> refractive(int frame) {
-        return frames.get(frame).refractive();
     }
 
     /** Whether there are primitives in any frame. */

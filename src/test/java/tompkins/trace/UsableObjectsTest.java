@@ -26,7 +26,7 @@ import tompkins.sceneobject.TriangleMesh;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
 
-class ObjectPreparationTest {
+class UsableObjectsTest {
 
     private static final ColouredSurface COLOURED = ColouredSurface.DEFAULT;
     private static final Sphere BALL = Sphere.DEFAULT;
