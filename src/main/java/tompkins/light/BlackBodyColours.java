@@ -50,6 +50,16 @@ final class BlackBodyColours {
     private static final int STEPS_PER_UNIT = 400;
     private static final int ENTRIES = (int) ((MOST - LEAST) * STEPS_PER_UNIT) + 1;
 
+    private static final List<SpectralPoint> SPECTRUM = spectrum();
+
+    private static final Matrix3d AT_REST = bands(1);
+
+    /** The camera is balanced to the light in which the scene is white. */
+    private static final Matrix3d BALANCE = balance();
+
+    /** How much of each band, long waves first, a colour of the screen stands for. */
+    private static final Matrix3d SHARES = BALANCE.mul(AT_REST, new Matrix3d()).invert();
+
     /**
      * For each Doppler factor the nine numbers, row by row, that make the colour in the camera frame of that in the
      * scene.
@@ -94,7 +104,7 @@ final class BlackBodyColours {
         int before = (int) Math.min(place, ENTRIES - 2.0);
         double share = Math.min(1, place - before);
         double beyond = Math.max(0, place - (ENTRIES - 1)) / STEPS_PER_UNIT;
-        Vector3d amounts = TwoShifts.SHARES.transform(new Vector3d(light.red(), light.green(), light.blue()));
+        Vector3d amounts = SHARES.transform(new Vector3d(light.red(), light.green(), light.blue()));
         double logEdge = Math.log(edgeFactor);
         Vector3d sum = TwoShifts.colour(before, logEdge, amounts)
                 .lerp(TwoShifts.colour(before + 1, logEdge, amounts), share)
@@ -104,10 +114,6 @@ final class BlackBodyColours {
 
     /** The table that only light of moving lamps needs, made when such light is first asked for. */
     private static final class TwoShifts {
-        private static final List<SpectralPoint> SPECTRUM = spectrum();
-        private static final Matrix3d AT_REST = bands(SPECTRUM, 1);
-        private static final Matrix3d BALANCE = balance(AT_REST);
-        private static final Matrix3d SHARES = shares(BALANCE, AT_REST);
         private static final LampShiftTable TABLE = new LampShiftTable(SPECTRUM, STEPS_PER_UNIT, ENTRIES);
 
         /** The colour for an entry of the temperature, of amounts of the long, the middle and the short waves. */
@@ -160,14 +166,10 @@ final class BlackBodyColours {
     }
 
     private static double[] table() {
-        List<SpectralPoint> spectrum = spectrum();
-        Matrix3d atRest = bands(spectrum, 1);
-        Matrix3d balance = balance(atRest);
-        Matrix3d shares = shares(balance, atRest);
         double[] table = new double[9 * ENTRIES];
         for (int place = 0; place < ENTRIES; place++) {
-            Matrix3d change = balance.mul(bands(spectrum, dopplerFactor(place)), new Matrix3d())
-                    .mul(shares);
+            Matrix3d change =
+                    BALANCE.mul(bands(dopplerFactor(place)), new Matrix3d()).mul(SHARES);
             // JOML stores columns, the table holds rows
             change.transpose().get(table, 9 * place);
         }
@@ -179,15 +181,9 @@ final class BlackBodyColours {
         return Math.exp(LEAST + (double) place / STEPS_PER_UNIT);
     }
 
-    /** The camera is balanced to the light in which the scene is white. */
-    private static Matrix3d balance(Matrix3d atRest) {
-        Vector3d white = atRest.transform(new Vector3d(1));
+    private static Matrix3d balance() {
+        Vector3d white = AT_REST.transform(new Vector3d(1));
         return new Matrix3d().scaling(1 / white.x, 1 / white.y, 1 / white.z);
-    }
-
-    /** How much of each band, long waves first, a colour of the screen stands for. */
-    private static Matrix3d shares(Matrix3d balance, Matrix3d atRest) {
-        return balance.mul(atRest, new Matrix3d()).invert();
     }
 
     /**
@@ -206,11 +202,11 @@ final class BlackBodyColours {
     }
 
     /** The screen's colours, as columns, of the three bands of the black body: long wavelengths, middle, short. */
-    private static Matrix3d bands(List<SpectralPoint> spectrum, double dopplerFactor) {
+    private static Matrix3d bands(double dopplerFactor) {
         Vector3d longWaves = new Vector3d();
         Vector3d middle = new Vector3d();
         Vector3d shortWaves = new Vector3d();
-        for (SpectralPoint point : spectrum) {
+        for (SpectralPoint point : SPECTRUM) {
             double planck = planck(dopplerFactor, point.wavelength());
             double inScene = dopplerFactor * point.wavelength();
             double aboveFirst = aboveFirst(inScene);
