@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import org.joml.Vector3d;
 import tompkins.camera.EyeView;
 import tompkins.camera.SamplePositions;
@@ -42,9 +43,7 @@ final class NearbyRays implements PathObserver {
         /** The direction in which all have left the camera. */
         final Vector3d look = new Vector3d();
 
-        private final List<Ray> rays = new ArrayList<>();
-        private long[] ways = new long[8];
-        private int count;
+        private final List<Left> all = new ArrayList<>();
 
         // the place, and the sample that it belongs to
         private double x;
@@ -59,59 +58,36 @@ final class NearbyRays implements PathObserver {
             x = newX;
             y = newY;
             begun = newBegun;
-            count = 0;
+            all.clear();
         }
 
-        private void add(Ray ray, long way) {
-            if (count == rays.size()) {
-                rays.add(Ray.blank());
-            }
-            if (count == ways.length) {
-                ways = Arrays.copyOf(ways, 2 * count);
-            }
-            rays.get(count).set(ray);
-            ways[count] = way;
-            count++;
-        }
-
-        /** The number of the ray that is most like another; -1 if there is none. */
-        int like(Ray ray) {
-            int best = -1;
-            for (int i = 0; i < count; i++) {
-                if (rays.get(i).depth == ray.depth && (best < 0 || nearer(i, best, ray))) {
-                    best = i;
-                }
-            }
-            return best;
+        /** The one that is most like a ray; null if there is none. */
+        Left like(Ray ray) {
+            return nearest(ray, left -> left.ray.depth == ray.depth);
         }
 
         /** The ray that has taken a way; of several that one whose direction is nearest to that of another; or null. */
         Ray onWay(long wanted, Ray ray) {
-            int best = -1;
-            for (int i = 0; i < count; i++) {
-                if (ways[i] == wanted && (best < 0 || nearer(i, best, ray))) {
-                    best = i;
+            Left found = nearest(ray, left -> left.way == wanted);
+            return found == null ? null : found.ray;
+        }
+
+        private Left nearest(Ray ray, Predicate<Left> wanted) {
+            Left best = null;
+            for (Left left : all) {
+                if (wanted.test(left) && (best == null || left.cosine(ray) > best.cosine(ray))) {
+                    best = left;
                 }
             }
-            return best < 0 ? null : rays.get(best);
+            return best;
         }
+    }
 
-        private boolean nearer(int one, int other, Ray ray) {
-            return cosine(rays.get(one), ray) > cosine(rays.get(other), ray);
-        }
+    /** A ray that has left the scene, and its way. */
+    record Left(Ray ray, long way) {
 
-        private static double cosine(Ray one, Ray other) {
-            return one.dx * other.dx + one.dy * other.dy + one.dz * other.dz;
-        }
-
-        /** A ray. */
-        Ray ray(int number) {
-            return rays.get(number);
-        }
-
-        /** The way of a ray. */
-        long way(int number) {
-            return ways[number];
+        private double cosine(Ray other) {
+            return ray.dx * other.dx + ray.dy * other.dy + ray.dz * other.dz;
         }
     }
 
@@ -180,7 +156,7 @@ final class NearbyRays implements PathObserver {
     @Override
     public void leaves(Frame frame, Ray ray) {
         if (frame == Frame.SCENE) {
-            current.add(ray, way);
+            current.all.add(new Left(Ray.blank().set(ray), way));
         }
     }
 }

@@ -56,20 +56,11 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
     private long way;
     private Colour sum;
 
-    /** Stars near the ray of now, the first of a list that is used again. */
+    /** Stars near the ray of now. */
     private final List<Near> near = new ArrayList<>();
 
-    private int nearCount;
-
     /** A star that may be near a ray, its direction, and the most of its brightness that the pixel can get. */
-    private static final class Near {
-
-        private int star;
-        private double x;
-        private double y;
-        private double z;
-        private double brightness;
-    }
+    private record Near(int star, double x, double y, double z, double brightness) {}
 
     /** The light of stars; the function makes a tracer of the same picture, without them, that an observer watches. */
     StarTracer(StarField stars, Function<PathObserver, SampleTracer> tracerFor) {
@@ -109,24 +100,24 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
         if (stars.isDirect(ray)) {
             return stars.direct(eye, column, row);
         }
-        int number = nearby.at(nearby.x(), nearby.y(), here).like(ray);
-        if (number < 0) {
+        NearbyRays.Left like = nearby.at(nearby.x(), nearby.y(), here).like(ray);
+        if (like == null) {
             return Colour.BLACK;
         }
-        way = here.way(number);
-        if (!first.measure(nearby, nearby.x(), nearby.y(), here, here.ray(number), way)) {
+        way = like.way();
+        if (!first.measure(nearby, nearby.x(), nearby.y(), here, like.ray(), way)) {
             return Colour.BLACK;
         }
         sum = Colour.BLACK;
-        nearCount = 0;
+        near.clear();
         // the sample is not in the middle of its pixel
         stars.visit(ray, Math.min(WIDEST, (REACH + 1) * first.steepest()), this);
         double all = 0;
-        for (int i = 0; i < nearCount; i++) {
-            all += near.get(i).brightness;
+        for (Near star : near) {
+            all += star.brightness;
         }
-        for (int i = 0; i < nearCount; i++) {
-            seek(near.get(i), first.ray().throughput < FAINT || near.get(i).brightness < ONE_OF_MANY * all);
+        for (Near star : near) {
+            seek(star, first.ray().throughput < FAINT || star.brightness < ONE_OF_MANY * all);
         }
         return sum.times(1 / stars.solidAngle(eye, column, row));
     }
@@ -138,15 +129,7 @@ final class StarTracer implements EscapedLight, StarMap.Visitor {
         double aside = length(first.x() + first.stepX() - column - 0.5, first.y() + first.stepY() - row - 0.5);
         double share = StarPoints.share(Math.max(0, aside - ASTRAY), 0);
         if (share > 0) {
-            if (nearCount == near.size()) {
-                near.add(new Near());
-            }
-            Near added = near.get(nearCount++);
-            added.star = star;
-            added.x = starX;
-            added.y = starY;
-            added.z = starZ;
-            added.brightness = share * stars.brightness(star);
+            near.add(new Near(star, starX, starY, starZ, share * stars.brightness(star)));
         }
     }
 
