@@ -22,9 +22,9 @@ public record Aim(double right, double up) {
     /** The steepest that a camera looks: straight along its top direction, right and left have no meaning. */
     public static final double STEEPEST = Math.toRadians(89.5);
 
-    /** Where a camera looks, seen from its own axes: straight ahead, and up by some angle. */
-    private static Aim of(Camera camera) {
-        return new Aim(0, elevation(camera, Vectors.unit(camera.viewDirection())));
+    /** How far up a camera looks. */
+    private static double elevation(Camera camera) {
+        return elevation(camera, Vectors.unit(camera.viewDirection()));
     }
 
     private static double elevation(Camera camera, Vector3dc unit) {
@@ -36,12 +36,12 @@ public record Aim(double right, double up) {
         Vector3d view = Vectors.unit(to.viewDirection());
         Vector3dc right = from.rightDirection();
         Vector3d level = right.cross(Vectors.unit(from.topDirection()), new Vector3d());
-        return new Aim(Math.atan2(view.dot(right), view.dot(level)), elevation(from, view) - of(from).up);
+        return new Aim(Math.atan2(view.dot(right), view.dot(level)), elevation(from, view) - elevation(from));
     }
 
     /** A camera, turned by these angles: to the right about its top direction, and up. */
     public Camera turn(Camera camera) {
-        return turned(camera, right, of(camera).up + up);
+        return turned(camera, right, elevation(camera) + up);
     }
 
     /** A camera that looks to the right of its present direction by an angle, at a given elevation. */
@@ -75,7 +75,7 @@ public record Aim(double right, double up) {
         double height = Math.max(-reach, Math.min(reach, direction.dot(top)));
         double angle = Math.asin(reach == 0 ? 0 : height / reach);
         double offset = Math.atan2(seenUp, seenAhead);
-        double elevation = nearer(angle - offset, Math.PI - angle - offset, of(camera).up);
+        double elevation = nearer(angle - offset, Math.PI - angle - offset, elevation(camera));
         double ahead = seenAhead * Math.cos(elevation) - seenUp * Math.sin(elevation);
         Vector3d level = across.cross(top, new Vector3d());
         double right = Math.atan2(direction.dot(across), direction.dot(level)) - Math.atan2(seenRight, ahead);

@@ -10,33 +10,26 @@ import tompkins.shutter.RollingShutter;
 final class ShutterDelays {
 
     private final double exposureTime;
-    private final boolean rolls;
+    private final RollingShutter rolling;
     private final boolean overRows;
-
-    /** The delay of each line. */
-    private final double[] ofLines;
+    private final int lines;
 
     /** The delays for the pictures of a camera with a given width and height in pixels. */
     ShutterDelays(Camera camera, int width, int height) {
         exposureTime = camera.exposureTime();
-        RollingShutter rolling = camera.rollingShutter();
-        rolls = rolling.rolls();
+        rolling = camera.rollingShutter();
         overRows = rolling.direction().runsOverRows();
-        int lines = overRows ? height : width;
-        ofLines = new double[rolls ? lines : 0];
-        for (int line = 0; line < ofLines.length; line++) {
-            ofLines[line] = rolling.delay(line + 0.5, lines);
-        }
+        lines = overRows ? height : width;
     }
 
     /** Lets each ray start as much later as its sample does; rays of an instant shutter stay as they are. */
     void addTo(RayPacket rays, SamplePositions positions) {
-        if (rolls) {
-            int[] lines = overRows ? positions.rows : positions.columns;
-            int last = ofLines.length - 1;
+        if (rolling.rolls()) {
+            int[] ofSamples = overRows ? positions.rows : positions.columns;
             for (int i = 0; i < rays.count(); i++) {
                 // a position on the far edge of the picture belongs to its last line
-                rays.time[i] += ofLines[Math.max(0, Math.min(last, lines[rays.sample(i)]))];
+                int line = Math.max(0, Math.min(lines - 1, ofSamples[rays.sample(i)]));
+                rays.time[i] += rolling.delay(line + 0.5, lines);
             }
         }
         if (exposureTime > 0) {
