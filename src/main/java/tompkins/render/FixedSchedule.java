@@ -21,17 +21,7 @@ final class FixedSchedule implements Schedule {
     }
 
     @Override
-    public double wantedError() {
-        return 0;
-    }
-
-    @Override
     public double progress(double work) {
         return work / allWork;
-    }
-
-    @Override
-    public boolean isOver() {
-        return false;
     }
 }

@@ -17,7 +17,9 @@ interface Schedule {
     Pass next(Film film, BooleanSupplier stopped);
 
     /** The root mean square error at which the picture is done, unless its samples end before; 0 if none is wanted. */
-    double wantedError();
+    default double wantedError() {
+        return 0;
+    }
 
     /**
      * How much of the picture is done.
@@ -28,5 +30,7 @@ interface Schedule {
     double progress(double work);
 
     /** Whether no new part of a pass may be begun because the time is over. */
-    boolean isOver();
+    default boolean isOver() {
+        return false;
+    }
 }
