@@ -22,7 +22,9 @@ final class ThinLensRays implements CameraRays {
     /** The last step, in radians: far below a pixel. */
     private static final double FOCUS_ERROR = 1e-9;
 
-    private final CameraAxes axes;
+    private final Vector3d right;
+    private final Vector3d up;
+    private final Vector3d forward;
     private final Vector3dc centre;
     private final double apertureRadius;
     private final Shutter shutter;
@@ -36,20 +38,12 @@ final class ThinLensRays implements CameraRays {
     private final double slopePerRow;
     private final double pixelAngle;
 
-    // the axes as plain numbers, because every ray asks for them
-    private final double rightX;
-    private final double rightY;
-    private final double rightZ;
-    private final double upX;
-    private final double upY;
-    private final double upZ;
-    private final double forwardX;
-    private final double forwardY;
-    private final double forwardZ;
-
     ThinLensRays(ThinLensCamera camera, int width, int height, SpaceTimeTransformation sceneFromCamera) {
-        axes = CameraAxes.of(camera.viewDirection(), camera.topDirection());
-        centre = camera.stereo().lens(camera.position(), axes.right());
+        CameraAxes axes = CameraAxes.of(camera.viewDirection(), camera.topDirection());
+        right = new Vector3d(axes.right());
+        up = new Vector3d(axes.up());
+        forward = new Vector3d(axes.forward());
+        centre = camera.stereo().lens(camera.position(), right);
         apertureRadius = camera.apertureRadius();
         shutter = camera.shutter();
         constantTime = shutter instanceof AperturePlaneShutter;
@@ -67,15 +61,6 @@ final class ThinLensRays implements CameraRays {
         middleY = height / 2.0;
         slopePerRow = 2 * halfHeight / height;
         pixelAngle = Math.sqrt(slopePerColumn * slopePerRow);
-        rightX = axes.right().x();
-        rightY = axes.right().y();
-        rightZ = axes.right().z();
-        upX = axes.up().x();
-        upY = axes.up().y();
-        upZ = axes.up().z();
-        forwardX = axes.forward().x();
-        forwardY = axes.forward().y();
-        forwardZ = axes.forward().z();
     }
 
     @Override
@@ -87,12 +72,12 @@ final class ThinLensRays implements CameraRays {
 
     @Override
     public Vector2dc position(Vector3dc direction) {
-        double ahead = direction.dot(axes.forward());
+        double ahead = direction.dot(forward);
         return ahead <= 0
                 ? null
                 : new Vector2d(
-                        middleX + direction.dot(axes.right()) / ahead / slopePerColumn,
-                        middleY - direction.dot(axes.up()) / ahead / slopePerRow);
+                        middleX + direction.dot(right) / ahead / slopePerColumn,
+                        middleY - direction.dot(up) / ahead / slopePerRow);
     }
 
     @Override
@@ -132,7 +117,7 @@ final class ThinLensRays implements CameraRays {
 
     @Override
     public LensRay chiefRay(Vector3dc direction) {
-        return new LensRay(centre, centre, direction, inverseFocusDistance(direction, new RayCounts()), axes.forward());
+        return new LensRay(centre, centre, direction, inverseFocusDistance(direction, new RayCounts()), forward);
     }
 
     @Override
@@ -162,28 +147,28 @@ final class ThinLensRays implements CameraRays {
     private void aim(SamplePositions positions, RayPacket rays) {
         int count = positions.count();
         // slopes and scales first, where the directions will be
-        double[] right = rays.dx;
-        double[] up = rays.dy;
+        double[] toRight = rays.dx;
+        double[] upwards = rays.dy;
         double[] scale = rays.dz;
         for (int i = 0; i < count; i++) {
-            right[i] = (positions.x[i] - middleX) * slopePerColumn;
+            toRight[i] = (positions.x[i] - middleX) * slopePerColumn;
         }
         for (int i = 0; i < count; i++) {
-            up[i] = (middleY - positions.y[i]) * slopePerRow;
+            upwards[i] = (middleY - positions.y[i]) * slopePerRow;
         }
         for (int i = 0; i < count; i++) {
-            scale[i] = 1 / Math.sqrt(1 + right[i] * right[i] + up[i] * up[i]);
+            scale[i] = 1 / Math.sqrt(1 + toRight[i] * toRight[i] + upwards[i] * upwards[i]);
         }
         for (int i = 0; i < count; i++) {
-            double dx = (forwardX + right[i] * rightX + up[i] * upX) * scale[i];
-            double dy = (forwardY + right[i] * rightY + up[i] * upY) * scale[i];
-            double dz = (forwardZ + right[i] * rightZ + up[i] * upZ) * scale[i];
+            double dx = (forward.x + toRight[i] * right.x + upwards[i] * up.x) * scale[i];
+            double dy = (forward.y + toRight[i] * right.y + upwards[i] * up.y) * scale[i];
+            double dz = (forward.z + toRight[i] * right.z + upwards[i] * up.z) * scale[i];
             rays.dx[i] = dx;
             rays.dy[i] = dy;
             rays.dz[i] = dz;
         }
         for (int i = 0; i < count; i++) {
-            double cosine = rays.dx[i] * forwardX + rays.dy[i] * forwardY + rays.dz[i] * forwardZ;
+            double cosine = rays.dx[i] * forward.x + rays.dy[i] * forward.y + rays.dz[i] * forward.z;
             rays.spread[i] = pixelAngle * cosine * cosine;
         }
     }
@@ -200,7 +185,7 @@ final class ThinLensRays implements CameraRays {
         Vector3d chief = new Vector3d(rays.dx[index], rays.dy[index], rays.dz[index]);
         double inverseFocusDistance = inverseFocusDistance(chief, counts);
         Vector3d pupilPoint = offset(lensX, lensY).add(centre);
-        LensRay ray = new LensRay(centre, pupilPoint, chief, inverseFocusDistance, axes.forward());
+        LensRay ray = new LensRay(centre, pupilPoint, chief, inverseFocusDistance, forward);
         double time = constantTime ? shutter.openingTime() : shutter.transmissionTime(ray, sceneFromCamera);
         if (!Double.isFinite(time)) {
             counts.withoutShutter++;
@@ -229,8 +214,11 @@ final class ThinLensRays implements CameraRays {
     }
 
     private Vector3d offset(double lensX, double lensY) {
-        double right = apertureRadius * lensX;
-        double up = apertureRadius * lensY;
-        return new Vector3d(right * rightX + up * upX, right * rightY + up * upY, right * rightZ + up * upZ);
+        double toRight = apertureRadius * lensX;
+        double upwards = apertureRadius * lensY;
+        return new Vector3d(
+                toRight * right.x + upwards * up.x,
+                toRight * right.y + upwards * up.y,
+                toRight * right.z + upwards * up.z);
     }
 }

@@ -8,9 +8,7 @@ import tompkins.math.Vectors;
 final class FlatFace extends Face {
 
     private final FlatPrimitive.Outline outline;
-    private final double cornerX;
-    private final double cornerY;
-    private final double cornerZ;
+    private final Vector3dc corner;
     private final Vector3dc normal;
     private final Vector3dc gradientU;
     private final Vector3dc gradientV;
@@ -19,9 +17,7 @@ final class FlatFace extends Face {
     FlatFace(int part, FlatPrimitive.Outline outline, Vector3dc corner, Vector3dc spanU, Vector3dc spanV) {
         super(part);
         this.outline = outline;
-        cornerX = corner.x();
-        cornerY = corner.y();
-        cornerZ = corner.z();
+        this.corner = corner;
         Vector3d across = Vectors.cross(spanU, spanV);
         Vector3d u = Vectors.cross(spanV, across);
         Vector3d v = Vectors.cross(across, spanU);
@@ -44,9 +40,9 @@ final class FlatFace extends Face {
     }
 
     private double along(TurningPath path, Vector3dc direction) {
-        return (path.x - cornerX) * direction.x()
-                + (path.y - cornerY) * direction.y()
-                + (path.z - cornerZ) * direction.z();
+        return (path.x - corner.x()) * direction.x()
+                + (path.y - corner.y()) * direction.y()
+                + (path.z - corner.z()) * direction.z();
     }
 
     @Override

@@ -12,17 +12,11 @@ import tompkins.surface.Surface;
 /** An infinite plane in space. */
 public final class PlanePrimitive extends Primitive {
 
+    private final Vector3d point;
+    private final Vector3d normal;
     private final Vector3d first;
     private final Vector3d second;
     private final double scale;
-
-    // as plain numbers, because every ray asks for them
-    private final double pointX;
-    private final double pointY;
-    private final double pointZ;
-    private final double normalX;
-    private final double normalY;
-    private final double normalZ;
 
     /** The plane of an object through a point, with a normal of any length, before it is placed. */
     public PlanePrimitive(
@@ -34,17 +28,11 @@ public final class PlanePrimitive extends Primitive {
         super(object, surface);
         Vector3d unit = Vectors.unit(describedNormal);
         Vector3d axis = Vectors.firstAxis(unit);
-        Vector3d point = placement.point(describedPoint);
-        Vector3d normal = placement.direction(unit);
+        point = placement.point(describedPoint);
+        normal = placement.direction(unit);
         first = placement.direction(axis);
         second = placement.direction(Vectors.secondAxis(unit, axis));
         scale = 1 / placement.scale();
-        pointX = point.x;
-        pointY = point.y;
-        pointZ = point.z;
-        normalX = normal.x;
-        normalY = normal.y;
-        normalZ = normal.z;
     }
 
     @Override
@@ -65,7 +53,7 @@ public final class PlanePrimitive extends Primitive {
     /** By the same signs as {@link #distance}. */
     @Override
     public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
-        if (!hasSquare(starts.farthest() + Math.abs(pointX) + Math.abs(pointY) + Math.abs(pointZ))) {
+        if (!hasSquare(starts.farthest() + Math.abs(point.x) + Math.abs(point.y) + Math.abs(point.z))) {
             return false;
         }
         int count = rays.count();
@@ -85,11 +73,11 @@ public final class PlanePrimitive extends Primitive {
 
     /** The normal times (point - start), subtracted first so that no digits are lost near the plane. */
     private double heightBelow(double x, double y, double z) {
-        return normalX * (pointX - x) + normalY * (pointY - y) + normalZ * (pointZ - z);
+        return normal.x * (point.x - x) + normal.y * (point.y - y) + normal.z * (point.z - z);
     }
 
     private double slope(double dx, double dy, double dz) {
-        return normalX * dx + normalY * dy + normalZ * dz;
+        return normal.x * dx + normal.y * dy + normal.z * dz;
     }
 
     @Override
@@ -102,9 +90,9 @@ public final class PlanePrimitive extends Primitive {
         SurfaceCoordinates coordinates = null;
         if (surface().usesCoordinates()) {
             Vector3d offset = new Vector3d(
-                    ray.x + distance * ray.dx - pointX,
-                    ray.y + distance * ray.dy - pointY,
-                    ray.z + distance * ray.dz - pointZ);
+                    ray.x + distance * ray.dx - point.x,
+                    ray.y + distance * ray.dy - point.y,
+                    ray.z + distance * ray.dz - point.z);
             coordinates = new SurfaceCoordinates(
                     offset.dot(first) * scale,
                     offset.dot(second) * scale,
@@ -115,7 +103,7 @@ public final class PlanePrimitive extends Primitive {
                     second.y * scale,
                     second.z * scale);
         }
-        return memory.set(ray, distance, normalX, normalY, normalZ, this, 0, coordinates);
+        return memory.set(ray, distance, normal.x, normal.y, normal.z, this, 0, coordinates);
     }
 
     @Override

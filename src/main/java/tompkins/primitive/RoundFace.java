@@ -1,5 +1,6 @@
 package tompkins.primitive;
 
+import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
@@ -8,12 +9,8 @@ import org.joml.Vector3dc;
  */
 final class RoundFace extends Face {
 
-    private final double baseX;
-    private final double baseY;
-    private final double baseZ;
-    private final double axisX;
-    private final double axisY;
-    private final double axisZ;
+    private final Vector3d base;
+    private final Vector3d axis;
     private final double radius;
     private final double slope;
     private final double length;
@@ -30,12 +27,8 @@ final class RoundFace extends Face {
      */
     RoundFace(int part, Vector3dc base, Vector3dc axis, double radius, double slope, double length) {
         super(part);
-        baseX = base.x();
-        baseY = base.y();
-        baseZ = base.z();
-        axisX = axis.x();
-        axisY = axis.y();
-        axisZ = axis.z();
+        this.base = new Vector3d(base);
+        this.axis = new Vector3d(axis);
         this.radius = radius;
         this.slope = slope;
         this.length = length;
@@ -43,14 +36,14 @@ final class RoundFace extends Face {
     }
 
     private double along(TurningPath path) {
-        return (path.x - baseX) * axisX + (path.y - baseY) * axisY + (path.z - baseZ) * axisZ;
+        return (path.x - base.x) * axis.x + (path.y - base.y) * axis.y + (path.z - base.z) * axis.z;
     }
 
     /** The distance of the present place from the axis. */
     private double outwards(TurningPath path, double along) {
-        double px = path.x - baseX - along * axisX;
-        double py = path.y - baseY - along * axisY;
-        double pz = path.z - baseZ - along * axisZ;
+        double px = path.x - base.x - along * axis.x;
+        double py = path.y - base.y - along * axis.y;
+        double pz = path.z - base.z - along * axis.z;
         return Math.sqrt(px * px + py * py + pz * pz);
     }
 
@@ -68,16 +61,16 @@ final class RoundFace extends Face {
         double along = along(path);
         double pull = slope * (radius + slope * along) + along;
         return 2
-                * ((path.x - baseX - pull * axisX) * path.vx
-                        + (path.y - baseY - pull * axisY) * path.vy
-                        + (path.z - baseZ - pull * axisZ) * path.vz);
+                * ((path.x - base.x - pull * axis.x) * path.vx
+                        + (path.y - base.y - pull * axis.y) * path.vy
+                        + (path.z - base.z - pull * axis.z) * path.vz);
     }
 
     @Override
     double bend(TurningPath path, double reach) {
         double along = along(path);
         double squaredSpeed = path.vx * path.vx + path.vy * path.vy + path.vz * path.vz;
-        double climb = path.vx * axisX + path.vy * axisY + path.vz * axisZ;
+        double climb = path.vx * axis.x + path.vy * axis.y + path.vz * axis.z;
         double steepness = 1 + slope * slope;
         double drift = path.bend * reach;
         double speed = Math.min(Math.sqrt(squaredSpeed) + drift, path.speed);

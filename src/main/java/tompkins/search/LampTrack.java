@@ -41,33 +41,20 @@ public final class LampTrack {
 
     private final ObjectTree objects;
     private final AtomicLong left;
-    private final Vector3dc start;
-    private final Vector3dc step;
+    private final Vector3d start;
+    private final Vector3d step;
     private final double farthest;
     private final AtomicReferenceArray<Piece> pieces = new AtomicReferenceArray<>(PIECES);
 
-    // the same as plain numbers, because every shadow ray asks for them
-    private final double startX;
-    private final double startY;
-    private final double startZ;
-    private final double stepX;
-    private final double stepY;
-    private final double stepZ;
     private final double perSquare;
     private final double mostBeside;
 
-    private LampTrack(ObjectTree objects, AtomicLong left, Vector3dc start, Vector3dc step) {
+    private LampTrack(ObjectTree objects, AtomicLong left, Vector3d start, Vector3d step) {
         this.objects = objects;
         this.left = left;
         this.start = start;
         this.step = step;
         farthest = LARGEST * step.length();
-        startX = start.x();
-        startY = start.y();
-        startZ = start.z();
-        stepX = step.x();
-        stepY = step.y();
-        stepZ = step.z();
         perSquare = 1 / step.lengthSquared();
         mostBeside = ROUNDING * ROUNDING * step.lengthSquared();
     }
@@ -103,13 +90,13 @@ public final class LampTrack {
      * @param distance distance of the lamp from the start of the ray
      */
     public double at(Ray ray, double distance) {
-        double x = ray.x + distance * ray.dx - startX;
-        double y = ray.y + distance * ray.dy - startY;
-        double z = ray.z + distance * ray.dz - startZ;
-        double along = (x * stepX + y * stepY + z * stepZ) * perSquare;
-        double besideX = x - along * stepX;
-        double besideY = y - along * stepY;
-        double besideZ = z - along * stepZ;
+        double x = ray.x + distance * ray.dx - start.x;
+        double y = ray.y + distance * ray.dy - start.y;
+        double z = ray.z + distance * ray.dz - start.z;
+        double along = (x * step.x + y * step.y + z * step.z) * perSquare;
+        double besideX = x - along * step.x;
+        double besideY = y - along * step.y;
+        double besideZ = z - along * step.z;
         double beside = besideX * besideX + besideY * besideY + besideZ * besideZ;
         boolean known = along >= 0 && along < PIECES && beside <= mostBeside && distance < farthest;
         return known ? along : NOWHERE;

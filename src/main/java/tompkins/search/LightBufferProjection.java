@@ -83,9 +83,9 @@ final class LightBufferProjection {
     private final LampPlace[] places;
 
     private final double length;
-    private final Vector3dc right;
-    private final Vector3dc up;
-    private final Vector3dc forward;
+    private final Vector3d right;
+    private final Vector3d up;
+    private final Vector3d forward;
     private final double leastU;
     private final double leastV;
     private final double cellU;
@@ -98,31 +98,11 @@ final class LightBufferProjection {
     private final double shiftV;
     private final double approach;
 
-    // the axes as plain numbers, because every shadow ray asks for them
-    private final double rightX;
-    private final double rightY;
-    private final double rightZ;
-    private final double upX;
-    private final double upY;
-    private final double upZ;
-    private final double forwardX;
-    private final double forwardY;
-    private final double forwardZ;
-
-    private LightBufferProjection(LampPlace[] places, Vector3dc forward, Bounds all) {
+    private LightBufferProjection(LampPlace[] places, Vector3d forward, Bounds all) {
         this.places = places;
         this.forward = forward;
         right = Vectors.firstAxis(forward);
         up = forward.cross(right, new Vector3d());
-        rightX = right.x();
-        rightY = right.y();
-        rightZ = right.z();
-        upX = up.x();
-        upY = up.y();
-        upZ = up.z();
-        forwardX = forward.x();
-        forwardY = forward.y();
-        forwardZ = forward.z();
         Interval slopesU = slopes(place -> place.slopes(all, right));
         Interval slopesV = slopes(place -> place.slopes(all, up));
         leastU = slopesU.least();
@@ -255,13 +235,13 @@ final class LightBufferProjection {
      * @param share the part of its way that the lamp has covered, from 0 to 1
      */
     int part(double dx, double dy, double dz, double share) {
-        double ahead = -(dx * forwardX + dy * forwardY + dz * forwardZ);
+        double ahead = -(dx * forward.x + dy * forward.y + dz * forward.z);
         if (!(ahead > 0)) {
             return OUTSIDE;
         }
         double scale = (1 - share * approach) / ahead;
-        double u = share * shiftU - (dx * rightX + dy * rightY + dz * rightZ) * scale - leastU;
-        double v = share * shiftV - (dx * upX + dy * upY + dz * upZ) * scale - leastV;
+        double u = share * shiftU - (dx * right.x + dy * right.y + dz * right.z) * scale - leastU;
+        double v = share * shiftV - (dx * up.x + dy * up.y + dz * up.z) * scale - leastV;
         double column = u * partsPerU;
         double row = v * partsPerV;
         return column >= 0 && row >= 0 && column < ALL_PARTS && row < ALL_PARTS
