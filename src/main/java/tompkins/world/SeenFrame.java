@@ -1,7 +1,9 @@
 package tompkins.world;
 
 import java.util.function.DoubleFunction;
-import java.util.function.DoubleUnaryOperator;
+import org.hipparchus.analysis.UnivariateFunction;
+import org.hipparchus.analysis.solvers.IllinoisSolver;
+import org.hipparchus.exception.MathRuntimeException;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
@@ -108,7 +110,7 @@ public final class SeenFrame {
 
     /**
      * The event, in this frame, at which something is seen that runs there: light leaves its place at the time at which
-     * it is there. Found by the rule of false position, in the form called Illinois (M. Dowell and P. Jarratt 1971).
+     * it is there.
      *
      * @param path where it is at a time, slower than light
      * @param middle a point
@@ -120,40 +122,24 @@ public final class SeenFrame {
         if (around == null || reach == 0) {
             return around;
         }
-        DoubleUnaryOperator late = time -> {
+        UnivariateFunction late = time -> {
             Event light = seen(path.apply(time), lensInCamera);
             return light == null ? Double.NaN : time - light.time();
         };
         double first = bound(late, around.time(), -reach);
         double last = bound(late, around.time(), reach);
-        double lateFirst = late.applyAsDouble(first);
-        double lateLast = late.applyAsDouble(last);
-        double lateBefore = 0;
-        for (int step = 0; step < MOST_STEPS; step++) {
-            double time = last - lateLast * (last - first) / (lateLast - lateFirst);
-            double lateNow = late.applyAsDouble(time);
-            if (Math.abs(lateNow) <= SETTLED * reach) {
-                return seen(path.apply(time), lensInCamera);
-            }
-            // an end that stays twice counts half, so that it moves, too
-            if (lateNow > 0) {
-                lateFirst /= lateBefore > 0 ? 2 : 1;
-                last = time;
-                lateLast = lateNow;
-            } else {
-                lateLast /= lateBefore < 0 ? 2 : 1;
-                first = time;
-                lateFirst = lateNow;
-            }
-            lateBefore = lateNow;
+        try {
+            double time = new IllinoisSolver(0, 0, SETTLED * reach).solve(MOST_STEPS, late, first, last);
+            return seen(path.apply(time), lensInCamera);
+        } catch (MathRuntimeException notFound) {
+            return null;
         }
-        return null;
     }
 
     /** A time so far on one side that what runs is late by then, or early; light of the camera can be slow. */
-    private static double bound(DoubleUnaryOperator late, double time, double side) {
+    private static double bound(UnivariateFunction late, double time, double side) {
         double step = side;
-        for (int i = 0; i < MOST_STEPS && !(late.applyAsDouble(time + step) * side > 0); i++) {
+        for (int i = 0; i < MOST_STEPS && !(late.value(time + step) * side > 0); i++) {
             step *= 2;
         }
         return time + step;
