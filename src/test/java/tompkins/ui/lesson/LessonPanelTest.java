@@ -367,7 +367,9 @@ class LessonPanelTest {
         for (JComponent page : pages) {
             Components.layOut(page, width - MARGINS);
             assertThat(LayoutProblems.in(page)).isEmpty();
-            assertThat(page.getHeight()).as("page %d", pages.indexOf(page)).isLessThan(Look.pixels(HEIGHT - HEAD));
+            assertThat(page.getHeight())
+                    .as("page %d of “%s”", pages.indexOf(page), lesson.question())
+                    .isLessThan(Look.pixels(HEIGHT - HEAD));
         }
         Components.layOut(strip(), width);
     }
