@@ -14,6 +14,7 @@ import javax.swing.KeyStroke;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
+import net.miginfocom.swing.MigLayout;
 import tompkins.camera.Camera;
 import tompkins.camera.FocusDistance;
 import tompkins.lesson.Lesson;
@@ -203,7 +204,7 @@ final class SidePanel {
         return section;
     }
 
-    /** In a lesson what that is about, on a projector speed and opening time; the rest if all is wanted. */
+    /** In a lesson what that is about, on a projector speed, colours and opening time; the rest if all is wanted. */
     private void showSections() {
         Lesson lesson = model.studio().lesson() instanceof Lesson its ? its : null;
         boolean few = !all.isSelected() && (lesson != null || Look.isSlim());
@@ -211,7 +212,9 @@ final class SidePanel {
         sections.forEach(section -> section.setVisible(!few));
         speed.setVisible(!few || brief);
         velocity.setBrief(brief);
-        quickColours.setVisible(!brief);
+        // a slim panel has room for two of three beside each other
+        ((MigLayout) quickColours.getLayout())
+                .setComponentConstraints(quickColours.getComponent(1), brief ? "wmin 0, wrap" : "wmin 0");
         boolean comparesShutters = lesson != null && LessonStudio.comparesShutters(lesson);
         shutters.setVisible(!few || brief || comparesShutters);
         shutter.setBrief(brief);
