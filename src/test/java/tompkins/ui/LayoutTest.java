@@ -13,6 +13,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import javax.swing.Box;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -20,6 +21,7 @@ import javax.swing.JList;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
+import javax.swing.JRootPane;
 import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
@@ -176,6 +178,8 @@ class LayoutTest {
             assertThat(Stream.of("Speed", "Opening time", "Exposure time", "Direction x")
                             .filter(name -> isSeen(Components.find(column, JTextField.class, name))))
                     .containsExactly("Speed", "Opening time");
+            assertThat(isSeen(Components.find(column, JToggleButton.class, Texts.get("quick.DOPPLER"))))
+                    .isTrue();
             JToggleButton all = Components.find(column, JToggleButton.class, Texts.get("panel.all"));
             assertThat(all.getX()).as("below the rest, at the left").isLessThan(Look.pixels(1));
             all.doClick();
@@ -289,6 +293,22 @@ class LayoutTest {
             Components.layOut(ride.component(), 700);
             assertThat(LayoutProblems.in(ride.component())).isEmpty();
             assertThat(ride.component().getPreferredSize().height).isLessThan(768 / 4);
+        });
+    }
+
+    /** In a low window a high ride leaves more to the picture than a lesson does. */
+    @Test
+    void theStripLeavesRoomForThePicture() {
+        WindowDriver.onEventThread(() -> {
+            JRootPane window = new JRootPane();
+            window.setSize(1024, 676);
+            TabStrip strip = new TabStrip();
+            window.getContentPane().add(strip.component());
+            for (TabStrip.Tab tab : List.of(TabStrip.Tab.RIDE, TabStrip.Tab.LESSON)) {
+                strip.fill(tab, () -> (JComponent) Box.createVerticalStrut(700), shown -> {});
+                strip.open(tab);
+                assertThat(strip.component().getPreferredSize().height).isEqualTo(tab == TabStrip.Tab.RIDE ? 193 : 225);
+            }
         });
     }
 

@@ -32,8 +32,11 @@ public final class TabStrip extends Part {
         PLAY
     }
 
-    /** The strip takes one part of this many of the window's height. */
-    private static final int SHARE = 3;
+    /** The most that the text of a lesson takes of the window's height. */
+    private static final double LESSON_SHARE = 1 / 3.0;
+
+    /** The most that other tabs take, where the picture counts. */
+    private static final double SHARE = 2 / 7.0;
 
     private final JPanel head = new JPanel(new MigLayout("novisualpadding, insets 2 6 0 6, fillx, gap 2 0"));
     private final Column column = new Column();
@@ -89,6 +92,7 @@ public final class TabStrip extends Part {
         }
         Tab before = open;
         open = tab;
+        ((Room) panel).share = tab == Tab.LESSON ? LESSON_SHARE : SHARE;
         if (before != null) {
             listeners.get(before).accept(false);
         }
@@ -158,6 +162,8 @@ public final class TabStrip extends Part {
 
         private static final long serialVersionUID = 1;
 
+        private double share;
+
         Room() {
             super(new BorderLayout());
         }
@@ -171,8 +177,9 @@ public final class TabStrip extends Part {
         @Override
         public Dimension getPreferredSize() {
             Dimension size = super.getPreferredSize();
-            int most = getRootPane() == null ? size.height : getRootPane().getHeight() / SHARE;
-            return new Dimension(size.width, Math.min(size.height, most));
+            double most =
+                    getRootPane() == null ? size.height : share * getRootPane().getHeight();
+            return new Dimension(size.width, (int) Math.min(size.height, most));
         }
     }
 }
