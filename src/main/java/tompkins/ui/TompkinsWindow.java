@@ -104,7 +104,8 @@ public final class TompkinsWindow {
         dialogs = new FileDialogs(parts);
         saver = new SceneSaver(parts, dialogs);
         opener = new SceneOpener(parts, dialogs, saver, this::pause, this::beginLesson);
-        captions = new Captions(view.canvas(), settings, first.besideRest());
+        captions = new Captions(
+                view.canvas(), settings, first.besideRest() || model.studio().lesson() instanceof Lesson);
         overlays = new PictureOverlays(view.canvas(), settings, view::fail);
         motion = new Motion(parts, strip, new AnimationExport(frame, dialogs, captions, overlays), captions);
         motion.pilot().addListener(pictures::tellLast);

@@ -96,4 +96,14 @@ class FirstSceneTest {
                     .isFalse();
         }
     }
+
+    /** A lesson speaks of speeds, wherever it was opened from. */
+    @Test
+    void aLessonThatWasAskedForHasACaption() throws IOException {
+        FirstScene lesson = new FirstScene(BundledScenes.studio("lesson-02-turned-cube.json"), null);
+        try (WindowDriver driver = new WindowDriver(folder, lesson, List.of())) {
+            assertThat(driver.find(JMenuItem.class, "menu.caption").isSelected())
+                    .isTrue();
+        }
+    }
 }
