@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.BooleanSupplier;
+import java.util.function.Predicate;
 import tompkins.animation.FrameSequence;
 import tompkins.animation.RideFilm;
 import tompkins.light.ColourLaw;
@@ -122,11 +123,20 @@ public final class Captions {
                 Texts.get("caption.ride", tenths(moment.properTime()), tenths(moment.sceneTime())));
     }
 
-    /** What moves in the scene frame, each with its speed. */
+    /** What moves in the scene frame, each with its speed; of many only those that do not stand still, or how many. */
     private static List<String> objects(Studio studio) {
+        List<String> all = objects(studio, object -> true);
+        List<String> told = all.size() > MOST_OBJECTS
+                ? objects(studio, object -> !object.velocity().isRest())
+                : all;
+        return told.size() > MOST_OBJECTS ? List.of(Texts.get("caption.many", told.size())) : told;
+    }
+
+    private static List<String> objects(Studio studio, Predicate<Moving> wanted) {
         return studio.scene().stream()
                 .filter(Moving.class::isInstance)
                 .map(Moving.class::cast)
+                .filter(wanted)
                 .map(object -> Texts.get(
                         "caption.object", object.description(), SpeedText.of(object.velocity(), SpeedScale.BETA)))
                 .distinct()
@@ -191,7 +201,7 @@ public final class Captions {
         } else if (told) {
             words.add(Texts.get("caption.gamma", SpeedScale.GAMMA.reading(studio.velocity())));
         }
-        words.addAll(objects.size() > MOST_OBJECTS ? List.of(Texts.get("caption.many", objects.size())) : objects);
+        words.addAll(objects);
         if (studio.colours() != ColourLaw.UNCHANGED
                 && studio.view() == View.SEEN
                 && studio.transformation() == TransformationLaw.LORENTZ) {

@@ -72,6 +72,10 @@ class CaptionsTest {
         Moving third = Descriptions.with(cube, "description", "third");
         assertThat(Captions.of(studio.withScene(List.of(cube, cube, second, third)), null))
                 .isEqualTo("camera at rest, 3 moving objects");
+        Moving still = Descriptions.with(third, "velocity", Velocity.REST);
+        assertThat(Captions.of(studio.withScene(List.of(cube, second, still)), null))
+                .as("a clock that rests among others")
+                .isEqualTo("camera at rest, cube \u03b2 = 0.5, second \u03b2 = 0.5");
     }
 
     /** Otherwise the screen would tell two speeds, that of the picture and that of the next. */
