@@ -58,6 +58,7 @@ final class RideKeys {
     private final KeyEventPostProcessor elsewhere = this::takeUnused;
     private final PropertyChangeListener focus = event -> letGo();
     private final Map<Integer, Held> held = new HashMap<>();
+    private boolean listens;
 
     /** What turns the view by steps to the right and up. */
     interface Turn {
@@ -91,13 +92,17 @@ final class RideKeys {
 
     /** While the camera flies, keys that have no use where the focus is steer it: a switch was clicked, for example. */
     private void listenElsewhere() {
+        if (listens == pilot.isFlying()) {
+            return;
+        }
+        listens = !listens;
         KeyboardFocusManager manager = KeyboardFocusManager.getCurrentKeyboardFocusManager();
-        manager.removeKeyEventPostProcessor(elsewhere);
-        manager.removePropertyChangeListener(FOCUS, focus);
-        if (pilot.isFlying()) {
+        if (listens) {
             manager.addKeyEventPostProcessor(elsewhere);
             manager.addPropertyChangeListener(FOCUS, focus);
         } else {
+            manager.removeKeyEventPostProcessor(elsewhere);
+            manager.removePropertyChangeListener(FOCUS, focus);
             letGo();
         }
     }

@@ -2,8 +2,10 @@ package tompkins.ui.ride;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.KeyboardFocusManager;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.beans.PropertyChangeListener;
 import java.util.List;
 import java.util.Locale;
 import org.joml.Vector3d;
@@ -45,6 +47,22 @@ class RideKeysTest {
     @AfterEach
     void end() {
         WindowDriver.onEventThread(() -> pilot.setRiding(false));
+    }
+
+    /** They hang where they hung, however often the ride tells of itself, until it ends. */
+    @Test
+    void aRideHangsUpItsListenersOnce() {
+        WindowDriver.onEventThread(() -> {
+            KeyboardFocusManager manager = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+            PropertyChangeListener later = event -> {};
+            manager.addPropertyChangeListener("focusOwner", later);
+            List<PropertyChangeListener> flying = List.of(manager.getPropertyChangeListeners("focusOwner"));
+            pilot.home();
+            assertThat(manager.getPropertyChangeListeners("focusOwner")).containsExactlyElementsOf(flying);
+            pilot.setRiding(false);
+            assertThat(manager.getPropertyChangeListeners("focusOwner")).hasSize(flying.size() - 1);
+            manager.removePropertyChangeListener("focusOwner", later);
+        });
     }
 
     private void press(int code, char letter, int modifiers) {
