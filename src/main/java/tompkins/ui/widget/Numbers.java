@@ -1,6 +1,7 @@
 package tompkins.ui.widget;
 
 import java.math.BigDecimal;
+import java.util.function.DoubleFunction;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.property.InvalidPropertyException;
@@ -9,6 +10,9 @@ import tompkins.spacetime.Event;
 
 /** Numbers as texts and back; always with a decimal point. */
 public final class Numbers {
+
+    /** A coordinate that is smaller than this part of the largest one is what rounding has left. */
+    private static final double ROUNDING = 1e-12;
 
     private Numbers() {}
 
@@ -91,10 +95,12 @@ public final class Numbers {
         return "(" + brief(vector.x()) + ", " + brief(vector.y()) + ", " + brief(vector.z()) + ")";
     }
 
-    /** The first digits of place and time; no line breaks inside the equation of the time. */
+    /** The first digits of place and time, without rounding errors; no line breaks inside the equation of the time. */
     public static String brief(Event event) {
-        return "(" + brief(event.x()) + ", " + brief(event.y()) + ", " + brief(event.z()) + "; t\u00a0=\u00a0"
-                + brief(event.time()) + ")";
+        double largest = Math.max(event.position().length(), Math.abs(event.time()));
+        DoubleFunction<String> text = value -> brief(Math.abs(value) < ROUNDING * largest ? 0 : value);
+        return "(" + text.apply(event.x()) + ", " + text.apply(event.y()) + ", " + text.apply(event.z())
+                + "; t\u00a0=\u00a0" + text.apply(event.time()) + ")";
     }
 
     /** The smallest of ..., 1, 2, 5, 10, 20, ... that is not below a positive number. */

@@ -61,6 +61,13 @@ class NumbersTest {
         assertThat(Numbers.niceCeiling(value)).isEqualTo(end);
     }
 
+    @Test
+    void anEventIsToldWithoutErrorsOfRounding() {
+        assertThat(Numbers.brief(new Event(2e-12, 0, -1.279e-13, 1.326)).replace('\u00a0', ' '))
+                .isEqualTo("(2e-12, 0, 0; t = 1.326)");
+        assertThat(Numbers.brief(new Event(1e-20, 0, 0, 0))).startsWith("(1e-20, ");
+    }
+
     /** Asks what text areas ask for the places where a line may end. */
     @Test
     void theTimeOfAnEventStaysOnOneLine() {
