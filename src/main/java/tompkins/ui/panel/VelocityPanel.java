@@ -2,6 +2,7 @@ package tompkins.ui.panel;
 
 import java.util.List;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import org.joml.Vector3d;
@@ -12,11 +13,9 @@ import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.FrontWindow;
-import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.ChoiceRow;
-import tompkins.ui.widget.DirectionSphere;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.MessageRoom;
 import tompkins.ui.widget.Note;
@@ -27,6 +26,7 @@ import tompkins.ui.widget.SpeedText;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.ValueSlider;
 import tompkins.ui.widget.VectorFields;
+import tompkins.ui.widget.Wording;
 
 /** How fast the camera moves, and in which direction. */
 public final class VelocityPanel extends Part {
@@ -40,7 +40,6 @@ public final class VelocityPanel extends Part {
     private final Note note = new Note("");
     private final ValueSlider slider;
     private final EntryField speed;
-    private final DirectionSphere sphere;
     private final VectorFields direction;
     private final Note numbers = new Note("");
     private final Note warning = new Note("");
@@ -55,13 +54,13 @@ public final class VelocityPanel extends Part {
                 Texts.get("speed.slider"), Texts.get("speed.sliderTip"), RAPIDITIES, this::slide, model::endGesture);
         speed = new EntryField(
                 new JTextField(7), Texts.get("speed.name"), Texts.get("speed.tip"), note, this::enterSpeed);
-        sphere = new DirectionSphere(this::turn, model::endGesture);
-        direction = VectorFields.ofDirection(note, vector -> take(velocity().along(vector, scale)));
+        direction = VectorFields.ofDirection(note, this::turn);
         JPanel speedRow = Rows.of("gap 6", "[grow,fill][pref!]");
         speedRow.add(slider.slider(), "wmin 40");
         speedRow.add(speed.field(), "growx");
         panel.add(speedRow);
         more.add(scaleSwitch());
+        more.add(new JLabel(Wording.label("direction")));
         more.add(directionRow());
         more.add(buttons());
         panel.add(more);
@@ -91,20 +90,17 @@ public final class VelocityPanel extends Part {
     }
 
     private JComponent directionRow() {
-        JPanel row = Rows.of("gap 10 4", "[pref!][grow,fill]");
-        JPanel fields = Rows.of("wrap 2, gap 6 4", "[][grow,fill]");
-        direction.addInColumn(fields);
-        row.add(sphere);
-        row.add(fields, "growx, wmin 0");
+        JPanel row = Rows.of("gap 4", "[grow,fill][grow,fill][grow,fill]");
+        direction.addInRow(row);
         return row;
     }
 
     private JComponent buttons() {
         JPanel row = Rows.of("wrap 2, gap 4", "[grow,fill,sg][grow,fill,sg]");
         row.add(Buttons.of("velocity.rest", this::rest));
-        row.add(Buttons.of("velocity.forwards", () -> turn(camera().viewDirection(), null)));
-        row.add(Buttons.of("velocity.backwards", () -> turn(new Vector3d().sub(camera().viewDirection()), null)));
-        row.add(Buttons.of("velocity.sideways", () -> turn(camera().rightDirection(), null)));
+        row.add(Buttons.of("velocity.forwards", () -> turn(camera().viewDirection())));
+        row.add(Buttons.of("velocity.backwards", () -> turn(new Vector3d().sub(camera().viewDirection()))));
+        row.add(Buttons.of("velocity.sideways", () -> turn(camera().rightDirection())));
         return row;
     }
 
@@ -139,13 +135,8 @@ public final class VelocityPanel extends Part {
         take(SpeedText.parse(text, scale, velocity().givenDirection()));
     }
 
-    private void turn(Vector3dc to, Object gesture) {
-        Studio next = FrontWindow.withVelocity(model.studio(), velocity().along(to, scale));
-        if (gesture == null) {
-            model.set(next);
-        } else {
-            model.adjust(next, gesture);
-        }
+    private void turn(Vector3dc to) {
+        take(velocity().along(to, scale));
     }
 
     private void take(Velocity velocity) {
@@ -156,7 +147,6 @@ public final class VelocityPanel extends Part {
         Velocity now = velocity();
         slider.show(now.rapidity());
         speed.show(SpeedText.of(now, scale));
-        sphere.show(now.givenDirection());
         direction.showDirection(now.givenDirection());
         String beta = SpeedText.vector(now);
         TransformationLaw law = model.studio().transformation();

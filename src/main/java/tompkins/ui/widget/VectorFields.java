@@ -54,13 +54,6 @@ public final class VectorFields {
         return new VectorFields("direction", NumberKind.DOUBLE, AXES, Texts.get("direction.tip"), note, commit);
     }
 
-    /** Adds the fields one under the other, each after its name. */
-    public void addInColumn(JPanel panel) {
-        for (int axis = 0; axis < fields.size(); axis++) {
-            Rows.add(panel, names.get(axis), fields.get(axis).field(), "wmin 40");
-        }
-    }
-
     /** Adds the fields side by side, each with its name in it. */
     public void addInRow(JPanel panel) {
         for (int axis = 0; axis < fields.size(); axis++) {
