@@ -12,7 +12,6 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.number.NumberRow;
 import tompkins.ui.number.SceneSize;
 import tompkins.ui.picture.Picture;
-import tompkins.ui.widget.MessageRoom;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberKind;
@@ -28,8 +27,7 @@ public final class LensPanel extends Part {
 
     private final StudioModel model;
     private final SceneSize size = new SceneSize();
-    private final Note refused = new Note("");
-    private final Note samplesNote = new Note("");
+    private final Note note = Note.ofLines(2);
     private final JToggleButton pick = new JToggleButton(Texts.get("lens.pick"));
 
     /** The panel; {@code picking} is told when a point of the picture should be picked, and when no longer. */
@@ -61,7 +59,7 @@ public final class LensPanel extends Part {
                         (studio, value) -> studio.withSettings(studio.settings().withSamples((int) Math.rint(value))),
                         studio -> new Range(1, 256, 4)),
                 NumberKind.INT);
-        panel.add(new MessageRoom(2, refused, samplesNote).component(), "span, growx, wmin 0");
+        panel.add(note.component(), "span, growx, wmin 0");
     }
 
     private static String meaning(String property) {
@@ -73,7 +71,7 @@ public final class LensPanel extends Part {
     }
 
     private void add(NumberRow.Quantity quantity, NumberKind kind) {
-        new NumberRow(model, quantity, kind, refused).addTo(panel);
+        new NumberRow(model, quantity, kind, note).addTo(panel);
     }
 
     private Range apertures(Studio studio, double now) {
@@ -92,7 +90,7 @@ public final class LensPanel extends Part {
      */
     public void show(Picture picture) {
         boolean wished = picture.quality() instanceof Quality.TargetError;
-        samplesNote.setText(
+        note.setUsual(
                 picture.isTooSharp() ? Texts.get("lens.oneSample") : wished ? Texts.get("lens.otherSamples") : "");
     }
 

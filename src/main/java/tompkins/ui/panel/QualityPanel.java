@@ -35,7 +35,6 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
-import tompkins.ui.widget.MessageRoom;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberField;
@@ -58,7 +57,7 @@ public final class QualityPanel extends Part {
     /** How far from a point the mouse still selects it, in pixels. */
     private static final double REACH = 12;
 
-    private final Note asked = new Note("");
+    private final Note asked = Note.ofLines(2);
     private final NumberField error;
     private final StudioModel model;
     private final BiConsumer<PictureStudy, Consumer<List<Measurement>>> measuring;
@@ -79,11 +78,10 @@ public final class QualityPanel extends Part {
         this.measuring = measuring;
         String title = Wording.label("targetError");
         String meaning = Wording.meaning(RenderSettings.class, "targetError");
-        Note refused = new Note("");
         error = new NumberField(
-                NumberKind.DOUBLE, "targetError", title, meaning, refused, value -> want(value.doubleValue()));
+                NumberKind.DOUBLE, "targetError", title, meaning, asked, value -> want(value.doubleValue()));
         Rows.add(panel, title, error.field(), "skip");
-        panel.add(new MessageRoom(2, refused, asked).component(), "span, growx, wmin 0");
+        panel.add(asked.component(), "span, growx, wmin 0");
         panel.add(Buttons.of("quality.measure", this::chart), "span 3, growx");
         model.follow(this::update);
     }
@@ -116,7 +114,7 @@ public final class QualityPanel extends Part {
         Quality now = Quality.of(model.studio());
         if (!now.equals(shown)) {
             shown = now;
-            asked.setText(text(now));
+            asked.setUsual(text(now));
             if (chartWindow != null) {
                 chartWindow.forgetPoint();
             }

@@ -28,7 +28,6 @@ import tompkins.ui.number.SceneSize;
 import tompkins.ui.widget.CardPanel;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Look;
-import tompkins.ui.widget.MessageRoom;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberKind;
@@ -48,10 +47,9 @@ public final class ShutterPanel extends Part {
     private final SceneSize size = new SceneSize();
     private final JComboBox<Class<?>> models = new JComboBox<>();
     private final Updating updating = new Updating();
-    private final Note place = new Note("");
-    private final Note note = new Note("");
+    private final Note note = Note.ofLines(2);
     private final JPanel details = Rows.column();
-    private final Note refused = new Note("");
+    private final Note refused = Note.ofLines(1);
     private final JPanel timeRow = Rows.panel();
     private final ShutterTimingPanel timing;
 
@@ -84,11 +82,11 @@ public final class ShutterPanel extends Part {
         timing.addTo(timeRow, note);
         details.add(timing.component(), "wmin 0");
         details.add(parameters.component(), "wmin 0");
-        details.add(new MessageRoom(1, refused).component(), "wmin 0");
+        details.add(refused.component(), "wmin 0");
         panel.add(models, "wmin 0");
         Descriptions.members(Shutter.class).forEach(this::addModel);
         panel.add(timeRow, "wmin 0, hidemode 0");
-        panel.add(new MessageRoom(2, note, place).component(), "wmin 0");
+        panel.add(note.component(), "wmin 0");
         model.follow(this::update);
     }
 
@@ -171,7 +169,7 @@ public final class ShutterPanel extends Part {
 
     /** Shows where the centre of the aperture is in the scene frame when the picture is taken. */
     public void showPlace(Event lensInScene) {
-        place.setText(Texts.get("shutter.place", Numbers.brief(lensInScene)));
+        note.setUsual(Texts.get("shutter.place", Numbers.brief(lensInScene)));
     }
 
     /** A drawing, the name, and in the list a line that says what the model does. */

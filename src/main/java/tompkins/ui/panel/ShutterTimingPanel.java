@@ -16,7 +16,6 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.number.NumberRow;
 import tompkins.ui.number.SceneSize;
 import tompkins.ui.widget.EntryField;
-import tompkins.ui.widget.MessageRoom;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberKind;
@@ -41,15 +40,14 @@ final class ShutterTimingPanel extends Part {
     private final JLabel directionName = new JLabel(Texts.get("shutter.rolls"));
     private final List<Component> exposureRow = new ArrayList<>();
     private final Updating updating = new Updating();
-    private final Note hidden = new Note("");
-    private final Note refused = new Note("");
+    private final Note note = Note.ofLines(2);
     private boolean brief;
 
     ShutterTimingPanel(StudioModel model, SceneSize size) {
         super(Rows.column());
         this.model = model;
         this.size = size;
-        NumberRow sweep = row(refused, "rollingShutter.sweep", "shutter.sweepTip");
+        NumberRow sweep = row(note, "rollingShutter.sweep", "shutter.sweepTip");
         Naming.items(directions, Wording::label);
         Naming.name(directions, "shutter.direction");
         directionName.setLabelFor(directions);
@@ -59,7 +57,7 @@ final class ShutterTimingPanel extends Part {
                         (SweepDirection) directions.getSelectedItem(), rolling().sweep()))))));
         sweep.addTo(controls);
         panel.add(controls, "wmin 0, hidemode 0");
-        panel.add(new MessageRoom(2, refused, hidden).component(), "wmin 0");
+        panel.add(note.component(), "wmin 0");
     }
 
     private static ListCellRenderer<SweepDirection> withIcons(ListCellRenderer<? super SweepDirection> words) {
@@ -116,7 +114,7 @@ final class ShutterTimingPanel extends Part {
         boolean offered = camera().shutter().hasOpeningTime();
         controls.setVisible(offered);
         boolean acts = camera().exposureTime() > 0 || rolling().rolls();
-        hidden.setText(
+        note.setUsual(
                 offered || !acts
                         ? ""
                         : Texts.get(

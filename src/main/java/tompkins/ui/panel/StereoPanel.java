@@ -7,7 +7,6 @@ import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.number.NumberRow;
 import tompkins.ui.number.SceneSize;
-import tompkins.ui.widget.MessageRoom;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberKind;
@@ -26,7 +25,7 @@ public final class StereoPanel extends Part {
     private final SceneSize size = new SceneSize();
     private final JComboBox<StereoLayout> layouts = new JComboBox<>(StereoLayout.values());
     private final Updating updating = new Updating();
-    private final Note refused = new Note("");
+    private final Note refused = Note.ofLines(2);
 
     /** The panel for the camera of a model. */
     public StereoPanel(StudioModel model) {
@@ -38,7 +37,7 @@ public final class StereoPanel extends Part {
         Rows.add(panel, Texts.get("stereo.layout"), layouts, "span 2, growx, wmin 0");
         add("eyeDistance", 0.1);
         add("zeroParallaxDistance", 3);
-        panel.add(new MessageRoom(2, refused).component(), "span, growx, wmin 0");
+        panel.add(refused.component(), "span, growx, wmin 0");
         model.follow(this::update);
     }
 

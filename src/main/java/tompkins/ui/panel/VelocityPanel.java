@@ -17,7 +17,6 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.EntryField;
-import tompkins.ui.widget.MessageRoom;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Range;
@@ -37,12 +36,10 @@ public final class VelocityPanel extends Part {
     private static final Range RAPIDITIES = Range.bent(0, 3, 6);
 
     private final StudioModel model;
-    private final Note note = new Note("");
+    private final Note note = Note.ofLines(3);
     private final ValueSlider slider;
     private final EntryField speed;
     private final VectorFields direction;
-    private final Note numbers = new Note("");
-    private final Note warning = new Note("");
     private final JPanel more = Rows.column();
     private SpeedScale scale = SpeedScale.BETA;
 
@@ -64,7 +61,7 @@ public final class VelocityPanel extends Part {
         more.add(directionRow());
         more.add(buttons());
         panel.add(more);
-        panel.add(new MessageRoom(3, note, warning, numbers).component(), "wmin 0");
+        panel.add(note.component(), "wmin 0");
         model.follow(this::update);
     }
 
@@ -150,17 +147,12 @@ public final class VelocityPanel extends Part {
         direction.showDirection(now.givenDirection());
         String beta = SpeedText.vector(now);
         TransformationLaw law = model.studio().transformation();
-        numbers.setText(
-                switch (law) {
-                    case LORENTZ ->
-                        Texts.get(
-                                "velocity.numbers",
-                                SpeedScale.GAMMA.reading(now),
-                                SpeedScale.RAPIDITY.reading(now),
-                                beta);
-                    case GALILEAN -> Texts.get("velocity.beta", beta);
-                    case NONE -> Texts.get("velocity.ignored", beta);
-                });
-        law.warning(now).ifPresentOrElse(warning::setError, () -> warning.setText(""));
+        String numbers = switch (law) {
+            case LORENTZ ->
+                Texts.get("velocity.numbers", SpeedScale.GAMMA.reading(now), SpeedScale.RAPIDITY.reading(now), beta);
+            case GALILEAN -> Texts.get("velocity.beta", beta);
+            case NONE -> Texts.get("velocity.ignored", beta);
+        };
+        law.warning(now).ifPresentOrElse(note::setUsualError, () -> note.setUsual(numbers));
     }
 }

@@ -34,7 +34,12 @@ public final class Note {
     /** The key of its font. */
     private final String font;
 
-    private boolean error;
+    /** What there is to say, and what is said while that is nothing. */
+    private Message said = new Message("", false);
+
+    private Message usual = said;
+
+    private record Message(String text, boolean isError) {}
 
     /** What it will say when the mouse is released; null if nothing. */
     private Runnable awaited;
@@ -87,12 +92,24 @@ public final class Note {
 
     /** Shows an explanation; an empty one takes no room. */
     public void setText(String text) {
-        show(text, false);
+        say(new Message(text, false));
     }
 
     /** Says what is wrong. */
     public void setError(String message) {
-        show("\u26A0 " + message, true);
+        say(new Message("\u26A0 " + message, true));
+    }
+
+    /** Says this from now on whenever it has nothing else to say. */
+    public void setUsual(String text) {
+        usual = new Message(text, false);
+        show();
+    }
+
+    /** As {@link #setUsual}, of something that is wrong. */
+    public void setUsualError(String message) {
+        usual = new Message("\u26A0 " + message, true);
+        show();
     }
 
     /** As {@link #setError}, but not while the mouse is pressed: what is pressed must not move away from under it. */
@@ -115,9 +132,18 @@ public final class Note {
         });
     }
 
-    private void show(String text, boolean isError) {
+    private void say(Message message) {
         awaited = null;
-        error = isError;
+        said = message;
+        show();
+    }
+
+    private Message shown() {
+        return said.text.isEmpty() ? usual : said;
+    }
+
+    private void show() {
+        String text = shown().text;
         if (!area.getText().equals(text)) {
             area.setText(text);
             area.setVisible(area.getRows() > 0 || !text.isEmpty());
@@ -141,6 +167,6 @@ public final class Note {
 
     private Color colour() {
         return UIManager.getColor(
-                error ? "Tompkins.error" : font.equals(EXPLANATION) ? "Tompkins.note" : "Label.foreground");
+                shown().isError ? "Tompkins.error" : font.equals(EXPLANATION) ? "Tompkins.note" : "Label.foreground");
     }
 }
