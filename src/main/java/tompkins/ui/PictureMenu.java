@@ -13,7 +13,7 @@ import tompkins.studio.StudioPath;
 import tompkins.trace.RayLife;
 import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Picture;
-import tompkins.ui.ray.PixelProbe;
+import tompkins.ui.ray.PixelReading;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.TabStrip;
 import tompkins.ui.widget.Texts;
@@ -28,7 +28,7 @@ final class PictureMenu implements PhotographView.Menu {
     }
 
     @Override
-    public void show(PixelProbe.Reading seen, Picture picture, Point2D place, Point at) {
+    public void show(PixelReading seen, Picture picture, Point2D place, Point at) {
         JPopupMenu menu = new JPopupMenu();
         add(menu, "lookAt", true, () -> window.motion.lookAt(place));
         add(menu, "rideFrom", seen.sighting().hit() != null, () -> window.motion.rideFrom(seen.sighting()));
@@ -43,7 +43,7 @@ final class PictureMenu implements PhotographView.Menu {
         menu.show(window.view().canvas(), at.x, at.y);
     }
 
-    private void drawRay(PixelProbe.Reading seen, List<RayLife> ray) {
+    private void drawRay(PixelReading seen, List<RayLife> ray) {
         String name = Texts.get("ray.drawn.ray", Texts.get("probe.pixel", seen.column(), seen.row()));
         window.model().set(RayTubes.addedTo(window.model().studio(), name, ray));
     }
@@ -57,7 +57,7 @@ final class PictureMenu implements PhotographView.Menu {
     }
 
     /** The object that is seen, if the studio still holds it. */
-    private Optional<StudioPath> object(PixelProbe.Reading seen) {
+    private Optional<StudioPath> object(PixelReading seen) {
         return Optional.ofNullable(seen.sighting().hit())
                 .flatMap(hit -> StudioPath.to(window.model().studio(), hit.object()));
     }
@@ -68,7 +68,7 @@ final class PictureMenu implements PhotographView.Menu {
     }
 
     @Override
-    public void choose(PixelProbe.Reading seen, Picture picture) {
+    public void choose(PixelReading seen, Picture picture) {
         SeenLamp.near(picture.plan(), seen.sighting().x(), seen.sighting().y())
                 .map(SeenLamp::path)
                 .or(() -> object(seen))

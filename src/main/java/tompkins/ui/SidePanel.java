@@ -35,7 +35,7 @@ import tompkins.ui.panel.VelocityPanel;
 import tompkins.ui.panel.WindowPanel;
 import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Picture;
-import tompkins.ui.ray.PixelProbe;
+import tompkins.ui.ray.PixelReading;
 import tompkins.ui.ray.RaySection;
 import tompkins.ui.widget.Column;
 import tompkins.ui.widget.FoldedText;
@@ -284,7 +284,7 @@ final class SidePanel {
     }
 
     /** Shows the life of the pinned ray, or nothing if it is null; of the picture with a name, or of the studio's. */
-    void show(PixelProbe.Reading pinned, String picture) {
+    void show(PixelReading pinned, String picture) {
         ray.show(pinned, picture);
         boolean isPinned = pinned != null;
         if (rayScroll.isVisible() != isPinned) {

@@ -40,7 +40,7 @@ import tompkins.ui.photograph.StatusBar;
 import tompkins.ui.photograph.WindowParts;
 import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
-import tompkins.ui.ray.PixelProbe;
+import tompkins.ui.ray.PixelReading;
 import tompkins.ui.ride.Motion;
 import tompkins.ui.widget.FocusFollower;
 import tompkins.ui.widget.Look;
@@ -312,12 +312,12 @@ public final class TompkinsWindow {
         }
 
         @Override
-        public void read(PixelProbe.Reading reading) {
+        public void read(PixelReading reading) {
             status.show(reading);
         }
 
         @Override
-        public void pinned(PixelProbe.Reading reading, String picture) {
+        public void pinned(PixelReading reading, String picture) {
             side.panel().show(reading, picture);
         }
 

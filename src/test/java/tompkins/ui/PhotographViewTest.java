@@ -40,7 +40,7 @@ import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.ScreenPicture;
-import tompkins.ui.ray.PixelProbe;
+import tompkins.ui.ray.PixelReading;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
@@ -175,10 +175,10 @@ class PhotographViewTest {
 
     @Test
     void whatIsReadAfterTheMouseHasLeftIsNotShown() {
-        List<PixelProbe.Reading> read = new ArrayList<>();
+        List<PixelReading> read = new ArrayList<>();
         SilentListener listener = new SilentListener() {
             @Override
-            public void read(PixelProbe.Reading reading) {
+            public void read(PixelReading reading) {
                 read.add(reading);
             }
         };
@@ -200,17 +200,17 @@ class PhotographViewTest {
     /** A double click brings a place into the middle: the pin of its first half goes, and the one before stays. */
     @Test
     void aDoubleClickPinsNothing() {
-        List<PixelProbe.Reading> pinned = new ArrayList<>();
+        List<PixelReading> pinned = new ArrayList<>();
         SilentListener listener = new SilentListener() {
             @Override
-            public void pinned(PixelProbe.Reading reading, String picture) {
+            public void pinned(PixelReading reading, String picture) {
                 pinned.add(reading);
             }
         };
         try (PhotographView watched = withPicture(listener)) {
             PictureCanvas canvas = watched.canvas();
             WindowDriver.onEventThread(() -> doubleClick(canvas, 32, 24));
-            assertThat(pinned).endsWith((PixelProbe.Reading) null);
+            assertThat(pinned).endsWith((PixelReading) null);
             WindowDriver.onEventThread(() -> {
                 watched.setPin(new Point2D.Double(10.5, 12.5));
                 doubleClick(canvas, 32, 24);
@@ -271,7 +271,7 @@ class PhotographViewTest {
     private static final class ChoosingMenu implements PhotographView.Menu {
 
         @Override
-        public void show(PixelProbe.Reading seen, Picture picture, Point2D place, Point at) {}
+        public void show(PixelReading seen, Picture picture, Point2D place, Point at) {}
 
         @Override
         public boolean chooses() {
@@ -279,7 +279,7 @@ class PhotographViewTest {
         }
 
         @Override
-        public void choose(PixelProbe.Reading seen, Picture picture) {}
+        public void choose(PixelReading seen, Picture picture) {}
     }
 
     private static void doubleClick(PictureCanvas canvas, int x, int y) {

@@ -2,7 +2,7 @@ package tompkins.ui;
 
 import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Picture;
-import tompkins.ui.ray.PixelProbe;
+import tompkins.ui.ray.PixelReading;
 
 /** Nobody who listens to a photograph. */
 public class SilentListener implements PhotographView.Listener {
@@ -11,10 +11,10 @@ public class SilentListener implements PhotographView.Listener {
     public void shown(Picture picture) {}
 
     @Override
-    public void read(PixelProbe.Reading reading) {}
+    public void read(PixelReading reading) {}
 
     @Override
-    public void pinned(PixelProbe.Reading reading, String picture) {}
+    public void pinned(PixelReading reading, String picture) {}
 
     @Override
     public void noPicture(String message) {}

@@ -21,6 +21,7 @@ import tompkins.ui.compare.Compared;
 import tompkins.ui.compare.ComparedPicture;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Comparison;
+import tompkins.ui.picture.NewestFirst;
 import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
@@ -29,7 +30,7 @@ import tompkins.ui.picture.Room;
 import tompkins.ui.picture.ScreenPicture;
 import tompkins.ui.picture.ScreenPictures;
 import tompkins.ui.ray.PixelPin;
-import tompkins.ui.ray.PixelProbe;
+import tompkins.ui.ray.PixelReading;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
 
@@ -43,14 +44,14 @@ public final class PhotographView implements AutoCloseable {
         void shown(Picture picture);
 
         /** A pixel was read; null if the mouse has left the picture. */
-        void read(PixelProbe.Reading reading);
+        void read(PixelReading reading);
 
         /**
          * The pinned pixel was read; null if none is pinned.
          *
          * @param picture what the picture is called in which it is pinned, or null if it is the studio's
          */
-        void pinned(PixelProbe.Reading reading, String picture);
+        void pinned(PixelReading reading, String picture);
 
         /** What a click in the picture does from now on. */
         void clicks(Click now);
@@ -66,13 +67,13 @@ public final class PhotographView implements AutoCloseable {
     public interface Menu {
 
         /** Shows the menu for a place of a picture, at a point of the canvas. */
-        void show(PixelProbe.Reading seen, Picture picture, Point2D place, Point at);
+        void show(PixelReading seen, Picture picture, Point2D place, Point at);
 
         /** Whether a click chooses what is seen; otherwise it pins it. */
         boolean chooses();
 
         /** Chooses what is seen at a place of a picture. */
-        void choose(PixelProbe.Reading seen, Picture picture);
+        void choose(PixelReading seen, Picture picture);
     }
 
     /** What a click in the picture does. */
@@ -95,9 +96,9 @@ public final class PhotographView implements AutoCloseable {
     private final RenderController controller;
     private final ComparedPicture compared;
     private final Supplier<Pace> pace;
-    private final PixelProbe hover = new PixelProbe(this::fail);
+    private final NewestFirst hover = new NewestFirst("tompkins-probe", this::fail);
     private final PixelPin pin;
-    private final PixelProbe picked = new PixelProbe(this::fail);
+    private final NewestFirst picked = new NewestFirst("tompkins-pick", this::fail);
     private Studio rendered;
 
     /** The room for each picture; null while it is unknown. */
@@ -302,8 +303,7 @@ public final class PhotographView implements AutoCloseable {
         double usual = Double.isFinite(focus) && focus > 0 ? focus : 1;
         Point2D point = new Point2D.Double(place.x(), place.y());
         picked.ask(
-                picture,
-                point,
+                () -> PixelReading.of(picture, point),
                 reading -> answer.accept(
                         reading.sighting().hit() == null
                                 ? usual
@@ -330,13 +330,14 @@ public final class PhotographView implements AutoCloseable {
         public void over(Point2D place, Picture seen) {
             isOver = seen != null;
             if (isOver) {
-                hover.ask(seen, canvas.shown().placeIn(seen, place), this::read);
+                Point2D own = canvas.shown().placeIn(seen, place);
+                hover.ask(() -> PixelReading.of(seen, own), this::read);
             } else {
                 listener.read(null);
             }
         }
 
-        private void read(PixelProbe.Reading reading) {
+        private void read(PixelReading reading) {
             // the mouse may have left while the ray was followed
             if (isOver) {
                 listener.read(reading);
@@ -348,16 +349,18 @@ public final class PhotographView implements AutoCloseable {
             if (picking != null) {
                 Picking asking = picking;
                 Picture picture = canvas.shown().now();
-                picked.ask(picture, place, reading -> {
+                picked.ask(() -> PixelReading.of(picture, place), reading -> {
                     // it may have been cancelled meanwhile
-                    if (picking == asking && asking.taker.test(PixelProbe.depth(picture.plan(), reading))) {
+                    if (picking == asking
+                            && asking.taker.test(reading.depth(picture.studio().camera()))) {
                         endPicking();
                     }
                 });
             } else if (measuring != null) {
                 measuring.accept(canvas.shown().placeIn(seen, place), seen);
             } else if (choosesByClick()) {
-                picked.ask(seen, canvas.shown().placeIn(seen, place), reading -> menu.choose(reading, seen));
+                Point2D own = canvas.shown().placeIn(seen, place);
+                picked.ask(() -> PixelReading.of(seen, own), reading -> menu.choose(reading, seen));
             } else {
                 pin.set(place, seen != canvas.shown().now());
             }
@@ -367,7 +370,7 @@ public final class PhotographView implements AutoCloseable {
         public void asksForMenu(Point2D place, Picture seen, Point at) {
             Point2D own = canvas.shown().placeIn(seen, place);
             if (menu != null) {
-                picked.ask(seen, own, reading -> menu.show(reading, seen, own, at));
+                picked.ask(() -> PixelReading.of(seen, own), reading -> menu.show(reading, seen, own, at));
             }
         }
 

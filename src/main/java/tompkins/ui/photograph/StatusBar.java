@@ -16,7 +16,7 @@ import tompkins.studio.Studio;
 import tompkins.trace.RayLife;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.RenderController;
-import tompkins.ui.ray.PixelProbe;
+import tompkins.ui.ray.PixelReading;
 import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Texts;
@@ -144,7 +144,7 @@ public final class StatusBar extends Part {
     }
 
     /** Shows what lies under the mouse, or a hint if that is nothing. */
-    public void show(PixelProbe.Reading reading) {
+    public void show(PixelReading reading) {
         if (reading == null || failure != null) {
             showIdle();
             return;

@@ -6,8 +6,11 @@ import java.util.Objects;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import tompkins.camera.SamplePositions;
+import tompkins.measure.RayCone;
 import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.ui.picture.NewestFirst;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.ScreenPicture;
@@ -15,10 +18,13 @@ import tompkins.ui.picture.ScreenPicture;
 /** A pinned place of the picture, or of the one beside it: its ray is followed again when the picture changes. */
 public final class PixelPin implements AutoCloseable {
 
+    /** How many rays a cone has. */
+    private static final int RAYS_OF_CONE = 12;
+
     private final PictureCanvas canvas;
     private final Function<Picture, String> names;
-    private final BiConsumer<PixelProbe.Reading, String> listener;
-    private final PixelProbe probe;
+    private final BiConsumer<PixelReading, String> listener;
+    private final NewestFirst worker;
     private Point2D place;
     private boolean inOther;
 
@@ -42,12 +48,12 @@ public final class PixelPin implements AutoCloseable {
     public PixelPin(
             PictureCanvas canvas,
             Function<Picture, String> names,
-            BiConsumer<PixelProbe.Reading, String> listener,
+            BiConsumer<PixelReading, String> listener,
             Consumer<Throwable> failed) {
         this.canvas = canvas;
         this.names = names;
         this.listener = listener;
-        probe = new PixelProbe(failed);
+        worker = new NewestFirst("tompkins-pin", failed);
     }
 
     /** Pins a place of the picture, or of the one beside it; no place if it is null. */
@@ -86,8 +92,13 @@ public final class PixelPin implements AutoCloseable {
     public void askCone(Consumer<List<RayLife>> answer) {
         Picture picture = picture();
         if (place != null && picture != null) {
-            probe.askCone(picture, canvas.shown().placeIn(picture, place), answer);
+            Point2D middle = picture.inPixels(canvas.shown().placeIn(picture, place));
+            worker.ask(() -> cone(picture.plan(), middle), answer);
         }
+    }
+
+    private static List<RayLife> cone(RenderPlan plan, Point2D middle) {
+        return RayCone.around(plan, middle.getX(), middle.getY(), RAYS_OF_CONE, SamplePositions.MIDDLE);
     }
 
     private Picture picture() {
@@ -106,14 +117,13 @@ public final class PixelPin implements AutoCloseable {
         readPlan = picture.plan();
         String name = names.apply(picture);
         readName = name;
-        probe.ask(
-                picture,
-                canvas.shown().placeIn(picture, place),
-                reading -> listener.accept(place == null ? null : reading, name));
+        Point2D own = canvas.shown().placeIn(picture, place);
+        worker.ask(
+                () -> PixelReading.of(picture, own), reading -> listener.accept(place == null ? null : reading, name));
     }
 
     @Override
     public void close() {
-        probe.close();
+        worker.close();
     }
 }

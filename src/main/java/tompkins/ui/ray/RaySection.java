@@ -17,6 +17,7 @@ import tompkins.io.FactText;
 import tompkins.measure.RayHistory;
 import tompkins.measure.RayTubes;
 import tompkins.primitive.Described;
+import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.trace.Frame;
 import tompkins.trace.RayLife;
@@ -42,7 +43,6 @@ public final class RaySection {
             each -> Texts.get("ray.diagram." + each),
             each -> Texts.get("ray.diagram." + each + ".choose"),
             this::draw);
-    private Map<Frame, SpaceTimeDiagram> diagrams = Map.of();
     private Frame frame = Frame.SCENE;
     private final JButton edit = Buttons.of("ray.edit", this::edit);
     private final JButton drawRay = Buttons.of("ray.draw", this::drawRay);
@@ -51,6 +51,9 @@ public final class RaySection {
 
     /** The pinned ray, if it has a life. */
     private List<RayLife> rays = List.of();
+
+    /** What is photographed in its picture; null if nothing is pinned. */
+    private Studio studio;
 
     private String pixel;
 
@@ -96,7 +99,7 @@ public final class RaySection {
      *
      * @param picture what the picture is called that the ray belongs to, or null if it is the studio's
      */
-    public void show(PixelProbe.Reading reading, String picture) {
+    public void show(PixelReading reading, String picture) {
         section.component().setVisible(reading != null);
         // an unpinned ray must not keep its scene in memory
         RayLife life = reading == null ? null : reading.sighting().life();
@@ -104,8 +107,8 @@ public final class RaySection {
         edit.setEnabled(!objects().isEmpty());
         drawRay.setEnabled(RayTubes.canDraw(rays));
         drawCone.setEnabled(RayTubes.canDraw(rays));
-        diagrams = reading == null ? Map.of() : reading.diagrams();
-        frames.setVisible(!diagrams.isEmpty());
+        studio = reading == null ? null : reading.sighting().studio();
+        frames.setVisible(!rays.isEmpty());
         draw(frame);
         if (reading != null) {
             pixel = Texts.get("probe.pixel", reading.column(), reading.row());
@@ -124,7 +127,7 @@ public final class RaySection {
 
     private void draw(Frame upright) {
         frame = upright;
-        diagram.show(diagrams.get(frame));
+        diagram.show(rays.isEmpty() ? null : SpaceTimeDiagram.of(rays.get(0), studio, frame));
     }
 
     /** The objects that the ray hit and that the studio still holds, with their names. */

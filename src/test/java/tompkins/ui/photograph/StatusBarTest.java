@@ -18,7 +18,7 @@ import tompkins.ui.Components;
 import tompkins.ui.WindowDriver;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.RenderController;
-import tompkins.ui.ray.PixelProbe;
+import tompkins.ui.ray.PixelReading;
 import tompkins.ui.widget.Texts;
 
 /** The line under the photograph, without a display. */
@@ -141,7 +141,7 @@ class StatusBarTest {
         status.show(picture(Studios.sphere(), "no ray met an object", "all is black"));
         assertThat(what.getText()).isEqualTo("Warning: no ray met an object.");
         status.say("something else");
-        status.show((PixelProbe.Reading) null);
+        status.show((PixelReading) null);
         assertThat(what.getText()).isEqualTo("Warning: no ray met an object.");
         status.show(picture(Studios.sphere()));
         assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PIN"));
@@ -157,7 +157,7 @@ class StatusBarTest {
         status.show(PhotographView.Click.PICK);
         assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PICK"));
         status.say("something else");
-        status.show((PixelProbe.Reading) null);
+        status.show((PixelReading) null);
         status.show(picture(Studios.sphere()));
         assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PICK"));
         status.show(PhotographView.Click.PIN);

@@ -6,15 +6,14 @@ import java.awt.Container;
 import java.awt.geom.Point2D;
 import java.time.Duration;
 import java.util.List;
-import java.util.Map;
-import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JToggleButton;
-import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import tompkins.camera.SamplePositions;
 import tompkins.image.LinearImage;
+import tompkins.measure.RayCone;
 import tompkins.measure.Sighting;
 import tompkins.sceneobject.Group;
 import tompkins.spacetime.Velocity;
@@ -34,9 +33,6 @@ class RaySectionTest {
 
     private static final Studio STUDIO = Studios.sphere().withVelocity(Velocity.of(0, 0, 0.8));
 
-    @AutoClose
-    private final PixelProbe probe = new PixelProbe(error -> {});
-
     /** Who waits for a cone of rays. */
     private Consumer<List<RayLife>> asked;
 
@@ -51,15 +47,13 @@ class RaySectionTest {
         Look.LIGHT.install();
     }
 
-    private PixelProbe.Reading reading() {
-        CompletableFuture<PixelProbe.Reading> answer = new CompletableFuture<>();
-        probe.ask(picture(STUDIO), new Point2D.Double(32, 24), answer::complete);
-        return answer.join();
+    private PixelReading reading() {
+        return PixelReading.of(picture(STUDIO), new Point2D.Double(32, 24));
     }
 
     @Test
     void theFrameThatWasChosenStaysForTheNextRay() {
-        PixelProbe.Reading reading = reading();
+        PixelReading reading = reading();
         WindowDriver.onEventThread(() -> {
             section.show(reading, null);
             assertThat(diagram.getToolTipText()).contains("in the scene frame");
@@ -73,7 +67,7 @@ class RaySectionTest {
     @Test
     void whatWasDeletedCannotBeEdited() {
         JButton edit = Components.find(content, JButton.class, Texts.get("ray.edit"));
-        PixelProbe.Reading reading = reading();
+        PixelReading reading = reading();
         WindowDriver.onEventThread(() -> {
             section.show(reading, null);
             assertThat(edit.isEnabled()).isTrue();
@@ -86,7 +80,7 @@ class RaySectionTest {
     @Test
     void whatIsDrawnIsOneStepBack() {
         JButton draw = Components.find(content, JButton.class, Texts.get("ray.draw"));
-        PixelProbe.Reading reading = reading();
+        PixelReading reading = reading();
         WindowDriver.onEventThread(() -> {
             section.show(reading, null);
             draw.doClick();
@@ -103,10 +97,8 @@ class RaySectionTest {
     @Test
     void aConeIsFollowedForTheScene() {
         JButton draw = Components.find(content, JButton.class, Texts.get("ray.cone"));
-        CompletableFuture<List<RayLife>> answer = new CompletableFuture<>();
-        probe.askCone(picture(STUDIO), new Point2D.Double(32, 24), answer::complete);
-        List<RayLife> cone = answer.join();
-        PixelProbe.Reading reading = reading();
+        List<RayLife> cone = RayCone.around(RenderPlan.of(STUDIO), 32, 24, 12, SamplePositions.MIDDLE);
+        PixelReading reading = reading();
         WindowDriver.onEventThread(() -> {
             section.show(reading, null);
             draw.doClick();
@@ -120,8 +112,8 @@ class RaySectionTest {
 
     @Test
     void aRayWithoutEventsHasNoFrameToChoose() {
-        PixelProbe.Reading dark = new PixelProbe.Reading(1, 2, new Sighting(STUDIO, 1.5, 2.5, null), Map.of());
-        PixelProbe.Reading reading = reading();
+        PixelReading dark = new PixelReading(1, 2, new Sighting(STUDIO, 1.5, 2.5, null));
+        PixelReading reading = reading();
         WindowDriver.onEventThread(() -> {
             section.show(dark, null);
             assertThat(diagram.isVisible()).isFalse();

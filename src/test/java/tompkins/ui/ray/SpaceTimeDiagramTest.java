@@ -8,6 +8,7 @@ import java.util.List;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import tompkins.camera.Camera;
+import tompkins.measure.Sighting;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
 import tompkins.spacetime.TransformationLaw;
@@ -29,8 +30,7 @@ class SpaceTimeDiagramTest {
     }
 
     private static SpaceTimeDiagram diagram(Studio studio, Frame frame) {
-        Point2D middle = new Point2D.Double(32, 24);
-        return PixelProbe.read(RenderPlan.of(studio), middle, middle).diagrams().get(frame);
+        return SpaceTimeDiagram.of(Sighting.of(RenderPlan.of(studio), 32, 24).life(), studio, frame);
     }
 
     private static Plane wall(double z) {

@@ -6,9 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import java.awt.geom.Point2D;
 import java.time.Duration;
 import java.util.List;
-import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import tompkins.camera.FocusDistance;
@@ -32,15 +29,15 @@ import tompkins.surface.Tiling;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.picture.Picture;
 
-/** What the probe says is held against closed formulas: aberration, the light cone, Doppler's factor. */
-class PixelProbeTest {
+/** What is read is held against closed formulas: aberration, the light cone, Doppler's factor. */
+class PixelReadingTest {
 
     private static final double BETA = 0.8;
     private static final double GAMMA = 1 / 0.6;
 
     private static Sighting read(Studio studio, double x, double y) {
         Point2D place = new Point2D.Double(x, y);
-        return PixelProbe.read(RenderPlan.of(studio), place, place).sighting();
+        return PixelReading.of(picture(studio), place).sighting();
     }
 
     private static String object(Sighting sighting) {
@@ -99,9 +96,8 @@ class PixelProbeTest {
     @Test
     void pickedDistanceIsThatOfTheEventInTheCameraFrame() {
         Studio moving = Studios.sphere().withVelocity(Velocity.of(0, 0, BETA));
-        RenderPlan plan = RenderPlan.of(moving);
         Point2D middle = new Point2D.Double(32, 24);
-        double depth = PixelProbe.depth(plan, PixelProbe.read(plan, middle, middle));
+        double depth = PixelReading.of(picture(moving), middle).depth(moving.camera());
         assertThat(depth).isCloseTo(27, within(1e-11));
         Studio focused = moving.withCamera(FocusDistance.with(moving.camera(), depth));
         assertThat(FocusDistance.of(focused.camera())).isCloseTo(27, within(1e-11));
@@ -114,12 +110,11 @@ class PixelProbeTest {
                 .withScene(List.of(new Sphere("side", new Vector3d(-10, 0, -3), 1, ColouredSurface.DEFAULT)))
                 .withCamera(PanoramicCamera.DEFAULT)
                 .withSettings(Studio.DEFAULT.settings().withSize(360, 180));
-        RenderPlan plan = RenderPlan.of(studio);
         // 106.7 degrees to the left of the middle
         double column = 180 - Math.toDegrees(Math.atan2(10, -3));
         Point2D place = new Point2D.Double(column, 90);
-        PixelProbe.Reading reading = PixelProbe.read(plan, place, place);
-        assertThat(PixelProbe.depth(plan, reading)).isCloseTo(Math.sqrt(109) - 1, within(1e-9));
+        assertThat(PixelReading.of(picture(studio), place).depth(studio.camera()))
+                .isCloseTo(Math.sqrt(109) - 1, within(1e-9));
     }
 
     /** Where a cut-out or a silhouette is dark, a ray ends on it; where it is clear, the ray goes on. */
@@ -166,18 +161,6 @@ class PixelProbeTest {
     }
 
     @Test
-    void theNextQuestionFollowsOneThatFailed() throws InterruptedException {
-        BlockingQueue<Object> answers = new LinkedBlockingQueue<>();
-        Point2D middle = new Point2D.Double(32, 24);
-        try (PixelProbe probe = new PixelProbe(answers::add)) {
-            probe.ask(null, middle, answers::add);
-            assertThat(answers.poll(60, TimeUnit.SECONDS)).isInstanceOf(NullPointerException.class);
-            probe.ask(picture(Studios.sphere()), middle, answers::add);
-            assertThat(answers.poll(60, TimeUnit.SECONDS)).isInstanceOf(PixelProbe.Reading.class);
-        }
-    }
-
-    @Test
     void theObjectBehindAWindowIsFound() {
         Velocity fast = Velocity.of(0, 0, BETA);
         Studio moving = Studios.sphere().withVelocity(fast);
@@ -188,28 +171,25 @@ class PixelProbeTest {
     }
 
     private static Picture picture(Studio studio) {
-        LinearImage image = new LinearImage(64, 48, new float[3 * 64 * 48]);
-        return new Picture(
-                studio, RenderPlan.of(studio), image, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
+        return picture(studio, studio.settings().width(), studio.settings().height());
+    }
+
+    /** A picture of a studio that has another size on the screen. */
+    private static Picture picture(Studio studio, int width, int height) {
+        RenderPlan plan = RenderPlan.of(studio.withSettings(studio.settings().withSize(width, height)));
+        LinearImage image = new LinearImage(width, height, new float[3 * width * height]);
+        return new Picture(studio, plan, image, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
     }
 
     /** The picture on the screen has twice as many pixels in a row: the second one shows the first half of it. */
     @Test
-    void pixelsAreThoseOfThePhotographInItsOwnSize() throws InterruptedException {
+    void pixelsAreThoseOfThePhotographInItsOwnSize() {
         Studio studio = Studios.sphere().withVelocity(Velocity.of(0.6, 0, 0));
-        Studio twice = studio.withSettings(studio.settings().withSize(128, 96));
-        LinearImage image = new LinearImage(128, 96, new float[3 * 128 * 96]);
-        Picture large = new Picture(
-                studio, RenderPlan.of(twice), image, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
-        BlockingQueue<Object> answers = new LinkedBlockingQueue<>();
-        try (PixelProbe probe = new PixelProbe(answers::add)) {
-            probe.ask(large, new Point2D.Double(40.25, 30.75), answers::add);
-            PixelProbe.Reading reading = (PixelProbe.Reading) answers.poll(60, TimeUnit.SECONDS);
-            assertThat(reading.column()).isEqualTo(40);
-            assertThat(reading.row()).isEqualTo(30);
-            assertThat(reading.sighting().cameraAngle())
-                    .isCloseTo(read(studio, 40.25, 30.75).cameraAngle(), within(1e-14))
-                    .isNotCloseTo(read(studio, 40.5, 30.5).cameraAngle(), within(1e-5));
-        }
+        PixelReading reading = PixelReading.of(picture(studio, 128, 96), new Point2D.Double(40.25, 30.75));
+        assertThat(reading.column()).isEqualTo(40);
+        assertThat(reading.row()).isEqualTo(30);
+        assertThat(reading.sighting().cameraAngle())
+                .isCloseTo(read(studio, 40.25, 30.75).cameraAngle(), within(1e-14))
+                .isNotCloseTo(read(studio, 40.5, 30.5).cameraAngle(), within(1e-5));
     }
 }
