@@ -1,6 +1,8 @@
 package tompkins.ui.measure;
 
 import java.awt.BorderLayout;
+import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -9,8 +11,11 @@ import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import tompkins.io.FactCsv;
+import tompkins.io.FactText;
+import tompkins.measure.Fact;
 import tompkins.measure.MeasureKind;
 import tompkins.measure.Measured;
+import tompkins.measure.Quantity;
 import tompkins.measure.RayTable;
 import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.Naming;
@@ -20,6 +25,8 @@ import tompkins.ui.widget.Texts;
 
 /** What is measured in the picture, and what comes of it. */
 final class MeasurePanel extends Part {
+
+    private static final String GAP = " \u00b7 ";
 
     private final JComboBox<MeasureKind> kinds = new JComboBox<>(MeasureKind.values());
     private final JComboBox<ProfileChart.Content> contents = new JComboBox<>(ProfileChart.Content.values());
@@ -80,7 +87,7 @@ final class MeasurePanel extends Part {
      * @param otherAnswer what came of it in the picture with which that is compared
      * @param otherName what that picture is called; null if there is none
      */
-    public void show(MeasureProbe.Answer answer, MeasureProbe.Answer otherAnswer, String otherName) {
+    public void show(MeasureTool.Answer answer, MeasureTool.Answer otherAnswer, String otherName) {
         measured = answer == null ? null : answer.measured();
         otherMeasured = otherAnswer == null ? null : otherAnswer.measured();
         boolean isProfile = measured != null && measured.profile() != null;
@@ -95,13 +102,13 @@ final class MeasurePanel extends Part {
         } else if (measured == null) {
             results.setError(Texts.get("measure.problem", answer.problem()));
         } else {
-            results.setText(MeasureWords.of(measured));
+            results.setText(words(measured));
         }
         showOther(otherAnswer, otherName);
         panel.revalidate();
     }
 
-    private void showOther(MeasureProbe.Answer answer, String name) {
+    private void showOther(MeasureTool.Answer answer, String name) {
         if (answer == null) {
             otherResults.setText(name == null ? "" : Texts.get("measure.askOther", name));
         } else if (otherMeasured == null) {
@@ -110,9 +117,7 @@ final class MeasurePanel extends Part {
             otherResults.setText(Texts.get(
                     "measure.inOther",
                     name,
-                    measured == null
-                            ? MeasureWords.of(otherMeasured)
-                            : MeasureWords.compared(otherMeasured, measured)));
+                    measured == null ? words(otherMeasured) : compared(otherMeasured, measured)));
         }
         otherResults.component().setVisible(name != null);
     }
@@ -141,5 +146,27 @@ final class MeasurePanel extends Part {
                         RayTable.headings(),
                         measured.profile().points().stream().map(RayTable::row));
         return lines.collect(Collectors.joining("\n", "", "\n"));
+    }
+
+    /** All that was measured in a picture, in a few lines; a table has all of it, with all digits and units. */
+    private static String words(Measured measured) {
+        return measured.facts().isEmpty()
+                ? Texts.get("measure.noEdge")
+                : Fact.forPeople(measured.facts()).map(MeasurePanel::words).collect(Collectors.joining(GAP));
+    }
+
+    /** The sizes in another picture, each with how many times as large it is in this one. */
+    private static String compared(Measured other, Measured measured) {
+        Map<String, Quantity> ratios = measured.ratiosTo(other);
+        List<String> sizes = other.quantities()
+                .filter(size -> ratios.containsKey(size.key()))
+                .map(size ->
+                        words(size) + " " + Texts.get("measure.ratio", FactText.SIGNS.number(ratios.get(size.key()))))
+                .toList();
+        return sizes.isEmpty() ? words(other) : String.join(GAP, sizes);
+    }
+
+    private static String words(Fact fact) {
+        return FactText.SIGNS.name(fact) + "\u00a0" + FactText.SIGNS.value(fact);
     }
 }

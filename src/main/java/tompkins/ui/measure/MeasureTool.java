@@ -3,6 +3,7 @@ package tompkins.ui.measure;
 import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import javax.swing.JComponent;
@@ -10,8 +11,12 @@ import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import tompkins.measure.MeasureKind;
 import tompkins.measure.Measured;
+import tompkins.measure.Measurements;
+import tompkins.measure.Profile;
 import tompkins.measure.Sketch;
+import tompkins.trace.RenderPlan;
 import tompkins.ui.photograph.PhotographView;
+import tompkins.ui.picture.NewestFirst;
 import tompkins.ui.picture.Picture;
 
 /**
@@ -30,38 +35,72 @@ public final class MeasureTool {
     /** Null until it is first wanted. */
     private MeasurePanel panel;
 
-    /** The places in one of two pictures, and what lies between them. */
+    /**
+     * What came of measuring.
+     *
+     * @param measured what was measured, in pixels of the photograph in its own size; null if that is impossible
+     * @param problem why not; empty if it was measured
+     */
+    record Answer(Measured measured, String problem) {
+
+        /** Measures between places of a picture, in pixels of its photograph, as long as that is wanted. */
+        static Answer of(Picture picture, MeasureKind kind, List<Vector2dc> places, BooleanSupplier wanted) {
+            // places are those of the photograph in its own size
+            RenderPlan plan = RenderPlan.of(picture.studio(), picture.plan());
+            int count = Profile.count(places.get(0), places.get(1));
+            try {
+                return new Answer(Measurements.measure(plan, kind, places, count, wanted), "");
+            } catch (ArithmeticException noFit) {
+                return new Answer(null, noFit.getMessage());
+            }
+        }
+    }
+
+    /**
+     * The places in one of two pictures, and what lies between them. That is measured by a thread of its own, where a
+     * newer question ends the previous one.
+     */
     private final class Ruler {
 
-        private final MeasureProbe probe = new MeasureProbe(view::fail);
-        private final List<Point2D> places = new ArrayList<>();
-        private MeasureProbe.Answer answer;
+        private final NewestFirst worker = new NewestFirst("tompkins-measure", view::fail);
+        private final List<Vector2dc> places = new ArrayList<>();
+        private Answer answer;
+
+        /** The question at hand; null if there is none. */
+        private volatile Object question;
 
         void add(Point2D place) {
             if (places.size() == panel.kind().most()) {
                 places.clear();
             }
-            places.add(place);
+            places.add(new Vector2d(place.getX(), place.getY()));
         }
 
         /** Measures in a picture, or in none if that is null. */
         void measure(Picture picture) {
-            places.removeIf(place -> picture == null || !picture.holds(place));
+            places.removeIf(place -> picture == null || !picture.holds(new Point2D.Double(place.x(), place.y())));
             if (places.size() < panel.kind().fewest()) {
-                probe.forget();
+                question = null;
                 answer = null;
             } else {
-                probe.ask(picture, panel.kind(), places, found -> {
+                ask(picture, panel.kind(), List.copyOf(places));
+            }
+        }
+
+        private void ask(Picture picture, MeasureKind kind, List<Vector2dc> asked) {
+            Object own = new Object();
+            question = own;
+            worker.ask(() -> Answer.of(picture, kind, asked, () -> question == own), found -> {
+                if (question == own) {
                     answer = found;
                     tell();
-                });
-            }
+                }
+            });
         }
 
         List<MeasureMarks.Marked> marked() {
             Measured measured = answer == null ? null : answer.measured();
-            List<Vector2dc> points = new ArrayList<>();
-            places.forEach(place -> points.add(new Vector2d(place.getX(), place.getY())));
+            List<Vector2dc> points = List.copyOf(places);
             Sketch sketch = new Sketch(points, measured == null ? List.of() : measured.lines());
             return points.isEmpty()
                     ? List.of()
@@ -75,6 +114,11 @@ public final class MeasureTool {
         void forget() {
             places.clear();
             answer = null;
+        }
+
+        void close() {
+            question = null;
+            worker.close();
         }
     }
 
@@ -171,7 +215,7 @@ public final class MeasureTool {
 
     /** Ends the work for good. */
     public void dispose() {
-        ruler.probe.close();
-        otherRuler.probe.close();
+        ruler.close();
+        otherRuler.close();
     }
 }
