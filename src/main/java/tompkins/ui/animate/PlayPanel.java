@@ -19,6 +19,7 @@ import tompkins.animation.Animation;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
 import tompkins.property.Require;
+import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.number.NumberChoice;
@@ -66,7 +67,8 @@ public final class PlayPanel extends Part {
     private final Timer timer = new Timer(TICK_MILLISECONDS, event -> tick());
     private final Object gesture = new Object();
     private final Updating updating = new Updating();
-    private AnimatedRange ends = new AnimatedRange(0, 0);
+    private double from;
+    private double to;
     private double seconds;
     private double time;
     private long lastTick;
@@ -85,8 +87,8 @@ public final class PlayPanel extends Part {
                 "novisualpadding, insets 0 4 0 4, fillx, hidemode 3, gap 6 4", "[pref!][grow,fill][pref!][pref!]")));
         this.model = model;
         this.chosen = chosen;
-        fromField = field("play.from", number -> setEnds(new AnimatedRange(allowed("from", number), ends.to())));
-        toField = field("play.to", number -> setEnds(new AnimatedRange(ends.from(), allowed("to", number))));
+        fromField = field("play.from", number -> setEnds(allowed("from", number), to));
+        toField = field("play.to", number -> setEnds(from, allowed("to", number)));
         secondsField = field(
                 "play.seconds",
                 number -> setSeconds(Require.within("seconds", number, Animation.SHORTEST, Animation.LONGEST)));
@@ -221,8 +223,7 @@ public final class PlayPanel extends Part {
     }
 
     private void runLight(LitSpan times) {
-        setEnds(new AnimatedRange(
-                NumberText.rounded(times.from(), LIGHT_DIGITS), NumberText.rounded(times.to(), LIGHT_DIGITS)));
+        setEnds(NumberText.rounded(times.from(), LIGHT_DIGITS), NumberText.rounded(times.to(), LIGHT_DIGITS));
         time = 0;
         setPlaying(true);
     }
@@ -233,8 +234,27 @@ public final class PlayPanel extends Part {
         played = present();
         chosen.accept(property);
         EntryField.in(panel).forEach(EntryField::revert);
-        setEnds(AnimatedRange.suggested(property, model.studio(), size, this::isAllowed));
+        suggestEnds(property);
         note.setText("");
+    }
+
+    /**
+     * Speeds from rest, times through the scene, other numbers from their value to twice it, or to half of it if twice
+     * is too much.
+     */
+    private void suggestEnds(NumberProperty property) {
+        Object last = property.number().path().last();
+        if (last.equals(SpeedScale.BETA.key())) {
+            setEnds(0, 0.99);
+        } else if (last.equals(SpeedScale.RAPIDITY.key())) {
+            setEnds(0, 3);
+        } else if (property.equals(NumberProperty.openingTime())) {
+            Range times = size.times(model.studio());
+            setEnds(times.minimum() / 2, times.maximum() / 2);
+        } else {
+            double twice = played == 0 ? 1 : 2 * played;
+            setEnds(played, isAllowed(twice) ? twice : played / 2);
+        }
     }
 
     private boolean isAllowed(double number) {
@@ -246,10 +266,11 @@ public final class PlayPanel extends Part {
         }
     }
 
-    private void setEnds(AnimatedRange wanted) {
-        ends = wanted;
-        fromField.show(ends.from());
-        toField.show(ends.to());
+    private void setEnds(double first, double last) {
+        from = first;
+        to = last;
+        fromField.show(from);
+        toField.show(to);
         updating.unless(this::follow);
     }
 
@@ -268,8 +289,7 @@ public final class PlayPanel extends Part {
     }
 
     private Animation animation() {
-        return new Animation(
-                property().number(), ends.from(), ends.to(), seconds, (Animation.Course) courses.getSelectedItem());
+        return new Animation(property().number(), from, to, seconds, (Animation.Course) courses.getSelectedItem());
     }
 
     /** Starts or stops the animation; it does not start with a value that was refused. */
