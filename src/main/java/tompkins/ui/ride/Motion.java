@@ -61,7 +61,7 @@ public final class Motion {
         this.captions = captions;
         canvas = window.view().canvas();
         pilot = new RidePilot(window.model(), window.status()::report);
-        steering = new SteeringMouse(canvas, new CameraHand(window.model(), window.view(), pilot));
+        steering = new SteeringMouse(canvas, new Steering(window.model(), window.view(), pilot));
         new RideKeys(canvas, pilot, steering::turn);
         canvas.addOverlay((g, picture, bounds, visible, free) -> paintLine(g, free));
         captions.setRidden(this::isOnRide);

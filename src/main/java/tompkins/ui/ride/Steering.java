@@ -9,10 +9,14 @@ import tompkins.camera.Camera;
 import tompkins.camera.CameraMotion;
 import tompkins.camera.ThinLensCamera;
 import tompkins.math.Vectors;
+import tompkins.property.InvalidPropertyException;
+import tompkins.studio.FrontWindow;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.photograph.PhotographView;
 
 /**
  * Turns and moves the camera of a picture by hand: as a person on board does by turning the head and stepping aside.
- * All changes up to {@link #letGo} are one gesture.
+ * All changes up to {@link #letGo} are one gesture, a step of the history, unless they are part of a ride.
  */
 final class Steering {
 
@@ -28,7 +32,10 @@ final class Steering {
     /** A point that is seen more obliquely than this is not moved with the mouse. */
     private static final double OBLIQUE = 0.05;
 
-    private final CameraHand hand;
+    private final StudioModel model;
+    private final PhotographView view;
+    private final RidePilot pilot;
+    private final Object gesture = new Object();
 
     /** The distance of what is under the hand; NaN while it is unknown. */
     private double distance = Double.NaN;
@@ -44,8 +51,14 @@ final class Steering {
     /** Whether the gesture ends as soon as the distance has come. */
     private boolean ending;
 
-    Steering(CameraHand hand) {
-        this.hand = hand;
+    Steering(StudioModel model, PhotographView view, RidePilot pilot) {
+        this.model = model;
+        this.view = view;
+        this.pilot = pilot;
+    }
+
+    private Camera camera() {
+        return model.studio().camera();
     }
 
     /** Turns the camera so that what was at a place is at another one. */
@@ -66,7 +79,7 @@ final class Steering {
 
     /** Turns by a part of the field of view, to the right and up. */
     void turn(int right, int up) {
-        double angle = TURN * Math.toRadians(hand.camera().horizontalAngleDegrees());
+        double angle = TURN * Math.toRadians(camera().horizontalAngleDegrees());
         change(new Aim(right * angle, up * angle)::turn);
     }
 
@@ -74,7 +87,7 @@ final class Steering {
     void slide(PicturePosition from, PicturePosition to) {
         waitingFrom = waitingFrom == null ? from : waitingFrom;
         whenFar(from, () -> {
-            Camera camera = hand.camera();
+            Camera camera = camera();
             Vector3d first = waitingFrom.direction(camera);
             Vector3d second = to.direction(camera);
             waitingFrom = null;
@@ -91,7 +104,7 @@ final class Steering {
     /** Moves the lens sideways and up, by a part of what the picture shows at the distance of a place. */
     void slide(PicturePosition place, int right, int up) {
         whenFar(place, () -> {
-            Camera camera = hand.camera();
+            Camera camera = camera();
             double step = distance * Math.min(1, TURN * Math.toRadians(camera.horizontalAngleDegrees()));
             move(new Vector3d(camera.rightDirection()).mul(right * step).fma(up * step, camera.upDirection()));
         });
@@ -103,19 +116,25 @@ final class Steering {
         whenFar(place, () -> {
             double left = distance * Math.pow(1 - STEP, -waitingNotches);
             waitingNotches = 0;
-            move(place.direction(hand.camera()).mul(distance - left));
+            move(place.direction(camera()).mul(distance - left));
             distance = left;
         });
     }
 
     private void move(Vector3dc way) {
-        if (hand.canMove()) {
+        // on a ride the camera is turned on board, and not moved
+        if (!pilot.isRiding()) {
             change(camera -> CameraMotion.shifted(camera, way));
         }
     }
 
     private void change(UnaryOperator<Camera> change) {
-        hand.hold(change.apply(hand.camera()));
+        try {
+            Object of = pilot.isRiding() ? pilot.gesture() : gesture;
+            model.look(FrontWindow.held(model.studio(), change.apply(camera())), of);
+        } catch (InvalidPropertyException tooFar) {
+            view.fail(tooFar);
+        }
     }
 
     /** Does something as soon as the distance of what is at a place is known. */
@@ -131,7 +150,7 @@ final class Steering {
         waiting = action;
         if (!asked) {
             asked = true;
-            hand.askDistance(place, this::answer);
+            view.askDistance(place, this::answer);
         }
     }
 
@@ -153,7 +172,7 @@ final class Steering {
         ending = waiting != null;
         if (!ending) {
             forget();
-            hand.letGo();
+            model.endGesture(gesture);
         }
     }
 

@@ -34,9 +34,9 @@ final class SteeringMouse extends MouseAdapter {
     private Object source;
 
     /** Steers by what a hand does on a canvas. */
-    SteeringMouse(PictureCanvas canvas, CameraHand hand) {
+    SteeringMouse(PictureCanvas canvas, Steering steering) {
         this.canvas = canvas;
-        steering = new Steering(hand);
+        this.steering = steering;
         pause = new Timer(PAUSE_MILLISECONDS, event -> begin(null));
         pause.setRepeats(false);
         canvas.addMouseListener(this);
