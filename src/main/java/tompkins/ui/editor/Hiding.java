@@ -32,4 +32,11 @@ final class Hiding {
     static SceneObject hiddenOrShown(SceneObject object) {
         return object instanceof Hidden hidden ? hidden.object() : new Hidden(object);
     }
+
+    /** The object with another name, hidden if it was hidden. */
+    static SceneObject renamed(SceneObject object, String name) {
+        return object instanceof Hidden hidden
+                ? new Hidden(renamed(hidden.object(), name))
+                : Descriptions.with(object, "description", name);
+    }
 }

@@ -1,8 +1,9 @@
 package tompkins.ui.editor;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
-import java.util.function.UnaryOperator;
+import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
@@ -40,10 +41,10 @@ public final class SceneEditor extends Part {
     private final TreeAndForm parts = new TreeAndForm(tree.component(), formPanel);
     private final Note note = new Note("");
     private final JButton add = Buttons.of("tree.add", this::offerTypes);
-    private final JButton duplicate = button("duplicate", list -> ListEdits.duplicated(list, place()), 1);
-    private final JButton hide = button("hide", list -> ListEdits.hiddenOrShown(list, place()), 0);
-    private final JButton up = button("up", list -> ListEdits.moved(list, place(), place() - 1), -1);
-    private final JButton down = button("down", list -> ListEdits.moved(list, place(), place() + 1), 1);
+    private final JButton duplicate = button("duplicate", this::duplicate, 1);
+    private final JButton hide = button("hide", this::hideOrShow, 0);
+    private final JButton up = button("up", list -> Collections.swap(list, place(), place() - 1), -1);
+    private final JButton down = button("down", list -> Collections.swap(list, place(), place() + 1), 1);
     private final JButton remove = Buttons.of("tree.remove", this::remove);
     private final JPanel buttons = new JPanel(buttons(false));
     private StudioTree.Line line;
@@ -70,14 +71,34 @@ public final class SceneEditor extends Part {
         buttons.setLayout(buttons(tall));
     }
 
-    private JButton button(String key, UnaryOperator<List<?>> change, int step) {
+    private JButton button(String key, Consumer<List<Object>> change, int step) {
         return Buttons.of("tree." + key, () -> changeList(change, step));
+    }
+
+    /** Puts a copy after an element; that of an object gets a name that no other element has. */
+    private void duplicate(List<Object> list) {
+        Object element = list.get(place());
+        list.add(place() + 1, element instanceof SceneObject object ? named(object, list) : element);
+    }
+
+    private static SceneObject named(SceneObject object, List<Object> list) {
+        List<String> taken = list.stream().map(Wording::nameOf).toList();
+        String name = object.description().replaceFirst(" \\d+$", "");
+        int number = 2;
+        while (taken.contains(name + " " + number)) {
+            number++;
+        }
+        return Hiding.renamed(object, name + " " + number);
+    }
+
+    private void hideOrShow(List<Object> list) {
+        list.set(place(), Hiding.hiddenOrShown((SceneObject) list.get(place())));
     }
 
     private void remove() {
         // what was typed is removed with its entry
         EntryField.in(formPanel).forEach(EntryField::revert);
-        changeList(list -> ListEdits.removed(list, place()), 0);
+        changeList(list -> list.remove(place()), 0);
     }
 
     private static MigLayout buttons(boolean tall) {
@@ -245,7 +266,8 @@ public final class SceneEditor extends Part {
         Object added = path.equals(SCENE) && made instanceof SceneObject object
                 ? InPicture.inSight(model.studio(), object)
                 : made;
-        List<Object> longer = new ArrayList<>(ListEdits.inserted(before, place, added));
+        List<Object> longer = new ArrayList<>(before);
+        longer.add(place, added);
         if (isFirstObject(path)) {
             NewObject.floorBeneath(added).ifPresent(longer::add);
         }
@@ -268,13 +290,14 @@ public final class SceneEditor extends Part {
                 && studio.cameraFrame().isEmpty();
     }
 
-    private void changeList(UnaryOperator<List<?>> change, int step) {
+    private void changeList(Consumer<List<Object>> change, int step) {
         if (!takesEntries()) {
             return;
         }
         StudioPath path = listPath();
         int next = place() + step;
-        List<?> changed = change.apply(list());
+        List<Object> changed = new ArrayList<>(list());
+        change.accept(changed);
         if (note.attempt(() -> model.set(path.with(model.studio(), changed)))) {
             select(changed.isEmpty() ? path : path.then(Math.max(0, Math.min(changed.size() - 1, next))));
         }
