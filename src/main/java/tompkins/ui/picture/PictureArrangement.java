@@ -51,14 +51,12 @@ record PictureArrangement(
         return bounds;
     }
 
-    /**
-     * Where the picture lies that is seen at a point of the canvas, which may be the other one; null if there is none.
-     */
-    Rectangle boundsAt(Point point) {
-        boolean overOther = isOverOther(point);
-        Rectangle bounds = overOther ? otherBounds() : bounds();
-        Rectangle room = overOther ? otherRoom() : room();
-        return shown.now() == null || !room.intersection(bounds).contains(point) ? null : bounds;
+    /** What is seen at a point of the canvas; null if that is no picture. */
+    Pane paneAt(Point point) {
+        return panes().stream()
+                .filter(pane -> pane.picture != null && pane.visible().contains(point))
+                .findFirst()
+                .orElse(null);
     }
 
     /** Whether there is room for two beside each other. */
@@ -178,23 +176,17 @@ record PictureArrangement(
         return bounds.x + (int) Math.round(divider * bounds.width);
     }
 
-    private boolean isOverOther(Point point) {
-        return isBeside()
-                && shown.otherImage() != null
-                && otherRoom().intersection(otherBounds()).contains(point);
-    }
-
     /**
      * The place of the photograph that is seen at a point of the canvas: the middle of the pixel of the picture, or of
      * the one beside it; null if there is none.
      */
     Point2D pictureAt(Point point) {
-        boolean overOther = isOverOther(point);
-        Rectangle bounds = overOther ? otherBounds() : bounds();
-        Picture now = shown.now();
-        if (now == null || !overOther && !room().intersection(bounds).contains(point)) {
+        Pane pane = paneAt(point);
+        if (pane == null) {
             return null;
         }
+        Rectangle bounds = pane.bounds;
+        Picture now = shown.now();
         return now.middle((int) ((point.x + 0.5 - bounds.x) * now.image().width() / bounds.width), (int)
                 ((point.y + 0.5 - bounds.y) * now.image().height() / bounds.height));
     }
@@ -206,15 +198,6 @@ record PictureArrangement(
         return new Point(
                 bounds.x + (int) Math.floor(place.getX() * bounds.width / now.ownWidth()),
                 bounds.y + (int) Math.floor(place.getY() * bounds.height / now.ownHeight()));
-    }
-
-    /** The picture that is seen at a point of the canvas, beyond the divider the other one; null if there is none. */
-    Picture shownAt(Point point) {
-        Point2D place = pictureAt(point);
-        if (place == null) {
-            return null;
-        }
-        return isOverOther(point) ? shown.other() : seenAt(place);
     }
 
     /** The picture that is seen at a place of the photograph. */

@@ -335,8 +335,8 @@ public final class PictureCanvas extends JPanel {
      * none.
      */
     public Rectangle boundsAt(Point point) {
-        Rectangle bounds = arrangement().boundsAt(inPixels(point));
-        return bounds == null ? null : PicturePainter.inUnits(bounds, scale());
+        PictureArrangement.Pane pane = arrangement().paneAt(inPixels(point));
+        return pane == null ? null : PicturePainter.inUnits(pane.bounds(), scale());
     }
 
     /** Where the divider is on this component; a point far away if there is none, or if a click is expected. */
@@ -383,6 +383,7 @@ public final class PictureCanvas extends JPanel {
      * is none.
      */
     public Picture shownAt(Point point) {
-        return arrangement().shownAt(inPixels(point));
+        PictureArrangement.Pane pane = arrangement().paneAt(inPixels(point));
+        return pane == null ? null : pane.picture();
     }
 }

@@ -135,19 +135,14 @@ record PicturePainter(
                 (int) Math.round((pixels.y + pixels.height) / scale) - top);
     }
 
-    /** Marks a place of the photograph, in both pictures if they are beside each other. */
-    void paintPin(Graphics2D g, Point2D place) {
-        paintPin(g, place, seen.bounds(), seen.room());
-        if (seen.isBeside() && seen.shown().otherImage() != null) {
-            paintPin(g, place, seen.otherBounds(), seen.otherRoom());
+    /** Marks a place of the photograph in each picture that is seen. */
+    void paintPin(Graphics2D graphics, Point2D place) {
+        for (PictureArrangement.Pane pane : seen.panes()) {
+            Graphics2D g = (Graphics2D) graphics.create();
+            g.clip(inUnits(pane.part()));
+            Mark.paintPin(g, x(place, pane.bounds()), y(place, pane.bounds()));
+            g.dispose();
         }
-    }
-
-    private void paintPin(Graphics2D graphics, Point2D place, Rectangle bounds, Rectangle room) {
-        Graphics2D g = (Graphics2D) graphics.create();
-        g.clip(inUnits(room));
-        Mark.paintPin(g, x(place, bounds), y(place, bounds));
-        g.dispose();
     }
 
     /** Marks the place of the photograph at which the keys point. */
