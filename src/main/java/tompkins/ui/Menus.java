@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Component;
+import java.awt.Dimension;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -29,10 +30,9 @@ import tompkins.ui.number.NumberProperty;
 import tompkins.ui.overlay.MapAxis;
 import tompkins.ui.overlay.PictureOverlays;
 import tompkins.ui.picture.CanvasZoom;
-import tompkins.ui.widget.FittingButton;
+import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
-import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.TabStrip;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Tips;
@@ -232,11 +232,11 @@ final class Menus {
 
     /** The button of the ride, which must be found without searching. */
     private JButton rideButton() {
-        JButton button = new FittingButton(Texts.get("ride.begin"), Texts.get("ride.beginBriefly"));
-        Naming.name(button, "ride.begin");
+        JButton button = Buttons.of("ride.begin", () -> window.motion.toggleRide());
+        // where there is little room its text is shortened
+        button.setMinimumSize(new Dimension(0, 0));
         button.putClientProperty(FlatClientProperties.STYLE, "font: bold; margin: 1,10,1,10");
         button.setFocusable(false);
-        button.addActionListener(event -> window.motion.toggleRide());
         return button;
     }
 
