@@ -8,6 +8,10 @@ import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
+import tompkins.camera.Camera;
+import tompkins.image.LinearImage;
+import tompkins.property.Descriptions;
+import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Picture;
@@ -18,6 +22,9 @@ import tompkins.ui.widget.Texts;
 
 /** Says on a spoilt picture what is wrong with it, and offers a remedy. */
 final class PictureNotice {
+
+    /** The largest share of pixels that may be brighter than white in a good picture. */
+    private static final double MOST_WHITE = 0.1;
 
     private static final String AT_TOP = "[20%!][top]";
     private static final String IN_THE_MIDDLE = "[50%!][top]";
@@ -31,7 +38,10 @@ final class PictureNotice {
     private final MigLayout layout = new MigLayout("novisualpadding, insets 10, fill", "[center]", AT_TOP);
 
     private Studio noticed;
-    private Remedy remedy;
+
+    /** What the button does. */
+    private Runnable help = () -> {};
+
     private Function<Picture, String> trouble = picture -> "";
     private Runnable back = () -> {};
 
@@ -39,7 +49,7 @@ final class PictureNotice {
     PictureNotice(StudioModel model, PictureCanvas canvas) {
         this.model = model;
         button.setName("notice.remedy");
-        button.addActionListener(event -> apply());
+        button.addActionListener(event -> help.run());
         panel.add(problem.component(), "growx, wmin 0");
         panel.add(button, "alignx center, wmin 0");
         panel.setVisible(false);
@@ -62,36 +72,79 @@ final class PictureNotice {
     void show(Picture picture) {
         String said = trouble.apply(picture);
         layout.setRowConstraints(said.isEmpty() ? AT_TOP : IN_THE_MIDDLE);
+        if (!said.isEmpty() || picture.complete()) {
+            noticed = picture.studio();
+        }
         if (!said.isEmpty()) {
-            noticed = picture.studio();
-            remedy = null;
-            problem.setText(said);
-            button.setText(Texts.get("ride.home"));
-            panel.setVisible(true);
+            offer(said, Texts.get("ride.home"), () -> {
+                panel.setVisible(false);
+                back.run();
+            });
         } else if (picture.complete()) {
-            noticed = picture.studio();
-            remedy = Remedy.of(picture).orElse(null);
-            panel.setVisible(remedy != null);
-            if (remedy != null) {
-                problem.setText(remedy.problem());
-                button.setText(remedy.action());
-            }
+            offerRemedy(picture);
         } else if (!picture.studio().equals(noticed)) {
             panel.setVisible(false);
         }
     }
 
-    private void apply() {
-        if (remedy == null) {
-            panel.setVisible(false);
-            back.run();
-            return;
+    private void offer(String text, String action, Runnable helps) {
+        problem.setText(text);
+        button.setText(action);
+        help = helps;
+        panel.setVisible(true);
+    }
+
+    /** Offers what puts a spoilt picture right at once. */
+    private void offerRemedy(Picture picture) {
+        Studio studio = picture.studio();
+        switch (picture.flaw()) {
+            case NONE -> panel.setVisible(false);
+            case BURNT -> {
+                int stops = stopsTooMany(picture.image());
+                Camera camera = studio.camera();
+                offer(
+                        Texts.get("remedy.burnt"),
+                        stops == 1 ? Texts.get("remedy.darkerByOne") : Texts.get("remedy.darker", stops),
+                        () -> replaceBy(studio.withCamera(
+                                Descriptions.with(camera, "exposureStops", camera.exposureStops() - stops))));
+            }
+            case EMPTY ->
+                FrontWindow.of(studio)
+                        .ifPresentOrElse(
+                                window -> offer(
+                                        Texts.get("remedy.empty"),
+                                        Texts.get("remedy.noWindow"),
+                                        () -> replaceBy(FrontWindow.with(studio, null))),
+                                () -> panel.setVisible(false));
         }
+    }
+
+    private void replaceBy(Studio better) {
         // the scene may have changed since the picture was taken
         if (model.studio().equals(noticed)) {
             panel.setVisible(false);
-            model.set(remedy.studio());
+            model.set(better);
         }
+    }
+
+    /** By how many whole stops the exposure has to go down until hardly a pixel is brighter than white. */
+    static int stopsTooMany(LinearImage image) {
+        float[] rgb = image.rgb();
+        int[] brighter = new int[Float.MAX_EXPONENT + 2];
+        for (int i = 0; i < rgb.length; i += 3) {
+            float brightest = Math.max(rgb[i], Math.max(rgb[i + 1], rgb[i + 2]));
+            if (brightest > 1) {
+                // as many stops as halvings until it is at most 1
+                int stops = Math.getExponent(brightest);
+                brighter[brightest > Math.scalb(1f, stops) ? stops + 1 : stops]++;
+            }
+        }
+        int most = (int) (MOST_WHITE * rgb.length / 3);
+        int stops = brighter.length - 1;
+        for (int white = brighter[stops]; stops > 0 && white <= most; white += brighter[stops]) {
+            stops--;
+        }
+        return stops;
     }
 
     @SuppressWarnings("serial") // never written to a stream

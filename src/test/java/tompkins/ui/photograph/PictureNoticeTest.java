@@ -33,7 +33,7 @@ import tompkins.ui.widget.Look;
 
 /** What is offered on a picture that is spoilt, without a display. */
 @Timeout(120)
-class RemedyTest {
+class PictureNoticeTest {
 
     private final StudioModel model = new StudioModel(Studios.sphere(), null);
     private final PhotographView view =
@@ -61,7 +61,7 @@ class RemedyTest {
         for (int pixel = 60; pixel < 70; pixel++) {
             rgb[3 * pixel] = 1e9f;
         }
-        assertThat(Remedy.stopsTooMany(new LinearImage(10, 10, rgb))).isEqualTo(stops);
+        assertThat(PictureNotice.stopsTooMany(new LinearImage(10, 10, rgb))).isEqualTo(stops);
     }
 
     private Picture complete(Studio studio) {
