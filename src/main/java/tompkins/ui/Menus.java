@@ -33,9 +33,9 @@ import tompkins.ui.picture.CanvasZoom;
 import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.TabStrip;
 import tompkins.ui.widget.Texts;
-import tompkins.ui.widget.Tips;
 
 /** The menus of the window. */
 final class Menus {
@@ -154,7 +154,7 @@ final class Menus {
         for (Path file : window.settings.recentFiles()) {
             JMenuItem item = new JMenuItem();
             item.setText(file.getFileName().toString());
-            item.setToolTipText(Tips.wrapped(file.toString()));
+            Naming.tip(item, file.toString());
             item.addActionListener(event -> window.opener.open(file));
             recent.add(item);
         }

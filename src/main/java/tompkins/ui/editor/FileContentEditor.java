@@ -15,9 +15,9 @@ import tompkins.ray.MeshData;
 import tompkins.ray.PixelPicture;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.ChosenFile;
+import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Texts;
-import tompkins.ui.widget.Tips;
 
 /** A button that shows what a file held, such as a picture or a mesh, and chooses another file. */
 public final class FileContentEditor implements ValueEditor {
@@ -56,7 +56,7 @@ public final class FileContentEditor implements ValueEditor {
             String name, String tip, Note note, Consumer<Object> commit, Reader reader, Function<Object, String> text) {
         this.text = text;
         button.setName(name);
-        button.setToolTipText(Tips.wrapped(tip));
+        Naming.tip(button, tip);
         button.addActionListener(event -> {
             JFileChooser chooser = choosers().map(Choosers::chooser).orElseGet(JFileChooser::new);
             if (chooser.showOpenDialog(button) == JFileChooser.APPROVE_OPTION) {

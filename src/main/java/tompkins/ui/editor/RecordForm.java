@@ -7,10 +7,10 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 import javax.swing.JLabel;
 import tompkins.property.Descriptions;
+import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
-import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Wording;
 
 /**
@@ -54,7 +54,7 @@ public final class RecordForm extends Part {
                 component, note, part -> commit.accept(Descriptions.with(value, component.getName(), part)));
         editors.put(component, editor);
         JLabel label = new JLabel(Wording.label(component.getName()));
-        label.setToolTipText(Tips.wrapped(Wording.meaning(component)));
+        Naming.tip(label, Wording.meaning(component));
         label.setLabelFor(editor.component());
         panel.add(label, editor.isTall() ? "aligny top, gaptop 3" : "");
         panel.add(editor.component(), "growx, wmin 0");

@@ -23,11 +23,11 @@ import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.Column;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Keys;
+import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.TinyDrawing;
-import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Wording;
 
 /** All of the studio: a tree of its parts, and a form for the chosen one. */
@@ -245,7 +245,7 @@ public final class SceneEditor extends Part {
                         : Descriptions.elementType(line.type()).orElseThrow();
         for (Class<?> type : Hiding.types(family)) {
             JMenuItem item = new JMenuItem(Wording.label(type), TinyDrawing.of(type));
-            item.setToolTipText(Tips.wrapped(Wording.meaning(type)));
+            Naming.tip(item, Wording.meaning(type));
             item.addActionListener(event -> addElement(type));
             menu.add(item);
         }

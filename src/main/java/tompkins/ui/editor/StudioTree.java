@@ -23,8 +23,8 @@ import tompkins.property.Descriptions;
 import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
+import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Texts;
-import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.Wording;
 
@@ -82,7 +82,7 @@ final class StudioTree {
         public String getToolTipText(MouseEvent event) {
             TreePath path = getPathForLocation(event.getX(), event.getY());
             Line line = path == null ? null : line(path);
-            return line == null || line.label().equals(line.toString()) ? null : Tips.wrapped(line.label());
+            return line == null || line.label().equals(line.toString()) ? null : Naming.wrapped(line.label());
         }
     }
 

@@ -10,13 +10,13 @@ import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
 import tompkins.studio.StudioPath;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberField;
 import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.Range;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
-import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.ValueSlider;
 import tompkins.ui.widget.Wording;
 
@@ -76,7 +76,7 @@ public final class NumberRow {
         this.quantity = quantity;
         String title = Wording.label(quantity.property);
         label = new JLabel(title);
-        label.setToolTipText(Tips.wrapped(quantity.tip));
+        Naming.tip(label, quantity.tip);
         slider = new ValueSlider(
                 Texts.get("slider.name", title),
                 quantity.tip,

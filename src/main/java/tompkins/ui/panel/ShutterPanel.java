@@ -36,7 +36,6 @@ import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.TinyDrawing;
-import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.Wording;
 
@@ -149,7 +148,7 @@ public final class ShutterPanel extends Part {
             EntryField.in(timeRow).forEach(EntryField::revert);
             shownModel = shutter.getClass();
             updating.during(() -> models.setSelectedItem(shownModel));
-            models.setToolTipText(Tips.wrapped(Wording.meaning(shownModel)));
+            Naming.tip(models, Wording.meaning(shownModel));
             parameters.show(shownModel);
         }
         timeRow.setVisible(shutter.hasOpeningTime());

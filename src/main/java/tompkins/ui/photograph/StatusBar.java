@@ -17,10 +17,10 @@ import tompkins.trace.RayLife;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.RenderController;
 import tompkins.ui.ray.PixelReading;
+import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Texts;
-import tompkins.ui.widget.Tips;
 
 /** The line under the photograph: what is under the mouse, and how far the picture is. */
 public final class StatusBar extends Part {
@@ -108,7 +108,7 @@ public final class StatusBar extends Part {
     private void setWhat(String text) {
         fading.stop();
         what.setText(text);
-        what.setToolTipText(Tips.wrapped(text));
+        Naming.tip(what, text);
     }
 
     /** Says why there is no picture of the scene, until there is one. */
@@ -157,7 +157,7 @@ public final class StatusBar extends Part {
         }
         setWhat(text.toString());
         where.setText(details(reading.sighting()));
-        where.setToolTipText(Tips.wrapped(where.getText()));
+        Naming.tip(where, where.getText());
     }
 
     private static String details(Sighting sighting) {
@@ -206,7 +206,7 @@ public final class StatusBar extends Part {
                         Double.isNaN(shown.error()) ? "" : Texts.get("status.error", Numbers.brief(shown.error(), 2)))
                 + (shown.plan().isTooFaint() ? Texts.get("status.tooFaint") : "")
                 + (shown.isTooSharp() ? Texts.get("status.tooSharp") : ""));
-        picture.setToolTipText(Tips.wrapped(Texts.get("status.errorTip")));
+        Naming.tip(picture, Texts.get("status.errorTip"));
     }
 
     private void showHint(Picture now) {

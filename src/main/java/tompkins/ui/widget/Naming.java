@@ -1,7 +1,10 @@
 package tompkins.ui.widget;
 
 import java.awt.Component;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.accessibility.AccessibleContext;
 import javax.swing.DefaultListCellRenderer;
@@ -13,12 +16,19 @@ import javax.swing.JList;
 /** Gives components names and explanations, for the mouse, for screen readers and for tests. */
 public final class Naming {
 
+    private static final int LONGEST_LINE = 60;
+
     private Naming() {}
+
+    /** Gives a component a tooltip, or none if the text is empty. */
+    public static void tip(JComponent component, String tip) {
+        component.setToolTipText(tip.isEmpty() ? null : wrapped(tip));
+    }
 
     /** Gives a component a name and a tooltip, which may be empty. */
     public static void name(JComponent component, String name, String tip) {
         component.setName(name);
-        component.setToolTipText(tip.isEmpty() ? null : Tips.wrapped(tip));
+        tip(component, tip);
         AccessibleContext accessible = component.getAccessibleContext();
         accessible.setAccessibleName(name);
         accessible.setAccessibleDescription(tip);
@@ -63,5 +73,23 @@ public final class Naming {
                     .findFirst()
                     .orElse(-1);
         });
+    }
+
+    /** A tooltip in lines that are not too long, broken between words, and within words that are longer than a line. */
+    public static String wrapped(String text) {
+        return text.lines().flatMap(line -> lines(line).stream()).collect(Collectors.joining("\n"));
+    }
+
+    private static List<String> lines(String text) {
+        List<String> lines = new ArrayList<>();
+        String rest = text;
+        while (rest.length() > LONGEST_LINE) {
+            int space = rest.lastIndexOf(' ', LONGEST_LINE);
+            int end = space > 0 ? space : LONGEST_LINE;
+            lines.add(rest.substring(0, end));
+            rest = rest.substring(end).stripLeading();
+        }
+        lines.add(rest);
+        return lines;
     }
 }
