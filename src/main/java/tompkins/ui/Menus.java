@@ -18,8 +18,6 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.JRootPane;
-import javax.swing.event.MenuEvent;
-import javax.swing.event.MenuListener;
 import tompkins.lesson.Lesson;
 import tompkins.measure.OverlayKind;
 import tompkins.spacetime.SpeedScale;
@@ -316,29 +314,21 @@ final class Menus {
         return menu;
     }
 
+    /** Does something when a menu opens. */
     private static void beforeShowing(JMenu menu, Runnable action) {
-        menu.addMenuListener(new Watch(action, () -> {}));
+        menu.addItemListener(event -> {
+            if (menu.isSelected()) {
+                action.run();
+            }
+        });
     }
 
+    /** Does something when it closes. */
     private static void afterHiding(JMenu menu, Runnable action) {
-        menu.addMenuListener(new Watch(() -> {}, action));
-    }
-
-    private record Watch(Runnable shown, Runnable hidden) implements MenuListener {
-
-        @Override
-        public void menuSelected(MenuEvent event) {
-            shown.run();
-        }
-
-        @Override
-        public void menuDeselected(MenuEvent event) {
-            hidden.run();
-        }
-
-        @Override
-        public void menuCanceled(MenuEvent event) {
-            hidden.run();
-        }
+        menu.addItemListener(event -> {
+            if (!menu.isSelected()) {
+                action.run();
+            }
+        });
     }
 }
