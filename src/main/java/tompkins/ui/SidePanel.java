@@ -27,7 +27,6 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.CameraPanel;
 import tompkins.ui.panel.LawPanel;
 import tompkins.ui.panel.LensPanel;
-import tompkins.ui.panel.PlanFold;
 import tompkins.ui.panel.QualityPanel;
 import tompkins.ui.panel.ShutterPanel;
 import tompkins.ui.panel.StereoPanel;
@@ -70,7 +69,8 @@ final class SidePanel {
     private final ShutterPanel shutter;
     private final LensPanel lens;
     private final Note title = Note.ofLines(1);
-    private final PlanFold plan = new PlanFold();
+    private final Note warnings = new Note("");
+    private final Note sentences = new Note("");
     private final RaySection ray;
     private final FoldedText remarks = new FoldedText("remarks");
     private final List<JComponent> sections = new ArrayList<>();
@@ -139,7 +139,7 @@ final class SidePanel {
         add("section.colours", LawPanel.ofColours(model).component(), false);
         add("section.window", new WindowPanel(model).component(), false);
         add("section.quality", new QualityPanel(model).component(), false);
-        add("section.plan", plan.component(), false);
+        add("section.plan", below(warnings.component(), sentences.component(), 0), false);
         Naming.name(all, "panel.all");
         all.addActionListener(event -> showSections());
         panel.add(all, "growx 0, gapleft 6, gapright push, gaptop 6");
@@ -276,11 +276,21 @@ final class SidePanel {
     void show(Picture picture) {
         RenderPlan made = picture.plan();
         if (shown == null || shown.plan() != made || !shown.warnings().equals(picture.warnings())) {
-            plan.show(picture.sentences(), picture.warnings());
+            tell(picture.sentences(), picture.warnings());
             shutter.showPlace(made.lensInScene());
             lens.show(picture);
         }
         shown = picture;
+    }
+
+    /** Says what the picture models and what it leaves out, and before that what went wrong. */
+    private void tell(List<String> models, List<String> wrong) {
+        if (wrong.isEmpty()) {
+            warnings.setText("");
+        } else {
+            warnings.setError(String.join("\n\u26A0 ", wrong));
+        }
+        sentences.setText(String.join("\n\n", models));
     }
 
     /** Shows the life of the pinned ray, or nothing if it is null; of the picture with a name, or of the studio's. */
