@@ -143,7 +143,7 @@ class SceneFilesTest {
         byte[] before = Files.readAllBytes(file);
         CountDownLatch written = new CountDownLatch(1);
         WindowDriver.onEventThread(() -> {
-            BackgroundTask.start(driver.window().frame(), "saving", task -> written.await(), () -> {}, () -> {})
+            BackgroundTask.start(driver.window().frame(), "saving", awaiting(written), nothing -> {}, () -> {})
                     .into(file);
         });
         save();
@@ -153,6 +153,13 @@ class SceneFilesTest {
         written.countDown();
         awaitSaved();
         assertThat(StudioReader.read(file)).isEqualTo(mine);
+    }
+
+    private static BackgroundTask.Work<Void> awaiting(CountDownLatch latch) {
+        return task -> {
+            latch.await();
+            return null;
+        };
     }
 
     /** A save that goes on until somebody stops it. */
@@ -168,8 +175,9 @@ class SceneFilesTest {
                                             .isFalse();
                                 }
                                 task.requireWanted();
+                                return null;
                             },
-                            () -> {},
+                            nothing -> {},
                             stopped::countDown)
                     .into(file);
         });

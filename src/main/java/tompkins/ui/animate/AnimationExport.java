@@ -5,7 +5,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import javax.swing.JFileChooser;
@@ -87,16 +86,15 @@ public final class AnimationExport {
     /** Saves a film, with progress and cancel. */
     private void save(
             FrameSequence film, FrameSequence.Caption caption, Path file, AnimationFormat format, boolean replace) {
-        AtomicReference<Exported> exported = new AtomicReference<>();
         Set<OverlayKind> drawn = overlays.ofScene();
         Function<Studio, PictureDecoration> decorations =
                 moment -> picture -> SceneOverlay.paint(picture, moment, drawn);
         dialogs.save(
                 file,
-                progress -> exported.set(write(
-                        film, caption, decorations, () -> format.open(file, film.frameRate(), replace), progress)),
-                () -> dialogs.exported(
-                        exported.get().place(), exported.get().warnings().sentences()));
+                progress ->
+                        write(film, caption, decorations, () -> format.open(file, film.frameRate(), replace), progress),
+                exported ->
+                        dialogs.exported(exported.place(), exported.warnings().sentences()));
     }
 
     /** What was saved: where it lies, and what the user should know about it. */

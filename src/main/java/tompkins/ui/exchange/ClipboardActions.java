@@ -6,7 +6,6 @@ import java.awt.datatransfer.Transferable;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.atomic.AtomicReference;
 import tompkins.animation.Animation;
 import tompkins.image.BufferedImages;
 import tompkins.image.LinearImage;
@@ -47,12 +46,11 @@ public final class ClipboardActions {
         Picture onScreen = window.view().canvas().shown().now();
         Set<OverlayKind> drawn = overlays.ofScene();
         String caption = captions.shown(studio);
-        AtomicReference<BufferedImage> copy = new AtomicReference<>();
         BackgroundTask.start(
                 window.frame(),
                 Texts.get("file.copying"),
-                task -> copy.set(levels(PhotographExport.photograph(studio, onScreen, task), studio, drawn, caption)),
-                () -> toClipboard(new ImageSelection(copy.get()), Texts.get("file.pictureCopied")),
+                task -> levels(PhotographExport.photograph(studio, onScreen, task), studio, drawn, caption),
+                copy -> toClipboard(new ImageSelection(copy), Texts.get("file.pictureCopied")),
                 () -> window.status().report(Texts.get("file.notCopied")));
     }
 

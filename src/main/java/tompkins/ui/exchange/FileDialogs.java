@@ -3,6 +3,7 @@ package tompkins.ui.exchange;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JFileChooser;
@@ -69,9 +70,9 @@ public final class FileDialogs implements FileContentEditor.Choosers {
     /**
      * Saves a file in the background, after what is being saved there already.
      *
-     * @param done called when it was saved
+     * @param done takes what came of it when it was saved
      */
-    public void save(Path file, BackgroundTask.Work work, Runnable done) {
+    public <T> void save(Path file, BackgroundTask.Work<T> work, Consumer<? super T> done) {
         whenFree(
                 file,
                 () -> BackgroundTask.start(

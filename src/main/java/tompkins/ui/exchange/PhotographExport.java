@@ -2,7 +2,6 @@ package tompkins.ui.exchange;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import javax.swing.JFileChooser;
 import tompkins.image.LinearImage;
@@ -54,18 +53,16 @@ public final class PhotographExport {
 
     /** Saves the complete photograph of a studio, with the scene inside. */
     private void save(Studio studio, Path file, PictureFormat format, boolean replace) {
-        AtomicReference<Path> saved = new AtomicReference<>();
         Picture onScreen = window.view().canvas().shown().now();
         dialogs.save(
                 file,
                 task -> {
                     PhotographInfo info = SelfDescription.of(studio);
                     LinearImage image = photograph(studio, onScreen, task);
-                    saved.set(PhotographFile.write(
-                            file, image, format, studio.settings().toneCurve(), info, replace));
+                    return PhotographFile.write(
+                            file, image, format, studio.settings().toneCurve(), info, replace);
                 },
-                () -> {
-                    Path place = saved.get();
+                place -> {
                     dialogs.saved(place);
                     List<String> named = StudioWriter.filesOnlyNamed(studio);
                     if (!named.isEmpty()) {

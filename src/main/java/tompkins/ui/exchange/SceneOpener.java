@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JFileChooser;
 import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
@@ -171,9 +170,8 @@ public final class SceneOpener {
     private boolean take(Path file) {
         SecondaryLoop reading =
                 Toolkit.getDefaultToolkit().getSystemEventQueue().createSecondaryLoop();
-        AtomicReference<Runnable> next = new AtomicReference<>(() -> {});
         AtomicBoolean taken = new AtomicBoolean();
-        BackgroundTask.start(
+        BackgroundTask.<Runnable>start(
                 window.frame(),
                 Texts.get("file.opening", file),
                 task -> {
@@ -181,17 +179,19 @@ public final class SceneOpener {
                         Studio studio = StudioReader.read(file);
                         task.requireWanted();
                         taken.set(true);
-                        next.set(() -> leaveForAnother(() -> showOf(file, studio)));
+                        return () -> leaveForAnother(() -> showOf(file, studio));
                     } catch (CancellationException stopped) {
                         throw stopped;
                     } catch (RuntimeException | Error refused) {
-                        next.set(() -> Messages.error(window.frame(), Messages.of(refused)));
+                        return () -> Messages.error(window.frame(), Messages.of(refused));
                     }
                 },
-                reading::exit,
+                next -> {
+                    reading.exit();
+                    SwingUtilities.invokeLater(next);
+                },
                 reading::exit);
         reading.enter();
-        SwingUtilities.invokeLater(next.get());
         return taken.get();
     }
 }

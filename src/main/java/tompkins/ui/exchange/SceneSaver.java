@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import tompkins.io.StudioWriter;
 import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
@@ -111,9 +111,7 @@ public final class SceneSaver {
 
     private void write(Path file, Saving saving, boolean replace) {
         Studio studio = saving.studio;
-        AtomicReference<Path> saved = new AtomicReference<>();
-        Runnable done = () -> {
-            Path place = saved.get();
+        Consumer<Path> done = place -> {
             // another scene may have been opened meanwhile, or this one been saved there before
             if (window.model().opened() == saving.opened
                     || place.equals(window.model().file())) {
@@ -123,7 +121,7 @@ public final class SceneSaver {
             dialogs.saved(place);
             saving.next.run();
         };
-        dialogs.save(file, task -> saved.set(write(studio, file, replace)), done);
+        dialogs.save(file, task -> write(studio, file, replace), done);
     }
 
     /** Saves a scene and returns where it lies. */

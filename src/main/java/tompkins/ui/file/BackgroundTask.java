@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import javax.swing.JButton;
@@ -27,14 +26,14 @@ import tompkins.ui.widget.Texts;
 public final class BackgroundTask implements Progress {
 
     /** What a task does, on a thread of its own. */
-    public interface Work {
+    public interface Work<T> {
 
         /**
-         * Does the work.
+         * Does the work, and returns what comes of it.
          *
          * @throws java.util.concurrent.CancellationException if the task was cancelled before it was too late for that
          */
-        void run(Progress progress) throws Exception;
+        T run(Progress progress) throws Exception;
     }
 
     private static final int STEPS = 1000;
@@ -111,10 +110,11 @@ public final class BackgroundTask implements Progress {
     /**
      * Starts work. Called by the event thread.
      *
-     * @param done called on the event thread if the work was done, even if Cancel came too late
+     * @param done takes on the event thread what came of the work if it was done, even if Cancel came too late
      * @param notDone called on the event thread if it was cancelled
      */
-    public static BackgroundTask start(Window owner, String title, Work work, Runnable done, Runnable notDone) {
+    public static <T> BackgroundTask start(
+            Window owner, String title, Work<T> work, Consumer<? super T> done, Runnable notDone) {
         BackgroundTask task = new BackgroundTask(owner, title);
         RUNNING.add(task);
         Timer timer = new Timer(PATIENCE_MILLISECONDS, event -> task.refresh());
@@ -132,15 +132,15 @@ public final class BackgroundTask implements Progress {
      * @param done takes on the event thread what was found
      */
     public static <T> BackgroundTask find(Window owner, String title, Callable<T> work, Consumer<T> done) {
-        AtomicReference<T> found = new AtomicReference<>();
         return start(
                 owner,
                 title,
                 task -> {
-                    found.set(work.call());
+                    T found = work.call();
                     task.requireWanted();
+                    return found;
                 },
-                () -> done.accept(found.get()),
+                done,
                 () -> {});
     }
 
@@ -203,11 +203,11 @@ public final class BackgroundTask implements Progress {
         return !running(owner).isEmpty();
     }
 
-    private void run(Work work, Timer timer, Runnable done, Runnable notDone) {
+    private <T> void run(Work<T> work, Timer timer, Consumer<? super T> done, Runnable notDone) {
         Runnable end;
         try {
-            work.run(this);
-            end = done;
+            T made = work.run(this);
+            end = () -> done.accept(made);
         } catch (CancellationException stopped) {
             end = notDone;
         } catch (Exception | Error failure) {

@@ -16,6 +16,7 @@ import javax.swing.JFrame;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import tompkins.render.Progress;
 import tompkins.ui.Components;
 import tompkins.ui.NeedsDisplay;
 import tompkins.ui.WindowDriver;
@@ -44,9 +45,22 @@ class BackgroundTaskTest {
         WindowDriver.onEventThread(() -> owner.dispose());
     }
 
-    private void start(BackgroundTask.Work work) {
-        WindowDriver.onEventThread(
-                () -> BackgroundTask.start(owner, "work", work, () -> ended.add("done"), () -> ended.add("not done")));
+    /** Work of which nothing comes. */
+    private interface Errand {
+
+        void run(Progress task) throws Exception;
+    }
+
+    private BackgroundTask begin(String title, Errand errand) {
+        BackgroundTask.Work<String> work = task -> {
+            errand.run(task);
+            return "done";
+        };
+        return BackgroundTask.start(owner, title, work, ended::add, () -> ended.add("not done"));
+    }
+
+    private void start(Errand errand) {
+        WindowDriver.onEventThread(() -> begin("work", errand));
     }
 
     private Stream<JButton> cancel() {
@@ -142,8 +156,7 @@ class BackgroundTaskTest {
     void whatWritesTheSameFileWaits() {
         Path file = Path.of("scene.json");
         WindowDriver.onEventThread(() -> {
-            BackgroundTask.start(owner, "first", task -> late.await(), () -> ended.add("first"), () -> {})
-                    .into(file);
+            begin("first", task -> late.await()).into(file);
             assertThat(BackgroundTask.whenFree(owner, Path.of("other.json"), () -> ended.add("other")))
                     .isTrue();
             assertThat(BackgroundTask.whenFree(owner, Path.of("./scene.json"), () -> ended.add("second")))
@@ -152,7 +165,7 @@ class BackgroundTaskTest {
         assertThat(ended).containsExactly("other");
         late.countDown();
         awaitEnd();
-        assertThat(ended).containsExactly("other", "first", "second");
+        assertThat(ended).containsExactly("other", "done", "second");
     }
 
     @Test
@@ -160,14 +173,13 @@ class BackgroundTaskTest {
         Path file = Path.of("scene.json");
         WindowDriver.onEventThread(() -> {
             assertThat(BackgroundTask.cancel(owner)).as("nothing runs").isFalse();
-            BackgroundTask.Work work = task -> {
+            Errand work = task -> {
                 while (!task.isCancelled()) {
                     assertThat(late.await(1, TimeUnit.MILLISECONDS)).isFalse();
                 }
                 task.requireWanted();
             };
-            BackgroundTask.start(owner, "first", work, () -> ended.add("done"), () -> ended.add("not done"))
-                    .into(file);
+            begin("first", work).into(file);
             BackgroundTask.whenFree(owner, file, () -> ended.add("second"));
             assertThat(BackgroundTask.cancel(owner)).isTrue();
             BackgroundTask.whenIdle(owner, () -> ended.add("idle"));
