@@ -3,15 +3,12 @@ package tompkins.ui.widget;
 import java.awt.AWTEvent;
 import java.awt.Component;
 import java.awt.KeyboardFocusManager;
-import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.AWTEventListener;
 import java.awt.event.ComponentEvent;
 import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import javax.swing.JComponent;
 import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
@@ -40,15 +37,7 @@ public final class FocusFollower implements AWTEventListener {
 
     /** Follows the focus until the window is closed. */
     public static void install(Window window) {
-        FocusFollower follower = new FocusFollower(window);
-        Toolkit toolkit = Toolkit.getDefaultToolkit();
-        toolkit.addAWTEventListener(follower, EVENTS);
-        window.addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowClosed(WindowEvent event) {
-                toolkit.removeAWTEventListener(follower);
-            }
-        });
+        Screens.watch(window, new FocusFollower(window), EVENTS);
     }
 
     @Override

@@ -48,8 +48,13 @@ public final class Screens {
                 keepOnScreen(dialog);
             }
         };
+        watch(window, watcher, AWTEvent.WINDOW_EVENT_MASK);
+    }
+
+    /** Tells of some kinds of events in all windows, until one window is closed. */
+    static void watch(Window window, AWTEventListener watcher, long kinds) {
         Toolkit toolkit = Toolkit.getDefaultToolkit();
-        toolkit.addAWTEventListener(watcher, AWTEvent.WINDOW_EVENT_MASK);
+        toolkit.addAWTEventListener(watcher, kinds);
         window.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosed(WindowEvent event) {
