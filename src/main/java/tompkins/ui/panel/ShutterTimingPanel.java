@@ -7,7 +7,6 @@ import javax.swing.Icon;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.ListCellRenderer;
 import tompkins.camera.Camera;
 import tompkins.shutter.RollingShutter;
 import tompkins.shutter.SweepDirection;
@@ -48,26 +47,15 @@ final class ShutterTimingPanel extends Part {
         this.model = model;
         this.size = size;
         NumberRow sweep = row(note, "rollingShutter.sweep", "shutter.sweepTip");
-        Naming.items(directions, Wording::label);
+        Naming.items(directions, Wording::label, direction -> drawing("rolling-" + direction.name()));
         Naming.name(directions, "shutter.direction");
         directionName.setLabelFor(directions);
-        directions.setRenderer(withIcons(directions.getRenderer()));
         directions.addActionListener(event ->
                 updating.unless(() -> model.set(with(camera().withRollingShutter(new RollingShutter(
                         (SweepDirection) directions.getSelectedItem(), rolling().sweep()))))));
         sweep.addTo(controls);
         panel.add(controls, "wmin 0, hidemode 0");
         panel.add(note.component(), "wmin 0");
-    }
-
-    private static ListCellRenderer<SweepDirection> withIcons(ListCellRenderer<? super SweepDirection> words) {
-        return (list, direction, index, selected, focused) -> {
-            Component cell = words.getListCellRendererComponent(list, direction, index, selected, focused);
-            if (cell instanceof JLabel label) {
-                label.setIcon(direction == null ? null : drawing("rolling-" + direction.name()));
-            }
-            return cell;
-        };
     }
 
     private static Icon drawing(String name) {
