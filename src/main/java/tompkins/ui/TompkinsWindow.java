@@ -25,7 +25,7 @@ import tompkins.ui.exchange.PhotographExport;
 import tompkins.ui.exchange.SceneOpener;
 import tompkins.ui.exchange.SceneSaver;
 import tompkins.ui.file.BackgroundTask;
-import tompkins.ui.file.PlainPath;
+import tompkins.ui.file.ChosenFile;
 import tompkins.ui.lesson.LessonCourse;
 import tompkins.ui.lesson.LessonPanel;
 import tompkins.ui.measure.MeasureMarks;
@@ -42,6 +42,7 @@ import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.ray.PixelReading;
 import tompkins.ui.ride.Motion;
+import tompkins.ui.widget.Faults;
 import tompkins.ui.widget.FocusFollower;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Screens;
@@ -84,7 +85,7 @@ public final class TompkinsWindow {
 
     private TompkinsWindow(FirstScene first, CommandLineWriter commandLine) {
         settings.look().install();
-        place = first.file() == null ? null : PlainPath.of(first.file());
+        place = first.file() == null ? null : ChosenFile.plain(first.file());
         model = new StudioModel(first.studio(), place);
         PictureListener pictures = new PictureListener();
         view = new PhotographView(model, pictures, this::pace);
@@ -166,7 +167,7 @@ public final class TompkinsWindow {
             Desktop.getDesktop().setQuitStrategy(QuitStrategy.CLOSE_ALL_WINDOWS);
         }
         SwingUtilities.invokeLater(() -> {
-            Thread.currentThread().setUncaughtExceptionHandler(new UncaughtErrors());
+            Thread.currentThread().setUncaughtExceptionHandler(new Faults());
             TompkinsWindow window = opened(first, examples, commandLine);
             first.tellProblem(window.frame);
         });

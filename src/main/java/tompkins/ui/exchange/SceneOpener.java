@@ -15,7 +15,6 @@ import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.ChosenFile;
 import tompkins.ui.file.FileDrop;
-import tompkins.ui.file.PlainPath;
 import tompkins.ui.photograph.WindowParts;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Messages;
@@ -123,7 +122,7 @@ public final class SceneOpener {
     }
 
     private void read(Path named) {
-        Path file = PlainPath.of(named);
+        Path file = ChosenFile.plain(named);
         BackgroundTask.find(
                 window.frame(),
                 Texts.get("file.opening", file),
@@ -158,7 +157,7 @@ public final class SceneOpener {
     /** Whether files can be dropped on the window, and what becomes of them. */
     public FileDrop drop() {
         return new FileDrop(file -> ChosenFile.path(window.frame(), file)
-                .map(PlainPath::of)
+                .map(ChosenFile::plain)
                 .filter(this::take)
                 .isPresent());
     }

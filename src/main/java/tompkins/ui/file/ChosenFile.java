@@ -2,6 +2,8 @@ package tompkins.ui.file;
 
 import java.awt.Component;
 import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -21,6 +23,21 @@ public final class ChosenFile {
         } catch (InvalidPathException notAName) {
             Messages.error(parent, Texts.get("file.noName", OneLine.of(file.getName())));
             return Optional.empty();
+        }
+    }
+
+    /**
+     * The one name by which the window knows a file, however it was named: its whole path, without the parts {@code .}
+     * and {@code ..} where they can be left out.
+     */
+    public static Path plain(Path file) {
+        Path whole = file.toAbsolutePath();
+        Path plain = whole.normalize();
+        try {
+            // behind a symbolic link, .. leads elsewhere
+            return Files.isSameFile(plain, whole) ? plain : whole;
+        } catch (IOException notThere) {
+            return whole;
         }
     }
 }

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-class PlainPathTest {
+class ChosenFileTest {
 
     @TempDir
     private Path folder;
@@ -24,7 +24,7 @@ class PlainPathTest {
     @Test
     void detoursAreLeftOut() throws IOException {
         Path file = Files.createFile(folder.resolve("scene.json"));
-        assertThat(PlainPath.of(inner.resolve("../.././scene.json"))).isEqualTo(file);
+        assertThat(ChosenFile.plain(inner.resolve("../.././scene.json"))).isEqualTo(file);
     }
 
     @Test
@@ -33,7 +33,7 @@ class PlainPathTest {
         Files.createFile(folder.resolve("scene.json"));
         Path link = Files.createSymbolicLink(folder.resolve("link"), inner);
 
-        Path named = PlainPath.of(link.resolve("../scene.json"));
+        Path named = ChosenFile.plain(link.resolve("../scene.json"));
 
         assertThat(Files.isSameFile(named, file)).isTrue();
     }
@@ -41,6 +41,6 @@ class PlainPathTest {
     @Test
     void whatIsNotThereKeepsItsName() {
         Path missing = inner.resolve("../missing.json");
-        assertThat(PlainPath.of(missing)).isEqualTo(missing);
+        assertThat(ChosenFile.plain(missing)).isEqualTo(missing);
     }
 }

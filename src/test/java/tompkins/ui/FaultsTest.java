@@ -10,11 +10,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.studio.Studios;
+import tompkins.ui.widget.Faults;
 
 /** What fails on the event thread although nobody expected it. */
 @Timeout(120)
 @NeedsDisplay
-class UncaughtErrorsTest {
+class FaultsTest {
 
     @TempDir
     private Path folder;
@@ -31,7 +32,7 @@ class UncaughtErrorsTest {
     @Test
     void itIsToldOnce() {
         try (WindowDriver driver = new WindowDriver(folder, Studios.sphere(), null, List.of())) {
-            handle(new UncaughtErrors());
+            handle(new Faults());
             for (int i = 0; i < 3; i++) {
                 WindowDriver.later(() -> {
                     throw new IllegalStateException("nobody expected this");
