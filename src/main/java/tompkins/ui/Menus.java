@@ -18,12 +18,15 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.JRootPane;
+import tompkins.io.SelfDescription;
 import tompkins.lesson.Lesson;
 import tompkins.measure.OverlayKind;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
-import tompkins.ui.help.HelpCommands;
+import tompkins.ui.help.HelpPage;
+import tompkins.ui.help.HelpWindow;
+import tompkins.ui.help.KeyTable;
 import tompkins.ui.number.NumberProperty;
 import tompkins.ui.overlay.MapAxis;
 import tompkins.ui.overlay.PictureOverlays;
@@ -31,6 +34,7 @@ import tompkins.ui.picture.CanvasZoom;
 import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.TabStrip;
 import tompkins.ui.widget.Texts;
@@ -43,14 +47,15 @@ final class Menus {
     private final JMenu lessons = menu("menu.lessons");
     private final TompkinsWindow window;
     private final History history;
-    private final HelpCommands help;
     private final CanvasZoom zoom;
+
+    /** The documents of the program, in a window that is made when it is first wanted. */
+    private HelpWindow documents;
 
     /** The menus for what a window has. */
     Menus(TompkinsWindow window) {
         this.window = window;
         history = new History(window.parts, window::pause);
-        help = new HelpCommands(window.frame(), window.opener);
         zoom = window.view().canvas().zoom();
         bar.add(fileMenu());
         bar.add(examples);
@@ -303,15 +308,35 @@ final class Menus {
 
     private JMenu helpMenu() {
         JMenu menu = menu("menu.help");
-        add(menu, "menu.tour", null, () -> help.showDocument("tour.md"));
-        add(menu, "menu.manual", null, () -> help.showDocument("window.md"));
-        add(menu, "menu.sceneFiles", null, () -> help.showDocument("scene-files.md"));
-        add(menu, "menu.documents", null, () -> help.showDocument("README.md"));
+        add(menu, "menu.tour", null, () -> showDocument("tour.md"));
+        add(menu, "menu.manual", null, () -> showDocument("window.md"));
+        add(menu, "menu.sceneFiles", null, () -> showDocument("scene-files.md"));
+        add(menu, "menu.documents", null, () -> showDocument("README.md"));
         menu.addSeparator();
-        add(menu, "menu.keys", "F1", () -> help.showKeys(itemsWithKeys()));
+        add(menu, "menu.keys", "F1", this::showKeys);
         add(menu, "menu.cite", null, window.clipboard::offerCitation);
-        add(menu, "menu.about", null, help::showAbout);
+        add(menu, "menu.about", null, this::showAbout);
         return menu;
+    }
+
+    private void showDocument(String page) {
+        if (documents == null) {
+            documents = new HelpWindow(window.frame(), window.opener::open);
+        }
+        documents.show(HelpPage.of(page));
+    }
+
+    private void showKeys() {
+        KeyTable keys = new KeyTable(itemsWithKeys());
+        keys.fitInto(Messages.width(window.frame()));
+        Messages.tell(window.frame(), Texts.get("menu.keys"), keys.component());
+    }
+
+    private void showAbout() {
+        Messages.tell(
+                window.frame(),
+                Texts.get("menu.about"),
+                Texts.get("help.about", SelfDescription.program(), System.getProperty("java.version")));
     }
 
     /** Does something when a menu opens. */

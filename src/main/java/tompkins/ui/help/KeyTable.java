@@ -66,7 +66,7 @@ public final class KeyTable extends Part {
     }
 
     /** Puts the columns below each other where both are wider than the room for them. */
-    void fitInto(int width) {
+    public void fitInto(int width) {
         if (panel.getPreferredSize().width > width) {
             panel.setLayout(new MigLayout("novisualpadding, insets 0, wrap 1, gap 0 9"));
         }
