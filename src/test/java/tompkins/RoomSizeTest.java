@@ -37,7 +37,7 @@ class RoomSizeTest {
                 arguments("explain, lesson, measure, animation", 6_316),
                 arguments("io, app", 8_012),
                 arguments("study", 4_548),
-                arguments("ui", 21_519));
+                arguments("ui", 20_758));
     }
 
     @ParameterizedTest
