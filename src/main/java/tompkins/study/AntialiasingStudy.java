@@ -20,12 +20,7 @@ record AntialiasingStudy(
 
     /** The study, as thorough as for the documents. */
     static AntialiasingStudy of(StudySetup setup) {
-        PromisedErrors promises = new PromisedErrors(
-                setup.studios(),
-                setup.scene() == null ? SparseLight.scenes(setup.seed()) : Map.of(),
-                setup.seed(),
-                48,
-                1024);
+        PromisedErrors promises = new PromisedErrors(setup.studios(), setup.seed(), 48, 1024);
         return new AntialiasingStudy(setup.studios("fig1a", "fig2a"), promises, setup.seed(), 144, 4096);
     }
 
@@ -39,8 +34,7 @@ record AntialiasingStudy(
                 promises.width(),
                 referenceSamples,
                 StudySetup.settings(compared),
-                StudySetup.settings(promises.studios()),
-                promises.sparse().keySet());
+                StudySetup.settings(promises.studios()));
     }
 
     @Override

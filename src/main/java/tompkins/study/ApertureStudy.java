@@ -21,7 +21,7 @@ final class ApertureStudy extends SamplingStudy {
 
     /** The study, of photographs with a wide aperture; for the rest see {@link SamplingStudy}. */
     ApertureStudy(Map<String, Studio> studios, Comparison comparison) {
-        super(studios, comparison, LensProblems.ALL, "wide aperture");
+        super(studios, comparison, ExactProblems.OF_LENS, "wide aperture");
     }
 
     @Override
@@ -40,7 +40,7 @@ final class ApertureStudy extends SamplingStudy {
      */
     private Figures independence(SamplingMethod.Factory factory) {
         int samples = SAMPLES_OF_INDEPENDENCE;
-        ExactProblem edge = LensProblems.EDGE;
+        ExactProblem edge = ExactProblems.ON_LENS;
         double[] errors =
                 edge.errors(comparison().seed(), factory.sampler(comparison().seed(), samples, edge.space()), samples);
         double ofMeans = 0;
@@ -60,15 +60,15 @@ final class ApertureStudy extends SamplingStudy {
 
     @Override
     public void conclude(List<Measurement> all, Conclusion conclusion) {
-        PowerLaw own = law(LensProblems.EDGE, PROGRAM, all);
+        PowerLaw own = law(ExactProblems.ON_LENS, PROGRAM, all);
         conclusion.say(
                 "aperture.answer",
                 own.slope(),
                 samplesFor(0.002, own),
-                samplesFor(0.002, law(LensProblems.EDGE, RANDOM, all)),
-                samplesFor(0.002, law(LensProblems.EDGE, SPIRAL, all)),
-                law(LensProblems.SWEEP, SPIRAL, all).slope(),
-                law(LensProblems.SWEEP, PROGRAM, all).slope());
+                samplesFor(0.002, law(ExactProblems.ON_LENS, RANDOM, all)),
+                samplesFor(0.002, law(ExactProblems.ON_LENS, SPIRAL, all)),
+                law(ExactProblems.ON_LENS_AND_PIXEL, SPIRAL, all).slope(),
+                law(ExactProblems.ON_LENS_AND_PIXEL, PROGRAM, all).slope());
         super.conclude(all, conclusion);
         double ratio = Measurement.of(INDEPENDENCE, PROGRAM, all).get(0).medianError();
         conclusion.demand(

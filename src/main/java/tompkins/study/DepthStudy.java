@@ -2,7 +2,6 @@ package tompkins.study;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.IntFunction;
 import org.joml.Vector3d;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
@@ -19,9 +18,6 @@ import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.surface.LuminousSurface;
 import tompkins.surface.Mirror;
-import tompkins.surface.Refraction;
-import tompkins.surface.Refractive;
-import tompkins.surface.Surface;
 import tompkins.trace.RenderPlan;
 
 /** When to give up a ray between mirrors. */
@@ -33,10 +29,8 @@ final class DepthStudy implements Study {
     private static final int[] DEPTHS = {1, 2, 5, 10, 20, 50, 66, 100, 200, 350, 500};
     private static final int REPEATS = 3;
     private static final double CLEARLY_LESS = 0.7;
-    private static final double INDEX = 3;
     private static final double LENGTH = 60;
     private static final double ANGLE = 170;
-    private static final double ANGLE_THROUGH_GLASS = 100;
     private static final int WIDTH = 320;
     private static final int HEIGHT = 4;
 
@@ -45,21 +39,23 @@ final class DepthStudy implements Study {
      *
      * @param title of its chart
      * @param share the largest share of rays that the program may follow, compared with a limit that is as exact
-     * @param limited finds the figures with a limit of depth alone
-     * @param program finds the program's figures, from its limit of depth
+     * @param above the reflectance of the mirrors above the camera
+     * @param below the reflectance of the mirrors below it
      */
-    private record Problem(
-            String key, String title, double share, IntFunction<Figures> limited, IntFunction<Figures> program) {}
+    private record Problem(String key, String title, double share, double above, double below) {}
 
     private static final List<Problem> PROBLEMS = List.of(
-            corridors("R=0.90", "Corridor of mirrors, reflectance 0.90", 1, 0.9, 0.9),
-            corridors(
-                    TWO_CORRIDORS, "Two corridors in one picture, reflectances 0.99 and 0.50", CLEARLY_LESS, 0.99, 0.5),
-            new Problem("glass", "Through a sheet of glass of index 3", 1, DepthStudy::glass, DepthStudy::glass));
+            new Problem("R=0.90", "Corridor of mirrors, reflectance 0.90", 1, 0.9, 0.9),
+            new Problem(
+                    TWO_CORRIDORS,
+                    "Two corridors in one picture, reflectances 0.99 and 0.50",
+                    CLEARLY_LESS,
+                    0.99,
+                    0.5));
 
     @Override
     public String settings() {
-        return StudyText.of("depth.settings", LENGTH, ANGLE, INDEX, ANGLE_THROUGH_GLASS, WIDTH, HEIGHT);
+        return StudyText.of("depth.settings", LENGTH, ANGLE, WIDTH, HEIGHT);
     }
 
     @Override
@@ -68,45 +64,20 @@ final class DepthStudy implements Study {
         int most = RenderSettings.DEFAULT.maximumDepth();
         for (Problem problem : PROBLEMS) {
             for (int depth : DEPTHS) {
-                trials.add(new Trial(problem.key, LIMIT, depth, () -> problem.limited.apply(depth)));
+                trials.add(new Trial(problem.key, LIMIT, depth, () -> measure(problem, true, depth)));
             }
-            trials.add(new Trial(problem.key, PROGRAM, most, () -> problem.program.apply(most)));
+            trials.add(new Trial(problem.key, PROGRAM, most, () -> measure(problem, false, most)));
         }
         return trials;
     }
 
     /**
-     * Corridors with the reflectances of the mirrors above and below the camera. With a limit of depth alone the
-     * mirrors are perfect, so that no ray gets faint, and what arrives is dimmed exactly; light that was reflected too
-     * often for the limit is missing completely.
+     * Measures with a limit of depth. With that alone the mirrors are perfect, so that no ray gets faint, and what
+     * arrives is dimmed exactly; light that was reflected too often for the limit is missing completely.
      */
-    private static Problem corridors(String key, String title, double share, double above, double below) {
-        return new Problem(
-                key,
-                title,
-                share,
-                depth -> measure(corridors(1, 1, depth), (direction, light) -> {
-                    double exact = exact(direction.y > 0 ? above : below, direction);
-                    return light * exact - exact;
-                }),
-                depth -> measure(
-                        corridors(above, below, depth),
-                        (direction, light) -> light - exact(direction.y > 0 ? above : below, direction)));
-    }
-
-    private static Figures glass(int depth) {
-        return measure(sheet(depth), (direction, light) -> light - throughGlass(direction));
-    }
-
-    /** The error of a pixel, from the direction in which it looks and the light that was found. */
-    @FunctionalInterface
-    private interface PixelError {
-
-        double of(Vector3d direction, double light);
-    }
-
-    private static Figures measure(Studio studio, PixelError error) {
-        RenderPlan plan = RenderPlan.of(studio);
+    private static Figures measure(Problem problem, boolean alone, int depth) {
+        RenderPlan plan =
+                RenderPlan.of(alone ? corridors(1, 1, depth) : corridors(problem.above, problem.below, depth));
         List<Figures> runs = new ArrayList<>();
         for (int run = 0; run < REPEATS; run++) {
             RenderJob job = Photographs.taken(plan, new Quality.Samples(1), () -> false);
@@ -116,7 +87,9 @@ final class DepthStudy implements Study {
                 int column = pixel % WIDTH;
                 int row = pixel / WIDTH;
                 Vector3d direction = new Vector3d(plan.chiefDirection(column + 0.5, row + 0.5));
-                errors[pixel] = error.of(direction, image.value(column, row, 0));
+                double exact = exact(direction.y > 0 ? problem.above : problem.below, direction);
+                double light = image.value(column, row, 0);
+                errors[pixel] = (alone ? light * exact : light) - exact;
             }
             RenderReport report = job.report();
             runs.add(Figures.of(report.counts().rays, report.time().toNanos() / 1e9, ErrorNorm.of(errors), 0));
@@ -130,22 +103,19 @@ final class DepthStudy implements Study {
         return Math.pow(reflectance, reflections);
     }
 
-    /** (1 - R)^2 (1 + R^2 + R^4 + ...): what is let through after 0, 2, 4, ... reflections inside. */
-    private static double throughGlass(Vector3d direction) {
-        Vector3d inside = new Vector3d();
-        double cosineInside = Refraction.bend(direction, new Vector3d(0, 0, 1), 1, INDEX, inside);
-        double reflected = Refraction.reflectance(1, INDEX, direction.z, cosineInside);
-        return (1 - reflected) / (1 + reflected);
-    }
-
     private static Studio corridors(double above, double below, int depth) {
         List<SceneObject> objects = new ArrayList<>();
-        objects.add(wall(LENGTH, Colour.WHITE));
+        objects.add(new Plane(
+                "wall", new Vector3d(0, 0, LENGTH), new Vector3d(0, 0, 1), new LuminousSurface(Colour.WHITE, false)));
         for (int side = -1; side <= 1; side += 2) {
             objects.add(mirror(side, LENGTH, above));
             objects.add(mirror(side, -LENGTH, below));
         }
-        return studio(objects, ANGLE, depth);
+        ThinLensCamera wide = Descriptions.with(ThinLensCamera.DEFAULT, "horizontalAngleDegrees", ANGLE);
+        return Studio.DEFAULT
+                .withScene(objects)
+                .withCamera(Descriptions.with(wide, "verticalAngleDegrees", 1.0))
+                .withSettings(RenderSettings.DEFAULT.withSize(WIDTH, HEIGHT).withMaximumDepth(depth));
     }
 
     private static SceneObject mirror(int side, double height, double reflectance) {
@@ -155,33 +125,6 @@ final class DepthStudy implements Study {
                 new Vector3d(0, height, 0),
                 new Vector3d(0, 0, LENGTH + 2),
                 new Mirror(reflectance));
-    }
-
-    private static Studio sheet(int depth) {
-        Surface glass = new Refractive(INDEX);
-        Vector3d back = new Vector3d(0, 0, -1);
-        Vector3d forth = new Vector3d(0, 0, 1);
-        return studio(
-                List.of(
-                        wall(LENGTH, Colour.WHITE),
-                        wall(-1, Colour.BLACK),
-                        new Plane("front", new Vector3d(0, 0, 1), back, glass),
-                        new Plane("rear", new Vector3d(0, 0, 2), forth, glass)),
-                ANGLE_THROUGH_GLASS,
-                depth);
-    }
-
-    private static SceneObject wall(double distance, Colour colour) {
-        return new Plane(
-                "wall", new Vector3d(0, 0, distance), new Vector3d(0, 0, 1), new LuminousSurface(colour, false));
-    }
-
-    private static Studio studio(List<SceneObject> objects, double angle, int depth) {
-        ThinLensCamera wide = Descriptions.with(ThinLensCamera.DEFAULT, "horizontalAngleDegrees", angle);
-        return Studio.DEFAULT
-                .withScene(objects)
-                .withCamera(Descriptions.with(wide, "verticalAngleDegrees", 1.0))
-                .withSettings(RenderSettings.DEFAULT.withSize(WIDTH, HEIGHT).withMaximumDepth(depth));
     }
 
     @Override

@@ -1,10 +1,8 @@
 package tompkins.study;
 
 import java.util.function.Function;
-import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import org.joml.Vector4d;
 import tompkins.spacetime.LorentzTransformation;
 import tompkins.spacetime.Velocity;
 
@@ -19,22 +17,6 @@ enum DirectionForm {
         Vector3dc u = velocity.proper();
         double shrink = 1 / (velocity.gamma() + 1);
         return (d, result) -> new Vector3d(u).mul(u.dot(d) * shrink - 1).add(d).normalize(result);
-    }),
-
-    /** A matrix that acts on the 4-vector (d, -1). */
-    MATRIX("4 x 4 matrix, double", velocity -> {
-        Vector3dc u = velocity.proper();
-        double k = 1 / (velocity.gamma() + 1);
-        Matrix4d boost = new Matrix4d(
-                new Vector4d(1 + k * u.x() * u.x(), k * u.x() * u.y(), k * u.x() * u.z(), u.x()),
-                new Vector4d(k * u.y() * u.x(), 1 + k * u.y() * u.y(), k * u.y() * u.z(), u.y()),
-                new Vector4d(k * u.z() * u.x(), k * u.z() * u.y(), 1 + k * u.z() * u.z(), u.z()),
-                new Vector4d(u.x(), u.y(), u.z(), velocity.gamma()));
-        Vector4d event = new Vector4d();
-        return (d, result) -> {
-            boost.transform(event.set(d.x(), d.y(), d.z(), -1));
-            result.set(event.x, event.y, event.z).normalize();
-        };
     }),
 
     /** As textbooks write it, from beta, with gamma from 1 - beta^2. */

@@ -20,34 +20,6 @@ final class DiscArea {
                 / (u * v);
     }
 
-    /** The share of the disc within a circle of a radius around a point at a distance from the disc's centre. */
-    static double overlap(double distance, double radius) {
-        if (distance <= Math.abs(1 - radius)) {
-            return Math.min(1, radius * radius);
-        }
-        if (distance >= 1 + radius) {
-            return 0;
-        }
-        double own = (distance * distance + 1 - radius * radius) / (2 * distance);
-        double others = (distance - own) / radius;
-        double ownCap = Math.acos(own) - own * Math.sqrt(1 - own * own);
-        double othersCap = Math.acos(others) - others * Math.sqrt(Math.max(0, 1 - others * others));
-        return (ownCap + radius * radius * othersCap) / Math.PI;
-    }
-
-    /** The share of the disc with x below a and y below b. */
-    static double corner(double a, double b) {
-        double right = Math.max(-1, Math.min(1, a));
-        double top = Math.max(-1, Math.min(1, b));
-        double meets = Math.sqrt(1 - top * top);
-        double left = Math.min(right, -meets);
-        double middle = Math.max(-meets, Math.min(right, meets));
-        // where the line y = b leaves the disc, the whole chord is below it or nothing
-        double whole = top > 0 ? 2 * (chord(left) - chord(-1)) + 2 * (chord(Math.max(right, meets)) - chord(meets)) : 0;
-        double cut = chord(middle) - chord(-meets) + top * (middle + meets);
-        return (whole + cut) / Math.PI;
-    }
-
     /** The integral of sqrt(1 - x^2) from 0. */
     private static double chord(double x) {
         return (x * Math.sqrt(Math.max(0, 1 - x * x)) + Math.asin(x)) / 2;

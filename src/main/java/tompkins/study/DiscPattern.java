@@ -2,11 +2,9 @@ package tompkins.study;
 
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
-import org.hipparchus.analysis.integration.gauss.GaussIntegrator;
-import org.hipparchus.analysis.integration.gauss.GaussIntegratorFactory;
 
 /**
- * A pattern made for the disc, from a table, turned in each pixel. Where the position in the pixel varies too, the
+ * A spiral made for the disc (Vogel 1979), turned in each pixel. Where the position in the pixel varies too, the
  * positions are those of {@link SamplingMethod#ADDITIVE}, paired with the points of the disc at random.
  */
 final class DiscPattern {
@@ -15,26 +13,11 @@ final class DiscPattern {
 
     private DiscPattern() {}
 
-    /** {@link SamplingMethod#VOGEL} (Vogel 1979). */
-    static SamplePattern vogel(long seed, int samples, SampledSpace space) {
+    /** {@link SamplingMethod#VOGEL}. */
+    static SamplePattern.Pixels vogel(int samples, SampledSpace space) {
         IntToDoubleFunction radius = i -> Math.sqrt((i + 0.5) / samples);
-        return new SamplePattern(seed, turned(samples, radius, i -> i * GOLDEN_ANGLE, space));
-    }
-
-    /** {@link SamplingMethod#GAUSS}: four times as many angles as radii, at least. */
-    static SamplePattern gauss(long seed, int samples, SampledSpace space) {
-        int rings = Math.max(1, (int) Math.round(Math.sqrt(samples) / 2));
-        int spokes = samples / rings;
-        GaussIntegrator rule = new GaussIntegratorFactory().legendre(rings, 0, 1);
-        IntToDoubleFunction radius = i -> Math.sqrt(rule.getPoint(i % rings));
-        IntToDoubleFunction angle = i -> 2 * Math.PI * (i / rings) / spokes;
-        return new SamplePattern(seed, turned(rings * spokes, radius, angle, space), i -> rule.getWeight(i % rings));
-    }
-
-    private static SamplePattern.Pixels turned(
-            int samples, IntToDoubleFunction radius, IntToDoubleFunction angle, SampledSpace space) {
-        double[] discX = table(samples, i -> radius.applyAsDouble(i) * Math.cos(angle.applyAsDouble(i)));
-        double[] discY = table(samples, i -> radius.applyAsDouble(i) * Math.sin(angle.applyAsDouble(i)));
+        double[] discX = table(samples, i -> radius.applyAsDouble(i) * Math.cos(i * GOLDEN_ANGLE));
+        double[] discY = table(samples, i -> radius.applyAsDouble(i) * Math.sin(i * GOLDEN_ANGLE));
         SamplePattern.Pixels positions = space.hasPixel() ? ShiftedPattern.additive(samples, space) : null;
         return random -> {
             double turn = 2 * Math.PI * random.nextDouble();

@@ -1,6 +1,5 @@
 package tompkins.study;
 
-import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
@@ -27,12 +26,5 @@ record ErrorNorm(double rootMeanSquare, double maximum) {
         return of(IntStream.range(0, values.length)
                 .mapToDouble(i -> values[i] - reference[i])
                 .toArray());
-    }
-
-    /** The relative error of the mean of a set of values. */
-    static ErrorNorm ofMean(double[] values, double[] reference) {
-        double error =
-                Math.abs(Arrays.stream(values).sum() / Arrays.stream(reference).sum() - 1);
-        return new ErrorNorm(error, error);
     }
 }

@@ -78,19 +78,15 @@ record ExactProblem(
     private static void addErrors(
             Instance[] cases, SamplePositions positions, Sampler sampler, int samples, double[] errors, int first) {
         Position position = new Position();
-        double weights = 0;
         for (int sample = 0; sample < samples; sample++) {
             sampler.choose(positions, sample);
-            double weight = SamplePattern.weight(sampler, sample);
-            weights += weight;
             for (int i = 0; i < positions.count(); i++) {
                 position.goTo(positions, i);
-                errors[first + i] +=
-                        weight * cases[i / PIXELS_OF_INSTANCE].integrand().value(position);
+                errors[first + i] += cases[i / PIXELS_OF_INSTANCE].integrand().value(position);
             }
         }
         for (int i = 0; i < positions.count(); i++) {
-            errors[first + i] = errors[first + i] / weights - cases[i / PIXELS_OF_INSTANCE].exact();
+            errors[first + i] = errors[first + i] / samples - cases[i / PIXELS_OF_INSTANCE].exact();
         }
     }
 }

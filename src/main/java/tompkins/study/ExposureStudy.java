@@ -9,17 +9,17 @@ final class ExposureStudy extends SamplingStudy {
 
     /** The study, of photographs with an exposure time; for the rest see {@link SamplingStudy}. */
     ExposureStudy(Map<String, Studio> studios, Comparison comparison) {
-        super(studios, comparison, MotionProblems.ALL, "long exposure");
+        super(studios, comparison, ExactProblems.OF_EXPOSURE, "long exposure");
     }
 
     @Override
     public void conclude(List<Measurement> all, Conclusion conclusion) {
         conclusion.say(
                 "exposure.answer",
-                law(MotionProblems.EDGE, PROGRAM, all).slope(),
-                law(MotionProblems.SLANTED, PROGRAM, all).slope(),
-                shareOfRandom(MotionProblems.EDGE, all),
-                shareOfRandom(MotionProblems.SLIT, all));
+                law(ExactProblems.PASSING, PROGRAM, all).slope(),
+                law(ExactProblems.PASSING_SLANTED, PROGRAM, all).slope(),
+                shareOfRandom(ExactProblems.PASSING, all),
+                shareOfRandom(ExactProblems.PASSING_SLANTED, all));
         super.conclude(all, conclusion);
     }
 }

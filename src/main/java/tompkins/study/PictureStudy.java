@@ -11,7 +11,7 @@ import tompkins.render.Quality;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
-/** Speed against accuracy of one picture, made smaller, for each quality that can be chosen and for other samples. */
+/** Speed against accuracy of one picture, made smaller, for each quality that can be chosen. */
 public final class PictureStudy {
 
     static final String ADAPTIVE = "where needed";
@@ -20,7 +20,6 @@ public final class PictureStudy {
     static final String ANYWHERE = "one sample, anywhere";
     static final int SEEDS = 3;
 
-    private static final String GRID = "regular grid";
     private static final String PICTURE = "picture";
     private static final int WIDTH = 80;
     private static final int REFERENCE_SAMPLES = 2048;
@@ -64,7 +63,7 @@ public final class PictureStudy {
     /**
      * What is to be measured.
      *
-     * @param others whether to measure also samples that cannot be chosen
+     * @param others whether to measure also a sample that cannot be chosen
      */
     List<Trial> trials(boolean others) {
         List<Trial> trials = new ArrayList<>();
@@ -73,12 +72,10 @@ public final class PictureStudy {
             trials.add(photographed(CENTRE, 1, new Quality.Samples(1)));
         }
         if (sharp && others) {
-            trials.add(sampled(ANYWHERE, new PixelSampler(seed, false, false), 1));
+            Sampler anywhere = new PixelSampler(seed, false, false);
+            trials.add(new Trial(name, ANYWHERE, 1, () -> pixels.sampled(anywhere, 1), pixels));
         }
         for (int samples = 4; samples <= MOST_SAMPLES; samples *= 4) {
-            if (sharp && others) {
-                trials.add(sampled(GRID, grid(samples), samples));
-            }
             trials.add(photographed(FIXED, samples, new Quality.Samples(samples)));
         }
         for (double target = 0.032; target > 0.0009; target /= 2) {
@@ -89,19 +86,6 @@ public final class PictureStudy {
 
     private Trial photographed(String method, double setting, Quality quality) {
         return new Trial(name, method, setting, () -> pixels.photographed(seeded, quality), pixels);
-    }
-
-    private Trial sampled(String method, Sampler sampler, int samples) {
-        return new Trial(name, method, samples, () -> pixels.sampled(sampler, samples), pixels);
-    }
-
-    /** The centres of the cells of a grid in the pixel, the same in all pixels; through the centre of the lens. */
-    private static Sampler grid(int samples) {
-        int side = (int) Math.round(Math.sqrt(samples));
-        return new SamplePattern(0, random -> (sample, at) -> {
-            at.x = (sample % side + 0.5) / side;
-            at.y = (sample / side + 0.5) / side;
-        });
     }
 
     /** Number of points of the chart. */

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
-import java.util.function.BiFunction;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import tompkins.render.Quality;
@@ -16,13 +15,11 @@ import tompkins.trace.RenderPlan;
  * seeds.
  *
  * @param studios photographs
- * @param sparse photographs whose light comes from few places, which are taken larger
  * @param seed of the first of several runs
- * @param width of the other photographs in pixels
+ * @param width of the photographs in pixels
  * @param referenceSamples least number of samples per pixel of the references
  */
-record PromisedErrors(
-        Map<String, Studio> studios, Map<String, Studio> sparse, long seed, int width, int referenceSamples) {
+record PromisedErrors(Map<String, Studio> studios, long seed, int width, int referenceSamples) {
 
     private static final String PROBLEM = "promise";
     private static final double[] PROMISES = {0.01, 0.003, 0.001};
@@ -35,49 +32,22 @@ record PromisedErrors(
 
     private static final double MOST_REFERENCE_ERROR = 0.0005;
 
-    /** The light of photographs with sparse light, at the best quality that is promised. */
-    private static final String LIGHT = "light";
-
-    private static final String SPARSE = "sparse light";
-    private static final int SPARSE_WIDTH = 128;
-    private static final double SPARSE_TOLERANCE = 2;
-    private static final double LIGHT_TOLERANCE = 0.02;
-
+    /** One trial for each photograph, each promise and each seed. */
     List<Trial> trials() {
         List<Trial> trials = new ArrayList<>();
-        studios.forEach((name, studio) -> trials.addAll(trials(name, kind(studio), studio, width)));
-        sparse.forEach((name, studio) -> trials.addAll(trials(name, SPARSE, studio, SPARSE_WIDTH)));
-        return trials;
-    }
-
-    /** One trial for each promise and each seed; those of sparse light also measure the mean light at the best. */
-    private List<Trial> trials(String name, String kind, Studio studio, int columns) {
-        Studio small = Photographs.small(studio, columns);
-        ScenePixels pixels =
-                new ScenePixels(small, ScenePixels.ALL, referenceSamples, WANTED_REFERENCE_ERROR, () -> false);
-        List<Trial> trials = new ArrayList<>();
-        for (double promise : PROMISES) {
-            trials.addAll(runs(PROBLEM, name, kind, promise, small, pixels::photographed));
-        }
-        if (kind.equals(SPARSE)) {
-            trials.addAll(runs(LIGHT, name, kind, PROMISES[PROMISES.length - 1], small, pixels::meanLight));
-        }
-        return trials;
-    }
-
-    private List<Trial> runs(
-            String problem,
-            String name,
-            String kind,
-            double promise,
-            Studio small,
-            BiFunction<List<Studio>, Quality, Figures> measure) {
-        List<Trial> trials = new ArrayList<>();
-        for (long run = seed; run < seed + SEEDS; run++) {
-            List<Studio> seeded = List.of(small.withSettings(small.settings().withSeed(run)));
-            Supplier<Figures> measurer = () -> measure.apply(seeded, new Quality.TargetError(promise));
-            trials.add(new Trial(problem + ":" + name + ":seed " + run, kind, promise, measurer, name));
-        }
+        studios.forEach((name, studio) -> {
+            Studio small = Photographs.small(studio, width);
+            ScenePixels pixels =
+                    new ScenePixels(small, ScenePixels.ALL, referenceSamples, WANTED_REFERENCE_ERROR, () -> false);
+            for (double promise : PROMISES) {
+                for (long run = seed; run < seed + SEEDS; run++) {
+                    List<Studio> seeded =
+                            List.of(small.withSettings(small.settings().withSeed(run)));
+                    Supplier<Figures> measurer = () -> pixels.photographed(seeded, new Quality.TargetError(promise));
+                    trials.add(new Trial(PROBLEM + ":" + name + ":seed " + run, kind(studio), promise, measurer, name));
+                }
+            }
+        });
         return trials;
     }
 
@@ -102,12 +72,6 @@ record PromisedErrors(
                         new Chart.Guide(StudyText.format("%.2f times that", TOLERANCE), TOLERANCE)));
     }
 
-    private static List<Measurement> runs(String problem, List<Measurement> all) {
-        return all.stream()
-                .filter(point -> point.problem().startsWith(problem + ":"))
-                .toList();
-    }
-
     /** The run with the largest of some figure. */
     private static Measurement worst(List<Measurement> runs, ToDoubleFunction<Measurement> figure) {
         return runs.stream().max(Comparator.comparingDouble(figure)).orElseThrow();
@@ -119,7 +83,9 @@ record PromisedErrors(
 
     /** Says whether the promises are kept. */
     static void conclude(List<Measurement> all, Conclusion conclusion) {
-        List<Measurement> runs = runs(PROBLEM, all);
+        List<Measurement> runs = all.stream()
+                .filter(point -> point.problem().startsWith(PROBLEM + ":"))
+                .toList();
         if (runs.isEmpty()) {
             return;
         }
@@ -137,21 +103,6 @@ record PromisedErrors(
                 name(worst));
         double reference = worst(runs, Measurement::floor).floor();
         conclusion.demand(reference <= MOST_REFERENCE_ERROR, "promise.reference", MOST_REFERENCE_ERROR, reference);
-        List<Measurement> lights = runs(LIGHT, all);
-        if (!lights.isEmpty()) {
-            concludeSparse(
-                    runs.stream().filter(run -> run.method().equals(SPARSE)).toList(), lights, conclusion);
-        }
-    }
-
-    private static void concludeSparse(List<Measurement> runs, List<Measurement> lights, Conclusion conclusion) {
-        Measurement worst = worst(runs, PromisedErrors::excess);
-        conclusion.demand(
-                excess(worst) <= SPARSE_TOLERANCE, "promise.sparse", SPARSE_TOLERANCE, excess(worst), name(worst));
-        Measurement darkest = worst(lights, Measurement::medianError);
-        double missing = darkest.medianError();
-        conclusion.demand(
-                missing <= LIGHT_TOLERANCE, "promise.light", 100 * LIGHT_TOLERANCE, 100 * missing, name(darkest));
     }
 
     /** The error, divided by what was promised, without that of the reference, which adds to it in squares. */

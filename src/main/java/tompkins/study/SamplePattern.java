@@ -1,7 +1,6 @@
 package tompkins.study;
 
 import java.util.SplittableRandom;
-import java.util.function.IntToDoubleFunction;
 import tompkins.camera.SamplePositions;
 import tompkins.camera.Sampler;
 import tompkins.ray.RayPacket;
@@ -33,20 +32,13 @@ final class SamplePattern implements Sampler {
 
     private final long seed;
     private final Pixels pixels;
-    private final IntToDoubleFunction weight;
     private final PixelSamples[] block = new PixelSamples[PIXELS];
     private final Position position = new Position();
 
-    /** A pattern whose samples all count alike. */
+    /** A pattern of the samples of pixels. */
     SamplePattern(long seed, Pixels pixels) {
-        this(seed, pixels, sample -> 1);
-    }
-
-    /** A pattern with a weight of each sample in the mean of its pixel. */
-    SamplePattern(long seed, Pixels pixels, IntToDoubleFunction weight) {
         this.seed = seed;
         this.pixels = pixels;
-        this.weight = weight;
     }
 
     @Override
@@ -58,11 +50,6 @@ final class SamplePattern implements Sampler {
             block[i].go(sample, position);
             positions.choose(i, position.x, position.y, position.lensX, position.lensY, position.moment);
         }
-    }
-
-    /** The weight of a sample in the mean of its pixel. */
-    static double weight(Sampler sampler, int sample) {
-        return sampler instanceof SamplePattern pattern ? pattern.weight.applyAsDouble(sample) : 1;
     }
 
     private SplittableRandom randomFor(int column, int row) {

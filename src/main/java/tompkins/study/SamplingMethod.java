@@ -2,7 +2,6 @@ package tompkins.study;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.Set;
 import java.util.function.BiFunction;
 import tompkins.camera.PixelSampler;
 import tompkins.camera.Sampler;
@@ -26,10 +25,7 @@ enum SamplingMethod {
     HALTON("Halton", ShiftedPattern::halton),
 
     /** A sunflower spiral, turned for each pixel. */
-    VOGEL("Vogel spiral", DiscPattern::vogel),
-
-    /** Gauss's rule in the square of the radius times equal angles, turned for each pixel. */
-    GAUSS("Gauss on the disc", DiscPattern::gauss);
+    VOGEL("Vogel spiral", DiscPattern::vogel);
 
     private final String title;
     private final Factory factory;
@@ -83,7 +79,7 @@ enum SamplingMethod {
     /** The methods that can spread samples over time, by title. */
     static Map<String, Factory> inTime() {
         Map<String, Factory> inTime = all();
-        inTime.keySet().removeAll(Set.of(VOGEL.title, GAUSS.title));
+        inTime.remove(VOGEL.title);
         return inTime;
     }
 }

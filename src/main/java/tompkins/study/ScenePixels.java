@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CancellationException;
-import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.stream.Stream;
@@ -100,23 +99,13 @@ final class ScenePixels {
      * @throws CancellationException soon after the measurement was cancelled
      */
     Figures photographed(List<Studio> studios, Quality quality) {
-        return photographed(studios, quality, ErrorNorm::of);
-    }
-
-    /** The same for the mean light of the photographs, relative to what it should be. */
-    Figures meanLight(List<Studio> studios, Quality quality) {
-        return photographed(studios, quality, ErrorNorm::ofMean);
-    }
-
-    private Figures photographed(
-            List<Studio> studios, Quality quality, BiFunction<double[], double[], ErrorNorm> measure) {
         double[] right = reference();
         List<Figures> runs = new ArrayList<>();
         for (Studio studio : studios) {
             stopIfCancelled();
             RenderJob job = Photographs.taken(RenderPlan.of(studio), quality, cancelled);
             RenderReport report = job.report();
-            ErrorNorm norm = measure.apply(light(blocks.stream(), block -> light(block, job.image())), right);
+            ErrorNorm norm = ErrorNorm.of(light(blocks.stream(), block -> light(block, job.image())), right);
             runs.add(Figures.of(report.counts().samples, report.time().toNanos() / 1e9, norm, floor));
         }
         return Figures.of(runs);
@@ -146,20 +135,17 @@ final class ScenePixels {
         SampleTracer tracer = plan.tracer(new RayCounts(), sampler);
         tracer.shareBetween(samples);
         double[] light = new double[block.values()];
-        double weights = 0;
         for (int sample = 0; sample < samples; sample++) {
-            double weight = SamplePattern.weight(sampler, sample);
-            weights += weight;
             SampleSink sink = (column, row, colour) -> {
                 int place = 3 * ((row - block.top) * block.width + column - block.left);
-                light[place] += weight * colour.red();
-                light[place + 1] += weight * colour.green();
-                light[place + 2] += weight * colour.blue();
+                light[place] += colour.red();
+                light[place + 1] += colour.green();
+                light[place + 2] += colour.blue();
             };
             tracer.sampleBlock(block.left, block.top, block.width, block.height, 1, sample, sink);
         }
         for (int i = 0; i < light.length; i++) {
-            light[i] *= plan.exposure() / weights;
+            light[i] *= plan.exposure() / samples;
         }
         return light;
     }

@@ -32,7 +32,7 @@ class ExposureStudyTest {
     }
 
     static List<ExactProblem> problems() {
-        return MotionProblems.ALL;
+        return ExactProblems.OF_EXPOSURE;
     }
 
     private static double gridMean(ExactProblem.Instance instance) {
@@ -69,7 +69,7 @@ class ExposureStudyTest {
         ExposureStudy study = study(256, broken);
         assertThat(Conclusion.of(study, measure(study)).findings())
                 .filteredOn(finding -> !finding.holds())
-                .hasSizeGreaterThanOrEqualTo(2 * MotionProblems.ALL.size());
+                .hasSizeGreaterThanOrEqualTo(2 * ExactProblems.OF_EXPOSURE.size());
     }
 
     private static ExposureStudy study(int mostSamples, Map<String, SamplingMethod.Factory> methods) {
@@ -85,7 +85,7 @@ class ExposureStudyTest {
             exposed.put(name, BundledScenes.studio(name + ".json"));
         }
 
-        List<Measurement> all = new PromisedErrors(exposed, Map.of(), 1, 40, 256)
+        List<Measurement> all = new PromisedErrors(exposed, 1, 40, 256)
                 .trials().stream().map(Trial::measure).toList();
 
         assertThat(all).hasSize(27);
