@@ -9,7 +9,7 @@ import tompkins.study.Measurement;
 import tompkins.study.StudyKind;
 
 /** One line on a terminal that says what is being done, how far a picture or an animation is, and how long it takes. */
-final class ProgressLine extends ProgressReport {
+final class ProgressLine implements ProgressReport {
 
     private static final long INTERVAL_NANOS = 200_000_000;
     private static final int WIDTH = 72;
@@ -48,12 +48,12 @@ final class ProgressLine extends ProgressReport {
     }
 
     @Override
-    boolean watched() {
+    public boolean watched() {
         return watched;
     }
 
     @Override
-    synchronized void begin(String doing) {
+    public synchronized void begin(String doing) {
         start = System.nanoTime();
         last = start;
         show(doing);
@@ -85,7 +85,7 @@ final class ProgressLine extends ProgressReport {
     }
 
     @Override
-    synchronized void measured(StudyKind kind, Measurement point, int done, int count) {
+    public synchronized void measured(StudyKind kind, Measurement point, int done, int count) {
         show(String.format(
                 Locale.ROOT,
                 "%s %d/%d: %s, %s, %.6g",
@@ -98,7 +98,7 @@ final class ProgressLine extends ProgressReport {
     }
 
     @Override
-    synchronized void clear() {
+    public synchronized void clear() {
         if (written) {
             show("");
             out.print("\r");

@@ -11,23 +11,23 @@ import tompkins.study.Measurement;
 import tompkins.study.StudyKind;
 
 /** Says how far a command is: to people on a terminal, or to programs. */
-abstract class ProgressReport implements RenderListener, Progress {
+interface ProgressReport extends RenderListener, Progress {
 
     /** What is reported on an error stream. */
     static ProgressReport on(PrintWriter err) {
-        return err instanceof JsonLines lines ? new ProgressEvents(lines) : new ProgressLine(err);
+        return err instanceof JsonLines lines ? lines : new ProgressLine(err);
     }
 
     /** Whether somebody at a terminal looks on. */
-    boolean watched() {
+    default boolean watched() {
         return false;
     }
 
     /** Says at once what is being done; the time that is left counts from here. */
-    void begin(String doing) {}
+    default void begin(String doing) {}
 
     /** What comes is one of several pieces of work, counted from 0. */
-    void piece(int number, int count) {}
+    default void piece(int number, int count) {}
 
     /**
      * A picture has come to a state.
@@ -38,21 +38,21 @@ abstract class ProgressReport implements RenderListener, Progress {
      * @param file its file; null if it has none of its own
      * @param report how it was taken; null unless it is done
      */
-    void picture(String kind, int number, int count, PictureState state, Path file, RenderReport report) {}
+    default void picture(String kind, int number, int count, PictureState state, Path file, RenderReport report) {}
 
     /** A measurement of a study is made, or was known; {@code done} of {@code count} are. */
-    void measured(StudyKind kind, Measurement point, int done, int count) {}
+    default void measured(StudyKind kind, Measurement point, int done, int count) {}
 
     /** Removes what a terminal shows. */
-    void clear() {}
+    default void clear() {}
 
     @Override
-    public void tileDone(RenderJob job) {
+    default void tileDone(RenderJob job) {
         setProgress(job.progress());
     }
 
     @Override
-    public boolean isCancelled() {
+    default boolean isCancelled() {
         return false;
     }
 }
