@@ -1,5 +1,7 @@
 package tompkins.animation;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.Function;
 import java.util.function.IntPredicate;
@@ -51,11 +53,12 @@ public record AnimationRecorder(
     /**
      * Takes all photographs and adds them to a file, but does not complete the file.
      *
-     * @return what the user should know about the photographs
+     * @return what the user should know about the photographs: all warnings of the first that has some, and how many
+     *     others have any
      * @throws CancellationException if it is cancelled
      * @throws FileException if the file cannot be written
      */
-    public FrameWarnings record(AnimationWriter writer, Progress progress, FrameListener listener)
+    public List<String> record(AnimationWriter writer, Progress progress, FrameListener listener)
             throws FileException, InterruptedException {
         Store file = (frame, picture, info) -> writer.add(picture, info);
         return record(FrameSelection.all(film.frames()), frame -> false, file, progress, listener);
@@ -65,11 +68,12 @@ public record AnimationRecorder(
      * Takes some of the photographs into a folder, to which other processes may add at the same time.
      *
      * @param skips whether frames are left out that another process has meanwhile taken
-     * @return what the user should know about the photographs
+     * @return what the user should know about the photographs: all warnings of the first that has some, and how many
+     *     others have any
      * @throws CancellationException if it is cancelled
      * @throws FileException if a file cannot be written; the frames before stay
      */
-    public FrameWarnings record(
+    public List<String> record(
             FrameSelection frames, FrameFolder folder, boolean skips, Progress progress, FrameListener listener)
             throws FileException, InterruptedException {
         return record(frames, frame -> skips && found(folder, frame) == Found.SAME, folder::write, progress, listener);
@@ -91,10 +95,11 @@ public record AnimationRecorder(
         }
     }
 
-    private FrameWarnings record(
+    private List<String> record(
             FrameSelection frames, IntPredicate isThere, Store store, Progress progress, FrameListener listener)
             throws FileException, InterruptedException {
-        FrameWarnings warnings = new FrameWarnings(film.frames());
+        List<String> warnings = new ArrayList<>();
+        int warned = 0;
         int count = frames.frames().size();
         try (PhotographTaker taker = new PhotographTaker(threads)) {
             for (int i = 0; i < count; i++) {
@@ -108,9 +113,18 @@ public record AnimationRecorder(
                 RenderJob photograph = taker.take(moment, progress, (double) i / count, 1.0 / count);
                 store.add(frame, painted(photograph, moment, frame), info(frame, moment));
                 RenderReport report = photograph.report();
-                warnings.add(frame, report.warnings());
+                if (warnings.isEmpty()) {
+                    report.warnings()
+                            .forEach(warning ->
+                                    warnings.add("frame " + frame + " of 0-" + (film.frames() - 1) + ": " + warning));
+                }
+                warned += report.warnings().isEmpty() ? 0 : 1;
                 listener.reached(frame, PictureState.DONE, report);
             }
+        }
+        if (warned > 1) {
+            warnings.add("there are warnings about " + (warned - 1) + (warned == 2 ? " other frame" : " other frames")
+                    + ", too; render a single one to read them");
         }
         return warnings;
     }

@@ -188,7 +188,7 @@ final class AnimateCommand extends LongCommand {
         report(film.frames() + " pictures", warnings, progress -> {
             FrameListener frames = listener(film, frame -> null);
             try (AnimationWriter writer = open(film.frameRate())) {
-                warnings.addAll(recorder.record(writer, progress, frames).sentences());
+                warnings.addAll(recorder.record(writer, progress, frames));
                 return writer.finish();
             }
         });
@@ -204,8 +204,7 @@ final class AnimateCommand extends LongCommand {
             Photographer.requireWritable(folder.file(left.frames().get(0)));
         }
         report(left.frames().size() + " of " + recorder.film().frames() + " pictures", warnings, progress -> {
-            warnings.addAll(recorder.record(left, folder, frames.skips(), progress, listener)
-                    .sentences());
+            warnings.addAll(recorder.record(left, folder, frames.skips(), progress, listener));
             return output;
         });
         return 0;

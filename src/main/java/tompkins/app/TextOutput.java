@@ -75,11 +75,7 @@ final class TextOutput {
      * @throws IOException if it cannot be written
      */
     void save(Studio studio, Path target) throws IOException {
-        if (force) {
-            StudioWriter.save(studio, target);
-        } else {
-            StudioWriter.saveNew(studio, target);
-        }
+        StudioWriter.save(studio, target, force);
     }
 
     /**

@@ -113,28 +113,20 @@ public final class StudioWriter {
     }
 
     /**
-     * Saves a scene file, in the place of the file that has its name, if there is one. It names the pictures and meshes
-     * that lie under its folder, and holds the others. The file appears complete or not at all; what was there before
-     * stays until then.
+     * Saves a scene file. It names the pictures and meshes that lie under its folder, and holds the others. The file
+     * appears complete or not at all; what was there before stays until then.
      *
+     * @param replace whether it replaces the file that has its name; otherwise, if that is taken, it gets the same with
+     *     a number
+     * @return where it lies
      * @throws IOException with a message for the user, if the file cannot be written, or could not be read again: what
      *     cannot be held does not lie under its folder, or another file of its name does, or the text is too long for a
      *     scene file
      */
-    public static void save(Studio studio, Path file) throws IOException {
+    public static Path save(Studio studio, Path file, boolean replace) throws IOException {
         byte[] text = checkedText(studio, file);
-        PendingFile.save(file, true, out -> out.write(text));
-    }
-
-    /**
-     * Saves a scene file as {@link #save} does, but replaces nothing: if its name is taken, it gets the same with a
-     * number.
-     *
-     * @return where it lies
-     */
-    public static Path saveNew(Studio studio, Path file) throws IOException {
-        byte[] text = checkedText(studio, file);
-        return PendingFile.save(file, false, out -> out.write(text));
+        Path place = PendingFile.save(file, replace, out -> out.write(text));
+        return replace ? file : place;
     }
 
     /** The text of a scene file, which can be read again. */

@@ -63,7 +63,7 @@ class WindowCommandLineTest {
     @BeforeEach
     void save() throws IOException {
         file = folder.resolve("scene.json");
-        StudioWriter.save(OPENED, file);
+        StudioWriter.save(OPENED, file, true);
     }
 
     private static Studio with(Shutter shutter) {

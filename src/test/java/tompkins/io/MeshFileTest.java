@@ -268,11 +268,11 @@ class MeshFileTest {
         Studio studio = withLargeMesh(folder);
 
         Path beside = folder.resolve("beside.json");
-        StudioWriter.save(studio, beside);
+        StudioWriter.save(studio, beside, true);
         assertThat(StudioReader.read(beside)).isEqualTo(studio);
 
         Path elsewhere = Files.createDirectory(folder.resolve("elsewhere")).resolve("scene.json");
-        assertThatThrownBy(() -> StudioWriter.save(studio, elsewhere))
+        assertThatThrownBy(() -> StudioWriter.save(studio, elsewhere, true))
                 .isInstanceOf(IOException.class)
                 .hasMessage(elsewhere
                         + ": not saved: large.obj cannot be held by a scene file, since it is large or has materials, and does not"
@@ -288,7 +288,7 @@ class MeshFileTest {
         Path mesh = Files.writeString(elsewhere.resolve("large.obj"), other);
         Path scene = elsewhere.resolve("scene.json");
 
-        assertThatThrownBy(() -> StudioWriter.save(studio, scene))
+        assertThatThrownBy(() -> StudioWriter.save(studio, scene, true))
                 .isInstanceOf(IOException.class)
                 .hasMessage(scene
                         + ": not saved: large.obj cannot be held by a scene file, since it is large or has materials, and another file"
@@ -297,7 +297,7 @@ class MeshFileTest {
         assertThat(scene).doesNotExist();
 
         Files.copy(folder.resolve("large.obj"), mesh, StandardCopyOption.REPLACE_EXISTING);
-        StudioWriter.save(studio, scene);
+        StudioWriter.save(studio, scene, true);
         assertThat(StudioReader.read(scene)).isEqualTo(studio);
     }
 

@@ -230,13 +230,13 @@ class RoundTripTest {
                 new Sphere("", new Vector3d(), 1, new PictureSurface(pictures.get(0), true, true)),
                 new Sphere("", new Vector3d(), 2, new PictureSurface(pictures.get(1), true, true))));
         Path here = folder.resolve("scene.json");
-        StudioWriter.save(studio, here);
+        StudioWriter.save(studio, here, true);
         assertThat(Files.readString(here)).isEqualTo(StudioWriter.write(studio));
         assertThat(StudioReader.read(here)).isEqualTo(studio);
 
         Path other = Files.createDirectory(folder.resolve("other"));
         Files.write(other.resolve("one.png"), pictures.get(0).file());
-        StudioWriter.save(studio, other.resolve("scene.json"));
+        StudioWriter.save(studio, other.resolve("scene.json"), true);
         assertThat(Files.readString(other.resolve("scene.json")))
                 .contains("\"picture\": \"one.png\"")
                 .contains("base64");
@@ -247,7 +247,7 @@ class RoundTripTest {
     void savingReplacesAFileAndLeavesNothingElse() throws IOException {
         Path empty = Files.createDirectory(folder.resolve("empty"));
         Path file = Files.writeString(empty.resolve("scene.json"), "old");
-        StudioWriter.save(Studio.DEFAULT, file);
+        StudioWriter.save(Studio.DEFAULT, file, true);
         assertThat(StudioReader.read(file)).isEqualTo(Studio.DEFAULT);
         try (Stream<Path> files = Files.list(empty)) {
             assertThat(files).containsExactly(file);
@@ -256,11 +256,11 @@ class RoundTripTest {
 
     @Test
     void savingSaysWhyItCannot() {
-        assertThatThrownBy(() -> StudioWriter.save(Studio.DEFAULT, folder))
+        assertThatThrownBy(() -> StudioWriter.save(Studio.DEFAULT, folder, true))
                 .isInstanceOf(IOException.class)
                 .hasMessage(folder + ": cannot be written: it is a folder; name a file in it");
         Path nowhere = folder.resolve("nowhere/scene.json");
-        assertThatThrownBy(() -> StudioWriter.save(Studio.DEFAULT, nowhere))
+        assertThatThrownBy(() -> StudioWriter.save(Studio.DEFAULT, nowhere, true))
                 .isInstanceOf(IOException.class)
                 .hasMessage(nowhere + ": cannot be written: there is no folder " + nowhere.getParent());
     }

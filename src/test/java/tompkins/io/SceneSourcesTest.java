@@ -66,7 +66,7 @@ class SceneSourcesTest {
         Path file = folder.resolve("large.json");
 
         assertThatExceptionOfType(IOException.class)
-                .isThrownBy(() -> StudioWriter.save(Studio.DEFAULT.withScene(List.of(sphere)), file))
+                .isThrownBy(() -> StudioWriter.save(Studio.DEFAULT.withScene(List.of(sphere)), file, true))
                 .withMessageMatching(
                         Pattern.quote(file + ": not saved: a scene file may have at most 67108864 bytes, with"
                                         + " its pictures it would have ")

@@ -125,7 +125,7 @@ class ObjectMouseTest {
 
     private byte[] file() throws IOException {
         Path file = folder.resolve("scene.json");
-        StudioWriter.save(driver.studio(), file);
+        StudioWriter.save(driver.studio(), file, true);
         return Files.readAllBytes(file);
     }
 

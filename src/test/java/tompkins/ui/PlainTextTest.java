@@ -73,7 +73,7 @@ class PlainTextTest {
         Studio evil = Descriptions.with(Studios.sphere(), "title", html);
         evil = Descriptions.with(evil, "remarks", html)
                 .withScene(List.of(Descriptions.with(Sphere.DEFAULT, "description", html)));
-        StudioWriter.save(evil, file);
+        StudioWriter.save(evil, file, true);
         driver = new WindowDriver(folder.resolve("settings"), evil, file, List.of(evil));
         driver.completePicture();
     }

@@ -228,7 +228,7 @@ class SaveDialogTest {
         assertThat(folderOfTheChooser("menu.saveSceneAs")).isEqualTo(exports);
 
         Path other = folder.resolve("other.json");
-        StudioWriter.save(Studios.lattice(), other);
+        StudioWriter.save(Studios.lattice(), other, true);
         driver.menu("menu.open");
         driver.choose(other);
         WindowDriver.await("the scene", () -> driver.window().model().studio().equals(Studios.lattice()));

@@ -59,7 +59,7 @@ class SceneFilesTest {
     @BeforeEach
     void open() throws IOException {
         file = folder.resolve("sphere.json");
-        StudioWriter.save(Studios.sphere(), file);
+        StudioWriter.save(Studios.sphere(), file, true);
         driver = new WindowDriver(folder.resolve("settings"), Studios.sphere(), file, List.of());
     }
 
@@ -104,14 +104,14 @@ class SceneFilesTest {
     @Test
     void foreignChangesAreReplacedOnlyOnRequest() throws IOException {
         Studio mine = change("0.5");
-        StudioWriter.save(BOX, file);
+        StudioWriter.save(BOX, file, true);
         assertSavesOnlyAnyway(mine);
     }
 
     @Test
     void aSceneCanBeSavedBesideOneThatAnotherProgramChanged() throws IOException {
         Studio mine = change("0.5");
-        StudioWriter.save(BOX, file);
+        StudioWriter.save(BOX, file, true);
         save();
         driver.answer("Save scene as\u2026");
         Path other = folder.resolve("other.json");
@@ -229,7 +229,7 @@ class SceneFilesTest {
     @Test
     void whatIsDroppedIsTakenOnceItWasRead() throws IOException {
         Path box = folder.resolve("box.json");
-        StudioWriter.save(BOX, box);
+        StudioWriter.save(BOX, box, true);
         assertThat(drop(box)).isTrue();
         awaitStudio(BOX);
         Path wrong = Files.writeString(folder.resolve("wrong.json"), "no scene");
@@ -303,7 +303,7 @@ class SceneFilesTest {
 
     @Test
     void reloadingShowsWhatAnotherProgramWrote() throws IOException {
-        StudioWriter.save(BOX, file);
+        StudioWriter.save(BOX, file, true);
         driver.key(KeyEvent.VK_F5);
         awaitStudio(BOX);
         assertSavesWithoutAQuestion("0.5");
@@ -312,7 +312,7 @@ class SceneFilesTest {
     @Test
     void reloadingAsksWhatBecomesOfChanges() throws IOException {
         Studio mine = change("0.5");
-        StudioWriter.save(BOX, file);
+        StudioWriter.save(BOX, file, true);
         driver.menu("menu.reload");
         driver.answer("Cancel");
         assertThat(driver.studio()).isEqualTo(mine);
@@ -337,7 +337,7 @@ class SceneFilesTest {
     @ValueSource(strings = {"sphere.JSON", "sphere", "sphere.v2"})
     void aSceneIsSavedToItsFileWhateverItsEnding(String name) throws IOException {
         Path other = folder.resolve(name);
-        StudioWriter.save(BOX, other);
+        StudioWriter.save(BOX, other, true);
         openFile(other);
         Studio mine = change("0.5");
         save();
@@ -355,7 +355,7 @@ class SceneFilesTest {
         driver.type(focus, "0");
         assertThat(Components.isMarked(focus)).isTrue();
         Path other = folder.resolve("box.json");
-        StudioWriter.save(BOX, other);
+        StudioWriter.save(BOX, other, true);
         openFile(other);
         assertThat(what.getText()).doesNotContain("Saved");
         assertThat(Components.isMarked(focus)).isFalse();
@@ -366,7 +366,7 @@ class SceneFilesTest {
         WindowDriver.onEventThread(() -> driver.window().model().open(Studios.sphere(), null));
         Studio fast = change("0.5");
         Path other = folder.resolve("box.json");
-        StudioWriter.save(BOX, other);
+        StudioWriter.save(BOX, other, true);
         openFile(other);
         driver.menu("menu.undo");
         awaitStudio(fast);

@@ -76,7 +76,7 @@ class WindowQuestionsTest {
     @BeforeEach
     void open() throws IOException {
         file = folder.resolve("wall.json");
-        StudioWriter.save(WALL, file);
+        StudioWriter.save(WALL, file, true);
         driver = new WindowDriver(folder.resolve("settings"), WALL, file, List.of(Studios.sphere()));
         WindowDriver.await(
                 "the examples",
@@ -181,7 +181,7 @@ class WindowQuestionsTest {
     @Test
     void aDroppedFileOpens() throws IOException {
         Path other = folder.resolve("other.json");
-        StudioWriter.save(Studios.sphere(), other);
+        StudioWriter.save(Studios.sphere(), other, true);
         assertThat(drop(other)).isTrue();
         WindowDriver.await(
                 "the dropped scene", () -> driver.window().model().studio().equals(Studios.sphere()));

@@ -79,7 +79,7 @@ class WindowTest {
     void open() throws IOException {
         Path file = folder.resolve("lattice.json");
         Studio studio = Studios.lattice().withSettings(Studio.DEFAULT.settings().withSize(320, 240));
-        StudioWriter.save(studio, file);
+        StudioWriter.save(studio, file, true);
         driver = new WindowDriver(folder, studio, file, examples);
     }
 

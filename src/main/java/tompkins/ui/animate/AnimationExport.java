@@ -13,7 +13,6 @@ import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
 import tompkins.animation.FrameListener;
 import tompkins.animation.FrameSequence;
-import tompkins.animation.FrameWarnings;
 import tompkins.animation.RideFilm;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
@@ -93,12 +92,11 @@ public final class AnimationExport {
                 file,
                 progress ->
                         write(film, caption, decorations, () -> format.open(file, film.frameRate(), replace), progress),
-                exported ->
-                        dialogs.exported(exported.place(), exported.warnings().sentences()));
+                exported -> dialogs.exported(exported.place(), exported.warnings()));
     }
 
     /** What was saved: where it lies, and what the user should know about it. */
-    record Exported(Path place, FrameWarnings warnings) {}
+    record Exported(Path place, List<String> warnings) {}
 
     /** Takes all pictures and writes them; leaves nothing behind if the task is cancelled or fails. */
     static Exported write(
@@ -110,7 +108,7 @@ public final class AnimationExport {
             throws Exception {
         int threads = Runtime.getRuntime().availableProcessors();
         try (AnimationWriter writer = file.call()) {
-            FrameWarnings warnings = new AnimationRecorder(film, caption, decorations, threads)
+            List<String> warnings = new AnimationRecorder(film, caption, decorations, threads)
                     .record(writer, progress, FrameListener.NONE);
             return new Exported(writer.finish(), warnings);
         }

@@ -1,6 +1,5 @@
 package tompkins.ui.exchange;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
@@ -121,15 +120,6 @@ public final class SceneSaver {
             dialogs.saved(place);
             saving.next.run();
         };
-        dialogs.save(file, task -> write(studio, file, replace), done);
-    }
-
-    /** Saves a scene and returns where it lies. */
-    private static Path write(Studio studio, Path file, boolean replace) throws IOException {
-        if (!replace) {
-            return StudioWriter.saveNew(studio, file);
-        }
-        StudioWriter.save(studio, file);
-        return file;
+        dialogs.save(file, task -> StudioWriter.save(studio, file, replace), done);
     }
 }
