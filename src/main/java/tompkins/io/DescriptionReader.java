@@ -57,8 +57,8 @@ final class DescriptionReader {
                 Map.entry(Vector2ic.class, values::wholePair),
                 Map.entry(Colour.class, values::colour),
                 Map.entry(Velocity.class, velocities::read),
-                Map.entry(PixelPicture.class, (value, path) -> files.read(value, path, FileContentParser.PICTURE)),
-                Map.entry(MeshData.class, (value, path) -> files.read(value, path, FileContentParser.MESH)));
+                Map.entry(PixelPicture.class, (value, path) -> files.read(value, path, FileKind.PICTURE)),
+                Map.entry(MeshData.class, (value, path) -> files.read(value, path, FileKind.MESH)));
     }
 
     /**

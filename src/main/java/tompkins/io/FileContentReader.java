@@ -24,19 +24,17 @@ final class FileContentReader {
     }
 
     /** What the file holds, or null if a mistake was noted. */
-    <T extends FileContent> T read(JsonValue value, String path, FileContentParser<T> parser) {
+    FileContent read(JsonValue value, String path, FileKind kind) {
         try {
             if (value instanceof JsonText name) {
-                return folder.content(name.text(), parser);
+                return folder.content(name.text(), kind);
             }
             if (value instanceof JsonObject object && hold(object, NAME) && hold(object, BASE64)) {
                 boolean clear = problems.noteUnknownKeys(object, path, List.of(NAME, BASE64));
                 byte[] content = decoded(object.members().get(BASE64).value(), path);
-                return clear && content != null
-                        ? parser.parse(content, text(object, NAME), FileContentParser.Files.NONE)
-                        : null;
+                return clear && content != null ? kind.parse(content, text(object, NAME), FileKind.Files.NONE) : null;
             }
-            String allowed = "the name of " + parser.noun() + " in quotes, or an object with the texts name and base64";
+            String allowed = "the name of " + kind.noun() + " in quotes, or an object with the texts name and base64";
             problems.add(value, path, "must be " + allowed + ", was " + value.shown());
         } catch (FileException unusable) {
             problems.add(value, path, unusable.getMessage());

@@ -64,7 +64,7 @@ final class MeshFaces {
      * @param name the name of the file
      * @param files the files of its materials
      */
-    MeshFaces(String name, FileContentParser.Files files) {
+    MeshFaces(String name, FileKind.Files files) {
         this.name = name;
         library = new ObjMaterials(files, notes);
     }

@@ -41,7 +41,7 @@ public final class MeshFile {
      * @param others the files of its materials
      * @throws FileException if they are not an OBJ file with triangles
      */
-    static MeshData read(byte[] file, String name, FileContentParser.Files others) throws FileException {
+    static MeshData read(byte[] file, String name, FileKind.Files others) throws FileException {
         MeshFaces faces = new MeshFaces(name, others);
         ObjStatements statements = new ObjStatements(file);
         try {

@@ -20,12 +20,12 @@ final class ObjMaterials {
 
     private static final Colour USUAL = Colour.grey(0.8);
 
-    private final FileContentParser.Files files;
+    private final FileKind.Files files;
     private final ObjNotes notes;
     private final Map<String, MeshMaterial> materials = new HashMap<>();
     private final Map<String, PixelPicture> pictures = new HashMap<>();
 
-    ObjMaterials(FileContentParser.Files files, ObjNotes notes) {
+    ObjMaterials(FileKind.Files files, ObjNotes notes) {
         this.files = files;
         this.notes = notes;
     }

@@ -25,13 +25,13 @@ final class SceneFolder {
      *
      * @throws IOException with a message for the user, if the name leaves the folder or the file cannot be used
      */
-    <T extends FileContent> T content(String name, FileContentParser<T> parser) throws IOException {
+    FileContent content(String name, FileKind kind) throws IOException {
         FileContent known = read.get(name);
-        if (known == null || !parser.type().isInstance(known)) {
-            known = parser.parse(bytes(name, parser.noun()), name, this::bytes);
+        if (known == null || FileKind.of(known) != kind) {
+            known = kind.parse(bytes(name, kind.noun()), name, this::bytes);
             read.put(name, known);
         }
-        return parser.type().cast(known);
+        return known;
     }
 
     /** The bytes of a file with a name relative to the folder; the noun says what file is meant. */

@@ -154,7 +154,7 @@ public final class StudioWriter {
         Path place = file.toAbsolutePath().getParent();
         FileContent found;
         try {
-            found = folder.content(content.name(), FileContentParser.like(content));
+            found = folder.content(content.name(), FileKind.of(content));
         } catch (FileException ofAnotherKind) {
             found = null;
         } catch (IOException missing) {

@@ -339,7 +339,7 @@ class MeshFileTest {
     }
 
     private static MeshData read(String text, String name) throws IOException {
-        return MeshFile.read(text.getBytes(StandardCharsets.UTF_8), name, FileContentParser.Files.NONE);
+        return MeshFile.read(text.getBytes(StandardCharsets.UTF_8), name, FileKind.Files.NONE);
     }
 
     private static List<Double> corners(MeshData mesh, int triangle) {
