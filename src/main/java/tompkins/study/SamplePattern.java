@@ -57,15 +57,4 @@ final class SamplePattern implements Sampler {
         long mixed = new SplittableRandom(seed * 0x9e3779b97f4a7c15L + ((long) row << 32 | column)).nextLong();
         return new SplittableRandom(mixed);
     }
-
-    /** The numbers from 0 to below {@code count} in random order. */
-    static int[] shuffled(int count, SplittableRandom random) {
-        int[] order = new int[count];
-        for (int i = 0; i < count; i++) {
-            int j = random.nextInt(i + 1);
-            order[i] = order[j];
-            order[j] = i;
-        }
-        return order;
-    }
 }

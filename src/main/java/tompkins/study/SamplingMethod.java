@@ -10,22 +10,22 @@ import tompkins.camera.Sampler;
 enum SamplingMethod {
 
     /** Independent random positions; on the lens by rejection, as in Dr TIM. */
-    RANDOM("random (as in Dr TIM)", (samples, space) -> RandomPattern.independent(space)),
+    RANDOM("random (as in Dr TIM)", (samples, space) -> SamplePatterns.independent(space)),
 
     /** One random position in each cell of a grid, on the lens by the concentric map. */
-    JITTERED("jittered", RandomPattern::jittered),
+    JITTERED("jittered", SamplePatterns::jittered),
 
     /** Multiples of irrational numbers (Roberts 2018), shifted for each pixel. */
-    ADDITIVE("R2", ShiftedPattern::additive),
+    ADDITIVE("R2", SamplePatterns::additive),
 
     /** The program's own: Sobol points with Owen's scrambling. */
     SOBOL("Sobol, Owen-scrambled", (seed, samples, space) -> new PixelSampler(seed, space.hasLens(), space.hasTime())),
 
     /** Halton points, shifted for each pixel. */
-    HALTON("Halton", ShiftedPattern::halton),
+    HALTON("Halton", SamplePatterns::halton),
 
     /** A sunflower spiral, turned for each pixel. */
-    VOGEL("Vogel spiral", DiscPattern::vogel);
+    VOGEL("Vogel spiral", SamplePatterns::vogel);
 
     private final String title;
     private final Factory factory;

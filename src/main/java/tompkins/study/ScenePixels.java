@@ -171,7 +171,7 @@ final class ScenePixels {
         int samples = Math.max(1, referenceSamples / 2);
         return light(blocks.parallelStream(), block -> {
             stopIfCancelled();
-            return light(block, new SamplePattern(seed, ShiftedPattern.lattice(samples)), samples);
+            return light(block, new SamplePattern(seed, SamplePatterns.lattice(samples)), samples);
         });
     }
 }
