@@ -33,11 +33,11 @@ class RoomSizeTest {
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
                         26_814),
-                arguments("file, image", 4_506),
-                arguments("explain, lesson, measure, animation", 6_316),
-                arguments("io, app", 8_012),
-                arguments("study", 4_548),
-                arguments("ui", 20_758));
+                arguments("file, image", 4_501),
+                arguments("explain, lesson, measure, animation", 6_284),
+                arguments("io, app", 7_981),
+                arguments("study", 4_087),
+                arguments("ui", 20_746));
     }
 
     @ParameterizedTest

@@ -49,11 +49,6 @@ final class TiffDirectory {
         return Orientation.ofTag(number(TIFF.TAG_ORIENTATION, 1));
     }
 
-    /** Whether there is such a tag. */
-    boolean has(int tag) {
-        return directory.getEntryById(tag) != null;
-    }
-
     /** The value of a tag as the library gives it; null if there is no such tag. */
     Object value(int tag) throws IOException {
         Entry entry = directory.getEntryById(tag);
