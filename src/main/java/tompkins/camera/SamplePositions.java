@@ -17,6 +17,7 @@ public final class SamplePositions {
     final double[] lensY;
     final double[] moments;
     private int count;
+    private int changes;
 
     /** Without positions, with room for {@code most}. */
     public SamplePositions(int most) {
@@ -44,6 +45,7 @@ public final class SamplePositions {
     /** Removes all positions. */
     public void clear() {
         count = 0;
+        changes++;
     }
 
     /** Adds a pixel; a {@link PixelSampler} chooses the position in it. */
@@ -51,6 +53,12 @@ public final class SamplePositions {
         columns[count] = column;
         rows[count] = row;
         count++;
+        changes++;
+    }
+
+    /** Differs from that of before if the pixels do. */
+    int changes() {
+        return changes;
     }
 
     /**

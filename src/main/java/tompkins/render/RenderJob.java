@@ -110,11 +110,13 @@ public final class RenderJob {
                 if (schedule.isOver() || !isWanted(pass, tile.column() + column, tile.row() + row, width, height)) {
                     continue;
                 }
-                sums.begin(pass, tile.column() + column, tile.row() + row);
+                int left = tile.column() + column;
+                int top = tile.row() + row;
+                sums.begin(pass, left, top);
+                tracer.beginBlock(left, top, width, height, pass.stride(), sums);
                 for (int sample = pass.firstSample(); sample < end && !isStopped(); sample++) {
                     try {
-                        tracer.sampleBlock(
-                                tile.column() + column, tile.row() + row, width, height, pass.stride(), sample, sums);
+                        tracer.sampleBlock(sample, sums);
                     } catch (RuntimeException | Error error) {
                         failure.compareAndSet(
                                 null,

@@ -35,11 +35,15 @@ public final class SampleTracer {
     private final RayCounts counts;
     private final PathObserver observer;
 
-    private final SamplePositions places = new SamplePositions(RayPacket.MOST);
+    /** The samples that each eye takes. */
+    private final List<SamplePositions> placesOfEyes;
+
     private final RayPacket rays = new RayPacket(RayPacket.MOST);
 
     /** The eye whose picture the places are in. */
     private EyeView eye;
+
+    private SamplePositions places;
 
     private Colour[] colours = new Colour[RayPacket.MOST];
 
@@ -82,7 +86,9 @@ public final class SampleTracer {
             PathObserver observer) {
         this.sampler = sampler;
         this.pictureRays = pictureRays;
-        eye = pictureRays.views().get(0);
+        placesOfEyes = pictureRays.views().stream()
+                .map(view -> new SamplePositions(RayPacket.MOST))
+                .toList();
         this.cameraFrame = cameraFrame;
         this.lensMedium = lensMedium;
         this.sceneMedium = sceneMedium;
@@ -138,8 +144,13 @@ public final class SampleTracer {
     }
 
     private void begin(EyeView next) {
-        eye = next;
+        turnTo(next);
         places.clear();
+    }
+
+    private void turnTo(EyeView next) {
+        eye = next;
+        places = placesOfEyes.get(pictureRays.views().indexOf(next));
     }
 
     private void start() {
@@ -187,31 +198,54 @@ public final class SampleTracer {
     }
 
     /**
-     * Takes one sample of each pixel of a block. All rays of the block are made first and followed through what moves
-     * with the camera. For those that leave it, the few objects that they can meet are found at once, or else, for a
-     * few neighbours at a time, where they enter the tree. The colours are those of single samples.
+     * Begins a block of pixels, to take samples of them by {@link #sampleBlock}.
      *
      * @param left first column
      * @param top first row
      * @param width columns of the block
      * @param height rows of the block
      * @param stride distance between the pixels that are sampled; at most {@link RayPacket#SIDE} of them each way
-     * @param sample number of the sample of each pixel
-     * @param taker says which pixels are wanted, and gets their colours
+     * @param taker says which pixels are wanted
      */
-    public void sampleBlock(int left, int top, int width, int height, int stride, int sample, SampleSink taker) {
+    public void beginBlock(int left, int top, int width, int height, int stride, SampleSink taker) {
         column = left;
         row = top;
-        List<EyeView> eyes = pictureRays.views();
-        for (EyeView next : pictureRays.layout().isAnaglyph() ? eyes.subList(0, 1) : eyes) {
+        for (EyeView next : eyes()) {
             begin(next);
-            choosePlaces(left, top, width, height, stride, sample, taker);
+            addPixels(left, top, width, height, stride, taker);
+        }
+    }
+
+    /** The eyes that have places of their own. */
+    private List<EyeView> eyes() {
+        List<EyeView> all = pictureRays.views();
+        return pictureRays.layout().isAnaglyph() ? all.subList(0, 1) : all;
+    }
+
+    /**
+     * Takes one sample of each pixel of the block. All rays of the block are made first and followed through what moves
+     * with the camera. For those that leave it, the few objects that they can meet are found at once, or else, for a
+     * few neighbours at a time, where they enter the tree. The colours are those of single samples.
+     *
+     * @param sample number of the sample of each pixel
+     * @param taker gets the colours
+     */
+    public void sampleBlock(int sample, SampleSink taker) {
+        for (EyeView next : eyes()) {
+            turnTo(next);
+            sampler.choose(places, sample);
             trace(taker);
             if (pictureRays.layout().isAnaglyph()) {
-                combineWith(eyes.get(1), taker);
+                combineWith(pictureRays.views().get(1), taker);
             }
             hand(taker);
         }
+    }
+
+    /** Begins a block, as above, and takes one sample of each of its pixels. */
+    public void sampleBlock(int left, int top, int width, int height, int stride, int sample, SampleSink taker) {
+        beginBlock(left, top, width, height, stride, taker);
+        sampleBlock(sample, taker);
     }
 
     /** Follows the rays of another eye for the same places, and combines the colours of both. */
@@ -295,7 +329,7 @@ public final class SampleTracer {
         }
     }
 
-    private void choosePlaces(int left, int top, int width, int height, int stride, int sample, SampleSink taker) {
+    private void addPixels(int left, int top, int width, int height, int stride, SampleSink taker) {
         for (int place = 0; place < RayPacket.MOST; place++) {
             int across = stride * MORTON_COLUMNS[place];
             int down = stride * MORTON_COLUMNS[place >> 1];
@@ -308,7 +342,6 @@ public final class SampleTracer {
                 places.addPixel(nextColumn - eye.column(), nextRow - eye.row());
             }
         }
-        sampler.choose(places, sample);
     }
 
     private static int mortonColumn(int place) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.HashSet;
+import java.util.List;
 import java.util.Set;
 import java.util.function.ToIntFunction;
 import org.junit.jupiter.api.Test;
@@ -202,6 +203,28 @@ class PixelSamplerTest {
         assertThat(different).hasSize(RayPacket.MOST);
     }
 
+    /** What is kept from one sample of a block to the next is only what stays the same. */
+    @Test
+    void sampleIsWhereItWouldBeAlone() {
+        for (boolean blurs : new boolean[] {false, true}) {
+            PixelSampler kept = new PixelSampler(5, blurs, blurs);
+            SamplePositions block = new SamplePositions(2);
+            for (int column : new int[] {3, 4}) {
+                block.clear();
+                block.addPixel(column, 7);
+                for (int sample : new int[] {0, 1, 255, 256, 1, 70_000, PixelSampler.CENTRE, 2}) {
+                    kept.choose(block, sample);
+                    SamplePositions alone = place(new PixelSampler(5, blurs, blurs), column, 7, sample);
+                    assertThat(positions(block)).as("sample %d", sample).isEqualTo(positions(alone));
+                }
+            }
+        }
+    }
+
+    private static List<Double> positions(SamplePositions of) {
+        return List.of(of.x(0), of.y(0), of.lensX(0), of.lensY(0), of.moment(0));
+    }
+
     private static SamplePositions place(PixelSampler sampler, int column, int row, int sample) {
         SamplePositions place = new SamplePositions(1);
         place.addPixel(column, row);
@@ -211,7 +234,9 @@ class PixelSamplerTest {
 
     private static double coordinate(int dimension, int[] point, int seed) {
         int[] fraction = new int[1];
-        SobolPoints.fractions(dimension, point, new int[] {seed}, fraction, 1);
+        int[] upper = new int[1];
+        SobolPoints.upperFractions(dimension, point, upper, 1);
+        SobolPoints.fractions(dimension, point, upper, new int[] {seed}, fraction, 1);
         return SobolPoints.number(fraction[0]);
     }
 
