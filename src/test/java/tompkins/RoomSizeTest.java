@@ -35,7 +35,7 @@ class RoomSizeTest {
                         26_879),
                 arguments("file, image", 4_501),
                 arguments("explain, lesson, measure, animation", 6_284),
-                arguments("io, app", 7_981),
+                arguments("io, app", 7_992),
                 arguments("study", 4_087),
                 arguments("ui", 20_746));
     }

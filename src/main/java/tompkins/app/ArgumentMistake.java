@@ -15,6 +15,7 @@ import picocli.CommandLine.MissingParameterException;
 import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Model.PositionalParamSpec;
 import picocli.CommandLine.MutuallyExclusiveArgsException;
 import picocli.CommandLine.OverwrittenOptionException;
 import picocli.CommandLine.ParameterException;
@@ -39,7 +40,8 @@ final class ArgumentMistake {
                     ? option.longestName() + " needs " + value(option)
                     : fileLikeOption(arguments)
                             .or(() -> unknownOption(command, arguments))
-                            .orElse("needs " + explained(missing.getMissing()));
+                            .orElse("needs " + wordsBefore(missing.getMissing().get(0))
+                                    + explained(missing.getMissing()));
         }
         if (mistake.getCause() instanceof InvalidPathException notAName) {
             return NamedFile.mistake(notAName);
@@ -75,6 +77,15 @@ final class ArgumentMistake {
     /** Whether the command needs an option. The library says so, too, of options that exclude each other. */
     private static boolean isNeeded(OptionSpec option) {
         return option.required() && option.group() == null;
+    }
+
+    /** The arguments that stand before a missing one, which may have been left out in its stead. */
+    private static String wordsBefore(ArgSpec missing) {
+        List<PositionalParamSpec> all = missing.command().positionalParameters();
+        return all.stream()
+                .limit(Math.max(0, all.indexOf(missing)))
+                .map(word -> word.paramLabel() + " and ")
+                .collect(Collectors.joining());
     }
 
     private static String explained(List<ArgSpec> missing) {

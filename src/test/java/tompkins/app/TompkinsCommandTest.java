@@ -75,7 +75,8 @@ class TompkinsCommandTest {
                 "trace scenes/fig1b.json | needs --pixel=X,Y: column and row of the pixel, from 0 at the upper left",
                 "trace scenes/fig1b.json --pixel | needs --pixel=X,Y: column and row of the pixel",
                 "trace | needs --pixel=X,Y: column and row of the pixel",
-                "trace | ; and SCENE: scene file, or saved photograph"
+                "trace | ; and SCENE: scene file, or saved photograph",
+                "measure scenes/fig1b.json | needs WHAT and SCENE: scene file, or saved photograph"
             })
     void whatIsMissingIsNamedAndExplained(String line, String said) {
         ProgramRun run = ProgramRun.of((Object[]) line.trim().split(" "));
