@@ -25,7 +25,10 @@ final class EdgeSchedule implements Schedule {
     private static final int SMALLEST = 6;
 
     /** New samples of a cell of which neighbours are chosen as well. */
-    private static final double PER_CELL = 3.5;
+    private static final int PER_CELL = 4;
+
+    /** The same in the last cells, whose right and lower side are left to their neighbours. */
+    private static final int PER_LAST_CELL = 3;
 
     /** How many samples there may be. */
     interface Budget {
@@ -73,7 +76,10 @@ final class EdgeSchedule implements Schedule {
         return new Pass(stride, 0, PixelSampler.CENTRE, 1, 1, chosen, share);
     }
 
-    /** Chooses pixels without samples in cells whose corners differ. */
+    /**
+     * Chooses pixels without samples in the cells whose corners differ most, about as many as wanted. Of cells that
+     * differ alike some are left out evenly, and not all in one part of the picture.
+     */
     private static BitSet choose(Film film, int side, long most) {
         int columns = (film.width() + side - 1) / side;
         int rows = (film.height() + side - 1) / side;
@@ -83,13 +89,30 @@ final class EdgeSchedule implements Schedule {
                 differences[row * columns + column] = (byte) difference(film, side * column, side * row, side);
             }
         });
-        int least = leastDifference(differences, side > FIRST_EDGES ? 0 : SMALLEST, (long) (most / PER_CELL));
+        int[] cells = new int[STEPS + 1];
+        for (byte difference : differences) {
+            cells[difference & 0xff]++;
+        }
+        int smallest = side > FIRST_EDGES ? 0 : SMALLEST;
+        long left = most / (side > 2 ? PER_CELL : PER_LAST_CELL);
+        int least = STEPS;
+        for (; least > smallest && cells[least] <= left; least--) {
+            left -= cells[least];
+        }
         BitSet chosen = new BitSet(film.pixels());
         // between the knots of the last cells the next one's left and upper side are its own
         int reach = side > 2 ? side : 1;
+        long due = 0;
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
-                if ((differences[row * columns + column] & 0xff) >= least) {
+                int difference = differences[row * columns + column] & 0xff;
+                boolean isChosen = difference > least;
+                if (difference == least) {
+                    due += Math.min(left, cells[least]);
+                    isChosen = due >= cells[least];
+                    due -= isChosen ? cells[least] : 0;
+                }
+                if (isChosen) {
                     choose(film, side * column, side * row, reach, side / 2, chosen);
                 }
             }
@@ -108,22 +131,7 @@ final class EdgeSchedule implements Schedule {
         }
     }
 
-    /**
-     * The smallest difference, or the lowest one allowed, such that no more cells than wanted have it or a larger one.
-     */
-    private static int leastDifference(byte[] differences, int smallest, long most) {
-        int[] cells = new int[STEPS + 1];
-        for (byte difference : differences) {
-            cells[difference & 0xff]++;
-        }
-        int least = STEPS + 1;
-        for (long sum = 0; least > smallest && sum + cells[least - 1] <= most; least--) {
-            sum += cells[least - 1];
-        }
-        return least;
-    }
-
-    /** The largest difference between the corners of a cell in one channel; 0 if one of them is unknown. */
+    /** The largest difference between those corners of a cell that are known, in one channel. */
     private static int difference(Film film, int left, int top, int side) {
         int right = left + side < film.width() ? left + side : left;
         int bottom = top + side < film.height() ? top + side : top;

@@ -252,18 +252,21 @@ final class Film {
 
     /**
      * The largest difference between four pixels in one channel, from 0 to {@code steps}: that of the square roots of
-     * their light, which is about what is seen. 0 if one of them has no samples.
+     * their light, which is about what is seen. Pixels without samples do not count, so that a line which leaves a cell
+     * through its side is found in the next one, too.
      */
     int contrast(int first, int second, int third, int fourth, int steps) {
-        if (samples[first] == 0 || samples[second] == 0 || samples[third] == 0 || samples[fourth] == 0) {
-            return 0;
-        }
+        int known = samples[first] != 0 ? first : samples[second] != 0 ? second : samples[third] != 0 ? third : fourth;
+        int ofA = 3 * known;
+        int ofB = 3 * (samples[second] != 0 ? second : known);
+        int ofC = 3 * (samples[third] != 0 ? third : known);
+        int ofD = 3 * (samples[fourth] != 0 ? fourth : known);
         double largest = 0;
         for (int channel = 0; channel < 3; channel++) {
-            float a = sums[3 * first + channel];
-            float b = sums[3 * second + channel];
-            float c = sums[3 * third + channel];
-            float d = sums[3 * fourth + channel];
+            float a = sums[ofA + channel];
+            float b = sums[ofB + channel];
+            float c = sums[ofC + channel];
+            float d = sums[ofD + channel];
             float most = Math.max(Math.max(a, b), Math.max(c, d));
             float least = Math.min(Math.min(a, b), Math.min(c, d));
             if (most > least) {

@@ -105,6 +105,23 @@ class GlimpseTest {
         assertThat(more.get(more.size() / 2)).isLessThan(0.75 * few.get(few.size() / 2));
     }
 
+    /** Thin hands and dials lie between the knots of the net: an edge is followed into the cells beside it. */
+    @Test
+    void thinLinesOfClocksAreFollowed() throws Exception {
+        RenderPlan plan = plan(StudioReader.read(Path.of("scenes/motion-clocks.json")));
+        RenderJob job = glimpse(plan, 0.165);
+        assertThat(PictureDifference.ofLevels(levels(plan, job.image()), wholeLevels(plan)))
+                .isLessThan(9);
+    }
+
+    /** In Fig. 1(b) two thirds of all cells differ, many of them alike. */
+    @Test
+    void whatMayBeTakenIsTaken() throws Exception {
+        RenderPlan plan = plan(StudioReader.read(Path.of("scenes/fig1b.json")));
+        assertThat(samples(glimpse(plan, 0.165))).isBetween(0.16, 0.167);
+        assertThat(samples(glimpse(plan, 0.1))).isBetween(0.097, 0.102);
+    }
+
     /** Nothing is between the knots of the net of four by four pixels. */
     @Test
     void whereNothingDiffersTheNetIsEnough() throws Exception {
