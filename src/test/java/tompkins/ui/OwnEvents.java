@@ -93,13 +93,16 @@ final class OwnEvents extends EventQueue {
             looking = true;
             invokeLater(() -> {
                 looking = false;
-                if (isFocusWrong()) {
-                    giving = true;
-                    super.dispatchEvent(
-                            new FocusEvent(wanted(), FocusEvent.FOCUS_GAINED, false, focus.getFocusOwner(), cause));
-                    giving = false;
-                }
+                giveFocus();
             });
+        }
+    }
+
+    private void giveFocus() {
+        if (isFocusWrong()) {
+            giving = true;
+            super.dispatchEvent(new FocusEvent(wanted(), FocusEvent.FOCUS_GAINED, false, focus.getFocusOwner(), cause));
+            giving = false;
         }
     }
 
@@ -154,7 +157,9 @@ final class OwnEvents extends EventQueue {
         });
     }
 
+    /** What a key that is pressed now goes to: the screen may have left the focus nowhere since the last one. */
     Component keyTarget() {
+        giveFocus();
         Component owner = focus.getFocusOwner();
         return owner != null ? owner : focused();
     }
