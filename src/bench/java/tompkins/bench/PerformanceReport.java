@@ -102,7 +102,7 @@ final class PerformanceReport {
             case START -> ColdStart.measure(quick ? 1 : 7, measures);
             case BEFORE -> compare();
             case WINDOW -> Window.measure(quick ? 1 : 3, measures);
-            case RIDE -> RideInWindow.measure(quick ? 3 : 10, measures);
+            case RIDE -> details.append(RideInWindow.measure(quick ? 3 : 10));
             case LARGE -> LargePicture.measure(quick ? 2000 : 5000, measures);
             case SCENES -> details.append(Scenes.measure(quick ? 2 : 8));
             case METHODS -> details.append(HotMethods.measure(quick ? 50 : 500));

@@ -6,6 +6,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** How live rides are in the window: through Fig. 1(b), the scenes with motion, and the first scene of the program. */
@@ -13,19 +15,59 @@ final class RideInWindow {
 
     private static final String BENCHMARK = "tompkins.ui.RideBenchmark";
     private static final Path SCENES = Path.of("scenes");
+    private static final String HEAD = """
+
+            ## Rides
+
+            In the window, where the picture has 826 x 620 pixels. The difference is the root mean square to the same picture with a sample in
+            each pixel, of 255 levels. What misses its target is bold.
+
+            """;
     private static final String FIRST = SCENES.resolve("town-square.json").toString();
 
     private RideInWindow() {}
 
+    /** What people notice of a ride, as the benchmark prints it. */
+    private enum Column {
+        PICTURES("pictures in a second", 30, Double.POSITIVE_INFINITY),
+        THRUST("thrust to a picture on the screen, ms", 0, 50),
+        SAMPLES("samples of a pixel", 0, Double.POSITIVE_INFINITY),
+        DIFFERENCE("difference to the whole picture, levels", 0, 4),
+        WORST("in the worst second", 0, 8);
+
+        private final String heading;
+        private final double least;
+        private final double most;
+
+        Column(String heading, double least, double most) {
+            this.heading = heading;
+            this.least = least;
+            this.most = most;
+        }
+
+        private String target() {
+            if (least > 0) {
+                return "at least " + Measure.number(least);
+            }
+            return most < Double.POSITIVE_INFINITY ? "at most " + Measure.number(most) : "";
+        }
+
+        /** A number as it stands in the table: bold where it misses its target. */
+        private String cell(double value) {
+            String number = Measure.number(value);
+            return value >= least && value <= most ? number : "**" + number + "**";
+        }
+    }
+
     /**
-     * Rides through all of them in one process, and adds the medians of each.
+     * Rides through all of them in one process.
      *
      * @param thrusts how often there is thrust in each scene
+     * @return a table of the medians of each, as Markdown
      */
-    static void measure(int thrusts, List<Measure> measures) throws IOException, InterruptedException {
+    static String measure(int thrusts) throws IOException, InterruptedException {
         if (!Window.isPossible()) {
-            measures.add(Measure.missing(Measure.Kind.NOTICED, "rides", Window.NO_DISPLAY));
-            return;
+            return "\n## Rides\n\n" + Window.NO_DISPLAY + "\n";
         }
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
@@ -43,26 +85,25 @@ final class RideInWindow {
         Process process = new ProcessBuilder(command)
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
+        StringBuilder table = new StringBuilder(HEAD)
+                .append(row("ride", column -> column.heading))
+                .append(row("---", column -> "---"))
+                .append(row("target", Column::target));
         try (BufferedReader lines = process.inputReader()) {
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-                add(line, measures);
+                int colon = line.indexOf(": ");
+                String[] values = line.substring(colon + 2).split(" ");
+                table.append(row(
+                        line.substring(0, colon), column -> column.cell(Double.parseDouble(values[column.ordinal()]))));
             }
         }
         if (process.waitFor() != 0) {
             throw new IOException("the window ended with exit code " + process.exitValue());
         }
+        return table.toString();
     }
 
-    private static void add(String line, List<Measure> measures) {
-        int colon = line.indexOf(": ");
-        String ride = "ride, 826 x 620, " + line.substring(0, colon);
-        String[] values = line.substring(colon + 2).split(" ");
-        measures.add(Measure.noticedAtLeast(ride + ": pictures in a second", 30, "", Double.parseDouble(values[0])));
-        measures.add(Measure.noticedAtMost(
-                ride + ": thrust to a picture on the screen", 50, "ms", Double.parseDouble(values[1])));
-        String difference = ride + ": difference to the whole picture, with " + values[2] + " samples of a pixel";
-        measures.add(Measure.noticedAtMost(difference, 4, "levels", Double.parseDouble(values[3])));
-        measures.add(Measure.noticedAtMost(
-                ride + ": difference in the worst second", 8, "levels", Double.parseDouble(values[4])));
+    private static String row(String ride, Function<Column, String> cell) {
+        return "| " + ride + " | " + Stream.of(Column.values()).map(cell).collect(Collectors.joining(" | ")) + " |\n";
     }
 }
