@@ -32,7 +32,7 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        26_890),
+                        26_922),
                 arguments("file, image", 4_501),
                 arguments("explain, lesson, measure, animation", 6_284),
                 arguments("io, app", 7_992),

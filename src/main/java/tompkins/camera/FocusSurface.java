@@ -1,12 +1,17 @@
 package tompkins.camera;
 
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import org.joml.Vector3dc;
 import tompkins.primitive.Placement;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
+import tompkins.search.NearestHit;
+import tompkins.search.ObjectTree;
 
 /** The surface on which a camera is focused: any scene object, at rest in the camera frame. */
 final class FocusSurface {
@@ -14,7 +19,13 @@ final class FocusSurface {
     /** All objects of usable size are nearer; from farther away no time can be worked out. */
     private static final double INFINITE = 1e60;
 
-    private final List<Primitive> primitives;
+    /** Planes and other things without an end, which no tree holds. */
+    private final List<Primitive> endless;
+
+    private final ObjectTree bounded;
+
+    /** Memory of each thread for a search. */
+    private final ThreadLocal<NearestHit> nearest = ThreadLocal.withInitial(() -> new NearestHit(new RayCounts()));
 
     /**
      * The surface of an object.
@@ -22,9 +33,21 @@ final class FocusSurface {
      * @throws tompkins.property.InvalidPropertyException if it is too large or too small to work with
      */
     FocusSurface(SceneObject object) {
+        Map<Boolean, List<Primitive>> byBounds =
+                primitives(object).stream().collect(Collectors.partitioningBy(primitive -> primitive.bounds() != null));
+        endless = byBounds.get(false);
+        bounded = new ObjectTree(byBounds.get(true));
+    }
+
+    /**
+     * What the surface of an object consists of.
+     *
+     * @throws tompkins.property.InvalidPropertyException if it is too large or too small to work with
+     */
+    static List<Primitive> primitives(SceneObject object) {
         PrimitiveCollector collector = new PrimitiveCollector();
         collector.add("focus", object, Placement.NONE);
-        primitives = collector.primitives();
+        return collector.primitives();
     }
 
     /**
@@ -34,8 +57,8 @@ final class FocusSurface {
      */
     double inverseDistance(Vector3dc centre, Vector3dc direction) {
         Ray line = Ray.from(centre.x(), centre.y(), centre.z(), direction.x(), direction.y(), direction.z(), 0);
-        double found = Double.NaN;
-        for (Primitive primitive : primitives) {
+        double found = bounded.size() == 0 ? Double.NaN : inverseDistanceOfBounded(line);
+        for (Primitive primitive : endless) {
             double inverse = primitive.inverseDistance(line);
             boolean nearer = inverse > 0 ? !(found >= inverse) : !(found > 0 || found <= inverse);
             if (Double.isFinite(inverse) && nearer) {
@@ -44,5 +67,14 @@ final class FocusSurface {
         }
         // the zero keeps the side of the lens
         return Math.abs(found) * INFINITE < 1 ? 0 * found : found;
+    }
+
+    private double inverseDistanceOfBounded(Ray line) {
+        NearestHit hit = nearest.get();
+        if (bounded.nearest(line, hit)) {
+            return 1 / hit.distance();
+        }
+        Ray backwards = Ray.from(line.x, line.y, line.z, -line.dx, -line.dy, -line.dz, 0);
+        return bounded.nearest(backwards, hit) ? -1 / hit.distance() : Double.NaN;
     }
 }

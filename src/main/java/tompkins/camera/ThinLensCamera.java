@@ -100,7 +100,7 @@ public record ThinLensCamera(
                     NumberText.of(focus.primitiveCount()));
         }
         // refuses sizes that cannot be worked with
-        new FocusSurface(focus);
+        FocusSurface.primitives(focus);
         Require.within("exposureStops", exposureStops, -100.0, 100.0);
         Require.duration("exposureTime", exposureTime);
     }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assertions.withinPercentage;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -17,6 +18,7 @@ import tompkins.ray.RayCounts;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.Group;
+import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -105,6 +107,33 @@ class FocusTest {
         assertThat(counts.withoutFocus).isEqualTo(2);
         assertThat(one.dx).isEqualTo(other.dx);
         assertThat(Double.isFinite(one.time + other.time)).isTrue();
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {10, -10})
+    void aPlaneInPiecesIsInFocusAsTheWhole(double distance) {
+        Vector3d one = new Vector3d(1, 0, 0.25);
+        Vector3d other = new Vector3d(0, 1, -0.125);
+        List<SceneObject> pieces = new ArrayList<>();
+        for (int i = 0; i < 400; i++) {
+            Vector3d corner = new Vector3d(0, 0, distance).fma(i % 20 - 10, one).fma(i / 20 - 10, other);
+            pieces.add(new Parallelogram("piece", corner, one, other, ColouredSurface.DEFAULT));
+        }
+        // farther away on the same side, and nearer behind what is seen in front
+        pieces.add(plane(new Vector3d(0, 0, 3 * distance), new Vector3d(0, 0, 1)));
+        if (distance > 0) {
+            pieces.add(plane(new Vector3d(0, 0, -1), new Vector3d(0, 0, 1)));
+        }
+        Plane whole = plane(new Vector3d(0, 0, distance), one.cross(other, new Vector3d()));
+        CameraRays expected = rays(whole, new DetectorPlaneShutter(1, 1));
+        CameraRays rays = rays(new Group("", pieces), new DetectorPlaneShutter(1, 1));
+        for (double x = 5.3; x < 100; x += 9) {
+            Ray ray = ray(rays, x, 37 + x / 4, 0.4, -0.7);
+            Ray sought = ray(expected, x, 37 + x / 4, 0.4, -0.7);
+            assertThat(ray.dx / ray.dz).isCloseTo(sought.dx / sought.dz, within(1e-14));
+            assertThat(ray.dy / ray.dz).isCloseTo(sought.dy / sought.dz, within(1e-14));
+            assertThat(ray.time).isCloseTo(sought.time, within(1e-12));
+        }
     }
 
     @Test
