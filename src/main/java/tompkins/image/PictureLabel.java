@@ -173,14 +173,26 @@ public final class PictureLabel {
         return graphics.getFontMetrics(font).stringWidth(text) <= width - 2 * (sizes(GAP, font) + sizes(MARGIN, font));
     }
 
-    private static String shortened(String text, FontMetrics metrics, int room) {
-        if (metrics.stringWidth(text) <= room) {
-            return text;
+    /** A text as far as it has room: without its last parts, or else without the end of a part. */
+    public static String shortened(String text, FontMetrics metrics, int room) {
+        String fitting = text;
+        while (metrics.stringWidth(fitting) > room) {
+            int part = Math.max(fitting.lastIndexOf("; "), fitting.lastIndexOf(BETWEEN_PARTS));
+            if (part < 0) {
+                return cut(fitting, metrics, room);
+            }
+            fitting = fitting.substring(0, part).stripTrailing();
         }
-        int length = text.length();
-        while (length > 0 && metrics.stringWidth(text.substring(0, length) + "\u2026") > room) {
-            length--;
+        return fitting;
+    }
+
+    /** The words of a text that have room; of a single long word, its letters. */
+    private static String cut(String text, FontMetrics metrics, int room) {
+        int end = text.length();
+        while (end > 0 && metrics.stringWidth(text.substring(0, end) + "\u2026") > room) {
+            int word = text.lastIndexOf(' ', end - 1);
+            end = word > 0 ? word : end - 1;
         }
-        return text.substring(0, length) + "\u2026";
+        return text.substring(0, end) + "\u2026";
     }
 }

@@ -121,14 +121,14 @@ public enum FactText {
         return fact instanceof Quantity quantity ? number(quantity) : value(fact);
     }
 
-    /** A formula, or a text with formulas, with the signs of printed ones; a hyphen between letters stays. */
+    /** A formula, or a text with formulas, with the signs of printed ones; a minus stays as it is typed everywhere. */
     public static String readable(String text) {
-        return text.replace("sqrt", "\u221a").replaceAll("(?<!\\p{L})-|-(?!\\p{L})", "\u2212");
+        return text.replace("sqrt", "\u221a");
     }
 
     /** What a fact is called. */
     public String name(Fact fact) {
-        return this == SIGNS ? fact.name().replace("^2", "\u00b2").replace(" - ", " \u2212 ") : fact.name();
+        return this == SIGNS ? fact.name().replace("^2", "\u00b2") : fact.name();
     }
 
     /** What follows a number in a unit, which may be empty. */

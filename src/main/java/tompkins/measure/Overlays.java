@@ -1,5 +1,6 @@
 package tompkins.measure;
 
+import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
 import java.util.HashMap;
@@ -42,6 +43,9 @@ public final class Overlays {
     private static final int CIRCLES = 8;
 
     private static final double MERIDIAN = 15;
+
+    /** A name has room inside what takes more than this part of the picture. */
+    private static final double LARGE = 0.3;
 
     /** The angles of so many columns and rows say which circles are in the picture. */
     private static final int PLACES = 9;
@@ -177,8 +181,24 @@ public final class Overlays {
     private void addName(OverlayDrawing drawing, SceneShapes.Thing thing) {
         Vector2dc position = seen(thing);
         if (position != null) {
-            drawing.labels().add(new OverlayDrawing.Label(thing.name(), null, position));
+            drawing.labels().add(new OverlayDrawing.Label(thing.name(), null, position, extent(thing, position)));
         }
+    }
+
+    /** A box around the corners of what is seen at a position; null if it takes much of the picture. */
+    private Rectangle2D extent(SceneShapes.Thing thing, Vector2dc position) {
+        Rectangle2D extent = new Rectangle2D.Double(position.x(), position.y(), 0, 0);
+        for (Vector3d corner : thing.bounds().corners()) {
+            Vector2dc seen = projection.position(frame(thing.motion()), corner);
+            if (seen == null) {
+                return null;
+            }
+            extent.add(seen.x(), seen.y());
+        }
+        EyeView view = projection.view();
+        return Math.max(extent.getWidth(), extent.getHeight()) > LARGE * Math.min(view.width(), view.height())
+                ? null
+                : extent;
     }
 
     /** Those of the eye alone, in its own part of the picture. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
@@ -46,6 +47,27 @@ class PictureLabelTest {
         assertThat((double) smaller.width / smaller.height)
                 .isBetween(0.9 * whole.width / whole.height, 1.1 * whole.width / whole.height);
         assertThat(smaller.height).isLessThan(whole.height);
+    }
+
+    /** What is least important stands last; what is left ends with a word. */
+    @Test
+    void aTextWithoutRoomGivesUpItsLastParts() {
+        Graphics2D graphics = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
+        FontMetrics metrics = graphics.getFontMetrics(FONT);
+        String text = "Point at the picture; click to follow.";
+        int all = metrics.stringWidth(text);
+        assertThat(PictureLabel.shortened(text, metrics, all)).isEqualTo(text);
+        assertThat(PictureLabel.shortened(text, metrics, all - 1)).isEqualTo("Point at the picture");
+        assertThat(PictureLabel.shortened(text, metrics, metrics.stringWidth("Point at the pict\u2026")))
+                .isEqualTo("Point at the\u2026");
+        assertThat(PictureLabel.shortened(
+                        "Pixel 1, 2  \u00b7  wall  \u00b7  far",
+                        metrics,
+                        metrics.stringWidth("Pixel 1, 2  \u00b7  wall")))
+                .isEqualTo("Pixel 1, 2  \u00b7  wall");
+        assertThat(PictureLabel.shortened("Superluminal", metrics, metrics.stringWidth("Super\u2026")))
+                .isEqualTo("Super\u2026");
+        graphics.dispose();
     }
 
     @Test

@@ -439,6 +439,10 @@ class OverlaysTest {
                 assertThat(names.labels().get(0).text()).isEqualTo("ball");
                 Vector2dc place = names.labels().get(0).position();
                 assertThat(hits(RenderPlan.of(studio), place.x(), place.y())).isTrue();
+                assertThat(names.labels().get(0).extent()).satisfies(extent -> {
+                    assertThat(extent.contains(place.x(), place.y())).isTrue();
+                    assertThat(extent.getWidth()).isBetween(0.01, 3.0);
+                });
             }
         }
     }

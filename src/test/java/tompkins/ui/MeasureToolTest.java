@@ -81,6 +81,14 @@ class MeasureToolTest {
         driver.click(point);
     }
 
+    /** The angle in a frame: those with the same number stand together. */
+    private double angle(String frame) {
+        Matcher matcher =
+                Pattern.compile("([0-9.]+)[^(\u00b7\n]* \\([a-z, ]*" + frame).matcher(results());
+        assertThat(matcher.find()).as(results()).isTrue();
+        return Double.parseDouble(matcher.group(1));
+    }
+
     private double number(String label) {
         Matcher matcher =
                 Pattern.compile(Pattern.quote(label) + "\u00a0\\(?([0-9.]+)").matcher(results());
@@ -100,18 +108,24 @@ class MeasureToolTest {
         assertThat(results()).isEqualTo("Click at two points in the picture.");
         click(0, 0);
         click(0.5, 0);
-        WindowDriver.await("the angle", () -> results().startsWith("angle (camera)"));
+        WindowDriver.await("the angle", () -> results().startsWith("angle: "));
 
         double camera = Math.toDegrees(Math.atan(0.5 * Math.tan(Math.toRadians(10))));
-        assertThat(number("angle (camera)")).isCloseTo(camera, within(0.1));
-        assertThat(number("angle (scene)"))
+        assertThat(angle("camera")).isCloseTo(camera, within(0.1));
+        assertThat(angle("scene"))
                 .isCloseTo(
-                        Math.toDegrees(2 * Math.atan(3 * Math.tan(Math.toRadians(number("angle (camera)")) / 2))),
-                        within(0.1));
+                        Math.toDegrees(2 * Math.atan(3 * Math.tan(Math.toRadians(angle("camera")) / 2))), within(0.1));
 
         WindowDriver.onEventThread(() ->
                 driver.window().model().set(driver.window().model().studio().withVelocity(Velocity.REST)));
-        WindowDriver.await("the angle at rest", () -> number("angle (scene)") == number("angle (camera)"));
+        WindowDriver.await("the angle at rest", () -> angle("scene") == angle("camera"));
+        assertThat(results().lines().map(line -> line.substring(0, line.indexOf(':'))))
+                .containsExactly(
+                        "angle",
+                        "distance in scene units",
+                        "dt in scene units",
+                        "dr\u00b2 - dt\u00b2 in scene units\u00b2");
+        assertThat(results().lines()).allMatch(line -> line.indexOf('(') == line.lastIndexOf('('));
 
         if (TestRun.THOROUGH) {
             assertThat(copied())

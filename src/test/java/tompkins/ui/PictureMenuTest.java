@@ -149,6 +149,6 @@ class PictureMenuTest {
         JTextArea results = driver.find(JTextArea.class, "measure.results");
         assertThat(results.getText()).isEqualTo("Click at two points in the picture.");
         WindowDriver.onEventThread(() -> press(MouseEvent.BUTTON1, right()));
-        WindowDriver.await("the angle", () -> results.getText().startsWith("angle (camera)"));
+        WindowDriver.await("the angle", () -> results.getText().startsWith("angle: "));
     }
 }

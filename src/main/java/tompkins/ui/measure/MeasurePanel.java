@@ -1,9 +1,12 @@
 package tompkins.ui.measure;
 
 import java.awt.BorderLayout;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JButton;
@@ -27,6 +30,8 @@ import tompkins.ui.widget.Texts;
 final class MeasurePanel extends Part {
 
     private static final String GAP = " \u00b7 ";
+
+    private static final Pattern IN_FRAME = Pattern.compile("(.+) \\((camera|scene|object)\\)");
 
     private final JComboBox<MeasureKind> kinds = new JComboBox<>(MeasureKind.values());
     private final JComboBox<ProfileChart.Content> contents = new JComboBox<>(ProfileChart.Content.values());
@@ -148,11 +153,37 @@ final class MeasurePanel extends Part {
         return lines.collect(Collectors.joining("\n", "", "\n"));
     }
 
-    /** All that was measured in a picture, in a few lines; a table has all of it, with all digits and units. */
+    /**
+     * All that was measured in a picture; a table has all of it, with all digits. What was measured in several frames
+     * has a line, in which frames with the same number stand together.
+     */
     private static String words(Measured measured) {
-        return measured.facts().isEmpty()
-                ? Texts.get("measure.noEdge")
-                : Fact.forPeople(measured.facts()).map(MeasurePanel::words).collect(Collectors.joining(GAP));
+        if (measured.facts().isEmpty()) {
+            return Texts.get("measure.noEdge");
+        }
+        Map<String, Map<String, String>> lines = new LinkedHashMap<>();
+        Fact.forPeople(measured.facts()).forEach(fact -> {
+            Matcher inFrame = IN_FRAME.matcher(FactText.SIGNS.name(fact));
+            boolean frame = inFrame.matches();
+            lines.computeIfAbsent(frame ? heading(inFrame.group(1), fact) + ": " : "", line -> new LinkedHashMap<>())
+                    .merge(
+                            frame ? value(fact) : words(fact),
+                            frame ? inFrame.group(2) : "",
+                            (one, other) -> one + ", " + other);
+        });
+        return lines.entrySet().stream()
+                .map(line -> line.getValue().entrySet().stream()
+                        .map(part -> part.getKey() + (part.getValue().isEmpty() ? "" : " (" + part.getValue() + ")"))
+                        .collect(Collectors.joining(GAP, line.getKey(), "")))
+                .collect(Collectors.joining("\n"));
+    }
+
+    /** With the unit, if none stands behind the numbers. */
+    private static String heading(String name, Fact fact) {
+        String unit = fact instanceof Quantity quantity ? quantity.unit() : "";
+        return unit.isEmpty() || !FactText.SIGNS.unit(unit).isEmpty()
+                ? name
+                : Texts.get("measure.inUnit", name, unit.replace(" squared", "\u00b2"));
     }
 
     /** The sizes in another picture, each with how many times as large it is in this one. */
@@ -167,6 +198,11 @@ final class MeasurePanel extends Part {
     }
 
     private static String words(Fact fact) {
-        return FactText.SIGNS.name(fact) + "\u00a0" + FactText.SIGNS.value(fact);
+        return FactText.SIGNS.name(fact) + "\u00a0" + value(fact);
+    }
+
+    /** A value that does not break into lines. */
+    private static String value(Fact fact) {
+        return FactText.SIGNS.value(fact).replace(' ', '\u00a0');
     }
 }

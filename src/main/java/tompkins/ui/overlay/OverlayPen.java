@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.joml.Vector2dc;
 import tompkins.image.PictureLabel;
@@ -137,7 +138,7 @@ final class OverlayPen {
                 .toList();
         String text = Texts.get("overlay." + drawing.kind());
         for (Vector2dc place : highest) {
-            if (write(drawing.kind(), text, place)) {
+            if (write(drawing.kind(), text, place, null)) {
                 return;
             }
         }
@@ -149,21 +150,33 @@ final class OverlayPen {
             String text = label.frame() == null
                     ? label.text()
                     : Texts.get(label.frame() == Frame.SCENE ? "overlay.inScene" : "overlay.inCamera", label.text());
-            write(drawing.kind(), text, label.position());
+            write(drawing.kind(), text, label.position(), label.extent());
         }
     }
 
-    /** Whether there was room. */
-    private boolean write(OverlayKind kind, String text, Vector2dc place) {
+    /** Whether there was room: above, below or beside what is named, or else at its place. */
+    private boolean write(OverlayKind kind, String text, Vector2dc place, Rectangle2D named) {
         double width = g.getFontMetrics(font).stringWidth(text);
-        double left = Math.min(x(place) + 5, bounds.getMaxX() - width - 4);
-        double bottom = Math.max(y(place) - 4, bounds.y + font.getSize2D() + 2);
-        Rectangle2D room = new Rectangle2D.Double(left, bottom - font.getSize2D(), width, font.getSize2D() + 2);
-        boolean free = written.stream().noneMatch(room::intersects);
-        if (free) {
-            written.add(room);
-            Mark.paintText(g, font, text, left, bottom, COLOURS.get(kind));
+        double height = font.getSize2D() + 2;
+        List<Rectangle2D> rooms = new ArrayList<>();
+        if (named != null) {
+            double middle = x(place) - width / 2;
+            double above = y(place) - height / 2;
+            rooms.add(new Rectangle2D.Double(middle, bounds.y + named.getMinY() * scaleY - height - 2, width, height));
+            rooms.add(new Rectangle2D.Double(middle, bounds.y + named.getMaxY() * scaleY + 2, width, height));
+            rooms.add(new Rectangle2D.Double(bounds.x + named.getMaxX() * scaleX + 5, above, width, height));
+            rooms.add(new Rectangle2D.Double(bounds.x + named.getMinX() * scaleX - width - 5, above, width, height));
+            rooms.removeIf(room -> !bounds.contains(room));
         }
-        return free;
+        double left = Math.min(x(place) + 5, bounds.getMaxX() - width - 4);
+        rooms.add(new Rectangle2D.Double(left, Math.max(y(place) - 2 - height, bounds.y), width, height));
+        Optional<Rectangle2D> free = rooms.stream()
+                .filter(room -> written.stream().noneMatch(room::intersects))
+                .findFirst();
+        free.ifPresent(room -> {
+            written.add(room);
+            Mark.paintText(g, font, text, room.getX(), room.getMaxY() - 2, COLOURS.get(kind));
+        });
+        return free.isPresent();
     }
 }

@@ -1,6 +1,8 @@
 package tompkins.ui.photograph;
 
 import com.formdev.flatlaf.FlatClientProperties;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JLabel;
@@ -9,6 +11,7 @@ import javax.swing.JProgressBar;
 import javax.swing.Timer;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
+import tompkins.image.PictureLabel;
 import tompkins.measure.Sighting;
 import tompkins.studio.PanoramaBackground;
 import tompkins.studio.StarSky;
@@ -39,6 +42,12 @@ public final class StatusBar extends Part {
     private final Timer fading;
     private String failure;
 
+    /** What is under the mouse; null if nothing is. */
+    private PixelReading read;
+
+    /** What the line says, as far as it has room. */
+    private String said = "";
+
     /** The hint for the picture if there is nothing else to say; empty if there is none. */
     private String pictureHint = "";
 
@@ -57,7 +66,10 @@ public final class StatusBar extends Part {
     public StatusBar(RenderController controller, int messageMilliseconds) {
         super(new JPanel(new MigLayout("novisualpadding, insets 4 10 5 10, fillx, gap 12 1", "[grow,fill][pref!]")));
         this.controller = controller;
-        fading = new Timer(messageMilliseconds, event -> showIdle());
+        fading = new Timer(messageMilliseconds, event -> {
+            setWhat("");
+            show(read);
+        });
         fading.setRepeats(false);
         what.setName("status.what");
         where.setName("status.where");
@@ -70,6 +82,12 @@ public final class StatusBar extends Part {
         panel.add(picture, "wrap, alignx right");
         panel.add(where, "wmin 0, span 2, split 2, growx, pushx");
         panel.add(progress, "w 120!, h 6!, aligny center, alignx right");
+        what.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                fit();
+            }
+        });
         showIdle();
         timer = new Timer(200, event -> {
             boolean busy = controller.isBusy();
@@ -107,8 +125,14 @@ public final class StatusBar extends Part {
     /** Sets the line; if it is too long for the window, its tooltip shows the rest. */
     private void setWhat(String text) {
         fading.stop();
-        what.setText(text);
+        said = text;
+        fit();
         Naming.tip(what, text);
+    }
+
+    private void fit() {
+        int room = what.getWidth();
+        what.setText(room == 0 ? said : PictureLabel.shortened(said, what.getFontMetrics(what.getFont()), room));
     }
 
     /** Says why there is no picture of the scene, until there is one. */
@@ -145,6 +169,16 @@ public final class StatusBar extends Part {
 
     /** Shows what lies under the mouse, or a hint if that is nothing. */
     public void show(PixelReading reading) {
+        PixelReading before = read;
+        read = reading;
+        boolean rests = reading != null
+                && before != null
+                && reading.column() == before.column()
+                && reading.row() == before.row();
+        if (rests && fading.isRunning()) {
+            // another picture under a mouse that rests does not hide news
+            return;
+        }
         if (reading == null || failure != null) {
             showIdle();
             return;
@@ -210,7 +244,7 @@ public final class StatusBar extends Part {
     }
 
     private void showHint(Picture now) {
-        boolean shown = what.getText().equals(hint());
+        boolean shown = said.equals(hint());
         pictureHint = hint(now);
         if (shown) {
             showIdle();

@@ -129,6 +129,8 @@ final class RideKeys {
             case KeyEvent.KEY_PRESSED -> {
                 if (isOfRide(event)) {
                     press(event);
+                } else if (event.getModifiersEx() == 0 && pilot.keyboard().command(letter(event)) >= 0) {
+                    pilot.tellThatItPauses();
                 }
             }
             default -> {

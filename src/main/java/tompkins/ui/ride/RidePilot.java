@@ -102,6 +102,13 @@ public final class RidePilot {
         return gesture;
     }
 
+    /** Says how to go on, if there is a ride that no key steers now. */
+    void tellThatItPauses() {
+        if (isReplaying() || moment() != null) {
+            teller.accept(Texts.get(isReplaying() ? "ride.steerReplay" : "ride.steerPause"));
+        }
+    }
+
     /** The present moment of the ride, which may be paused; null if the camera has been moved elsewhere since. */
     public RideMoment moment() {
         Studio now = model.studio();

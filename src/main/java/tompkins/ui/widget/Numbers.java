@@ -85,7 +85,7 @@ public final class Numbers {
     /** The first {@code digits} digits of a number, for reading. */
     public static String brief(double value, int digits) {
         if (!Double.isFinite(value)) {
-            return value > 0 ? "\u221e" : value < 0 ? "\u2212\u221e" : Texts.get("number.none");
+            return value > 0 ? "\u221e" : value < 0 ? "-\u221e" : Texts.get("number.none");
         }
         return text(NumberText.rounded(value, digits));
     }

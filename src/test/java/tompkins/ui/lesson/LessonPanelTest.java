@@ -241,12 +241,12 @@ class LessonPanelTest {
         assertThat(course.isFinished(second)).isFalse();
     }
 
-    /** Formulas break outside of their parentheses only, and words keep their hyphens. */
+    /** Formulas break outside of their parentheses only, and have the minus of all other numbers. */
     @Test
     void formulasAreReadable() {
-        assertThat(FactText.readable("off-axis: cos a = -v - 1")).isEqualTo("off-axis: cos a = −v − 1");
+        assertThat(FactText.readable("off-axis: cos a = -v - 1")).isEqualTo("off-axis: cos a = -v - 1");
         assertThat(LessonNumbersPage.unbroken("3 sqrt((1 - v)/(1 + v)) x"))
-                .isEqualTo("3 √((1\u00a0−\u00a0v)/(1\u00a0+\u00a0v)) x");
+                .isEqualTo("3 √((1\u00a0-\u00a0v)/(1\u00a0+\u00a0v)) x");
     }
 
     @Test

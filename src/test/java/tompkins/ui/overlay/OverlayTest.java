@@ -7,6 +7,7 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.time.Duration;
@@ -38,6 +39,7 @@ import tompkins.studio.LensEvent;
 import tompkins.studio.Lighting;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
+import tompkins.surface.LuminousSurface;
 import tompkins.surface.Mirror;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.WindowDriver;
@@ -109,6 +111,39 @@ class OverlayTest {
     }
 
     /** Above its point a name would be cut off there. */
+    /** The ball has a radius of 50 pixels in the middle, or fills much of the picture. */
+    @Test
+    void aNameStandsBesideASmallThing() {
+        for (double radius : new double[] {50, 300}) {
+            Studio studio =
+                    Studios.sphere().withSettings(Studio.DEFAULT.settings().withSize(WIDTH, HEIGHT));
+            double slope = Math.tan(Math.toRadians(10)) * radius / (WIDTH / 2.0);
+            BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+            SceneOverlay.paint(
+                    image,
+                    studio.withScene(List.of(new Sphere(
+                            "ball", new Vector3d(0, 0, 10), 10 * Math.sin(Math.atan(slope)), LuminousSurface.DEFAULT))),
+                    Set.of(OverlayKind.LABELS));
+            Rectangle written = box(image);
+            assertThat(written.isEmpty()).isFalse();
+            boolean covers = IntStream.range(0, written.width)
+                    .anyMatch(
+                            column -> Point2D.distance(written.x + column, written.getMaxY(), WIDTH / 2.0, HEIGHT / 2.0)
+                                    < radius);
+            assertThat(covers).isEqualTo(radius > 100);
+            assertThat(written.getCenterX()).isCloseTo(WIDTH / 2.0, within(radius));
+        }
+    }
+
+    /** Around all that is not black. */
+    private static Rectangle box(BufferedImage image) {
+        Rectangle box = new Rectangle(-1, -1);
+        IntStream.range(0, WIDTH * HEIGHT)
+                .filter(i -> (image.getRGB(i % WIDTH, i / WIDTH) & 0xffffff) != 0)
+                .forEach(i -> box.add(new Rectangle(i % WIDTH, i / WIDTH, 1, 1)));
+        return box;
+    }
+
     @Test
     void aNameAtTheUpperEdgeIsWhole() {
         int inTheMiddle = brightPixels(new Vector2d(WIDTH / 2.0, HEIGHT / 2.0));

@@ -2,9 +2,12 @@ package tompkins.ui.photograph;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.geom.Point2D;
+import java.lang.reflect.InvocationTargetException;
 import java.time.Duration;
 import java.util.List;
 import javax.swing.JLabel;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
@@ -87,6 +90,27 @@ class StatusBarTest {
                 .doesNotContain("?");
     }
 
+    /** In a narrow line it gives up what a click does; the whole text comes back with the room. */
+    @Test
+    void theHintIsNotCutInAWord() throws InterruptedException, InvocationTargetException {
+        String hint = Texts.get("status.idle.PIN");
+        for (int width : new int[] {150, 600}) {
+            SwingUtilities.invokeAndWait(() -> what.setSize(width, 20));
+            SwingUtilities.invokeAndWait(() -> status.show((PixelReading) null));
+            if (what.getFontMetrics(what.getFont()).stringWidth(hint) > width) {
+                assertThat(what.getText()).endsWith("\u2026");
+                assertThat(hint + " ").startsWith(what.getText().replace("\u2026", " "));
+            } else {
+                assertThat(what.getText()).isEqualTo(hint);
+            }
+            assertThat(what.getToolTipText().replace('\n', ' ')).isEqualTo(hint);
+        }
+        status.show(picture(Studio.DEFAULT));
+        assertThat(what.getText())
+                .as("another hint is still told from a message")
+                .isEqualTo(Texts.get("status.empty"));
+    }
+
     @Test
     void howToGetAtAFoldedPanelIsSaidWhileItIsFolded() {
         status.showPanelFolded(true);
@@ -165,6 +189,25 @@ class StatusBarTest {
         status.say("nothing is there");
         status.show(PhotographView.Click.PIN);
         assertThat(what.getText()).isEqualTo("nothing is there");
+    }
+
+    /** The same pixel is read again in each better picture. */
+    @Test
+    void newsStayWhileTheMouseRests() {
+        Picture seen = picture(Studios.sphere());
+        PixelReading reading = PixelReading.of(seen, new Point2D.Double(3, 4));
+        WindowDriver.onEventThread(() -> {
+            status.show(reading);
+            status.report("Saved");
+            status.show(PixelReading.of(seen, new Point2D.Double(3, 4)));
+            assertThat(what.getText()).isEqualTo("Saved");
+        });
+        WindowDriver.await("the reading", () -> what.getText().startsWith("Pixel 3, 4"));
+        WindowDriver.onEventThread(() -> {
+            status.report("Saved");
+            status.show(PixelReading.of(seen, new Point2D.Double(5, 4)));
+            assertThat(what.getText()).startsWith("Pixel 5, 4");
+        });
     }
 
     @Test

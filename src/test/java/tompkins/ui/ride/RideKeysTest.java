@@ -6,6 +6,7 @@ import java.awt.KeyboardFocusManager;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.beans.PropertyChangeListener;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.joml.Vector3d;
@@ -23,6 +24,7 @@ import tompkins.ui.WindowDriver;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Texts;
 
 /** The keys of a ride, as keyboards of several languages send them; without a display. */
 @Timeout(120)
@@ -31,7 +33,8 @@ class RideKeysTest {
     private static final int NO_CODE = KeyEvent.VK_UNDEFINED;
 
     private final StudioModel model = new StudioModel(Studios.sphere().withVelocity(Velocity.REST), null);
-    private final RidePilot pilot = new RidePilot(model, message -> {});
+    private final List<String> told = new ArrayList<>();
+    private final RidePilot pilot = new RidePilot(model, told::add);
     private PictureCanvas canvas;
 
     @BeforeEach
@@ -70,6 +73,21 @@ class RideKeysTest {
             KeyEvent event = new KeyEvent(canvas, KeyEvent.KEY_PRESSED, 0, modifiers, code, letter);
             List.of(canvas.getKeyListeners()).forEach(listener -> listener.keyPressed(event));
         });
+    }
+
+    @Test
+    void whilePausedTheLettersSayHowToGoOn() {
+        press(KeyEvent.VK_W, 'w', 0);
+        assertThat(told).isEmpty();
+        WindowDriver.onEventThread(() -> pilot.setRiding(false));
+        press(KeyEvent.VK_X, 'x', 0);
+        press(KeyEvent.VK_S, 's', InputEvent.CTRL_DOWN_MASK);
+        assertThat(told).isEmpty();
+        press(KeyEvent.VK_W, 'w', 0);
+        assertThat(told).containsExactly(Texts.get("ride.steerPause"));
+        WindowDriver.onEventThread(pilot::replay);
+        press(KeyEvent.VK_W, 'w', 0);
+        assertThat(told).containsExactly(Texts.get("ride.steerPause"), Texts.get("ride.steerReplay"));
     }
 
     /** The direction in which the camera is accelerated from rest. */
