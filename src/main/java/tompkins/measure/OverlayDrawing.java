@@ -1,6 +1,5 @@
 package tompkins.measure;
 
-import java.awt.geom.Rectangle2D;
 import java.util.List;
 import org.joml.Vector2dc;
 import tompkins.trace.Frame;
@@ -27,13 +26,13 @@ public record OverlayDrawing(
      * @param text a name, a Doppler factor, or an angle in degrees
      * @param frame the frame in which the angle is measured; null if it is not an angle
      * @param position where
-     * @param extent what it names and should not cover; null if nothing, or if that is large
+     * @param corners of a box around what it names and should not cover; empty if there is none, or if it is large
      */
-    public record Label(String text, Frame frame, Vector2dc position, Rectangle2D extent) {
+    public record Label(String text, Frame frame, Vector2dc position, List<Vector2dc> corners) {
 
         /** What may be written at its position. */
         Label(String text, Frame frame, Vector2dc position) {
-            this(text, frame, position, null);
+            this(text, frame, position, List.of());
         }
     }
 }

@@ -1,6 +1,5 @@
 package tompkins.measure;
 
-import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
 import java.util.HashMap;
@@ -44,8 +43,8 @@ public final class Overlays {
 
     private static final double MERIDIAN = 15;
 
-    /** A name has room inside what takes more than this part of the picture. */
-    private static final double LARGE = 0.3;
+    /** A name has room inside what reaches farther from its middle than this part of the picture. */
+    private static final double LARGE = 0.2;
 
     /** The angles of so many columns and rows say which circles are in the picture. */
     private static final int PLACES = 9;
@@ -181,24 +180,23 @@ public final class Overlays {
     private void addName(OverlayDrawing drawing, SceneShapes.Thing thing) {
         Vector2dc position = seen(thing);
         if (position != null) {
-            drawing.labels().add(new OverlayDrawing.Label(thing.name(), null, position, extent(thing, position)));
+            drawing.labels().add(new OverlayDrawing.Label(thing.name(), null, position, corners(thing, position)));
         }
     }
 
-    /** A box around the corners of what is seen at a position; null if it takes much of the picture. */
-    private Rectangle2D extent(SceneShapes.Thing thing, Vector2dc position) {
-        Rectangle2D extent = new Rectangle2D.Double(position.x(), position.y(), 0, 0);
+    /** The corners of a box around what is seen at a position; none if it takes much of the picture. */
+    private List<Vector2dc> corners(SceneShapes.Thing thing, Vector2dc position) {
+        double most =
+                LARGE * Math.min(projection.view().width(), projection.view().height());
+        List<Vector2dc> corners = new ArrayList<>();
         for (Vector3d corner : thing.bounds().corners()) {
             Vector2dc seen = projection.position(frame(thing.motion()), corner);
-            if (seen == null) {
-                return null;
+            if (seen == null || seen.distance(position) > most) {
+                return List.of();
             }
-            extent.add(seen.x(), seen.y());
+            corners.add(seen);
         }
-        EyeView view = projection.view();
-        return Math.max(extent.getWidth(), extent.getHeight()) > LARGE * Math.min(view.width(), view.height())
-                ? null
-                : extent;
+        return corners;
     }
 
     /** Those of the eye alone, in its own part of the picture. */

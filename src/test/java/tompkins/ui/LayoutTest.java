@@ -23,6 +23,7 @@ import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JRootPane;
 import javax.swing.JScrollPane;
+import javax.swing.JSlider;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import javax.swing.JTree;
@@ -44,6 +45,7 @@ import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.FrontWindow;
+import tompkins.studio.Ride;
 import tompkins.studio.StudioPath;
 import tompkins.studio.Studios;
 import tompkins.surface.LorentzWindow;
@@ -278,6 +280,21 @@ class LayoutTest {
             int needed = ride.component().getMinimumSize().width;
             Components.layOut(ride.component(), usual ? 450 : Math.max(needed, Look.pixels(40)));
             assertThat(LayoutProblems.in(ride.component())).isEmpty();
+        });
+    }
+
+    @Test
+    void aLongNameOfARideLeavesRoomForTheSlider() {
+        WindowDriver.onEventThread(() -> {
+            use(Look.LIGHT, 1, Locale.ENGLISH);
+            List<Ride> rides = List.of(Ride.DEFAULT, Descriptions.with(Ride.DEFAULT, "name", "far and ".repeat(40)));
+            StudioModel many = new StudioModel(Descriptions.with(Studios.sphere(), "rides", rides), null);
+            RidePanel ride = new RidePanel(
+                    many, new Settings((Path) null), new RidePilot(many, message -> {}), () -> {}, studio -> {});
+            ride.setShown(true);
+            Components.layOut(ride.component(), 660);
+            assertThat(Components.all(ride.component()).filter(JSlider.class::isInstance))
+                    .allMatch(slider -> slider.getWidth() > 120);
         });
     }
 

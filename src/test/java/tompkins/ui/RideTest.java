@@ -13,8 +13,10 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
+import javax.swing.JList;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
+import javax.swing.plaf.basic.ComboPopup;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AutoClose;
@@ -244,9 +246,25 @@ class RideTest {
 
         replay();
 
+        assertThat(driver.window().view().canvas().isFocusOwner())
+                .as("the keys steer")
+                .isTrue();
         // thrust of 1 for a time of 0.3
         assertThat(driver.studio().velocity().rapidity())
                 .isCloseTo(start.velocity().rapidity() + 0.3, within(1e-9));
+    }
+
+    @Test
+    void theListOfKeyboardsShowsTheirNames() {
+        driver.key(KeyEvent.VK_F6);
+        JComboBox<?> keyboards = driver.find(JComboBox.class, "Letters");
+        WindowDriver.await("the tab", keyboards::isShowing);
+        JList<?> list = ((ComboPopup) keyboards.getUI().getAccessibleChild(keyboards, 0)).getList();
+        WindowDriver.onEventThread(() -> keyboards.setPopupVisible(true));
+        WindowDriver.await("the list", list::isShowing);
+        assertThat(list.getParent().getWidth()).isGreaterThanOrEqualTo(list.getPreferredSize().width);
+        assertThat(keyboards.getWidth()).isLessThan(list.getPreferredSize().width);
+        WindowDriver.onEventThread(() -> keyboards.setPopupVisible(false));
     }
 
     @Test

@@ -20,6 +20,7 @@ import tompkins.measure.OverlayKind;
 import tompkins.trace.Frame;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.picture.Mark;
+import tompkins.ui.ray.LabelPlacer;
 import tompkins.ui.widget.Drawing;
 import tompkins.ui.widget.Texts;
 
@@ -61,18 +62,19 @@ final class OverlayPen {
     private final double scaleX;
     private final double scaleY;
     private final Font font;
-    private final List<Rectangle2D> written = new ArrayList<>();
+    private final LabelPlacer written;
 
     OverlayPen(Graphics2D g, Rectangle bounds, RenderPlan plan, Font font) {
         this.g = g;
         this.bounds = bounds;
         this.font = font;
+        written = new LabelPlacer(bounds, List.of());
         scaleX = (double) bounds.width / plan.width();
         scaleY = (double) bounds.height / plan.height();
     }
 
-    /** Draws all of it, with a note where it may not agree with the picture, which may be empty. */
-    void paint(List<OverlayDrawing> drawings, String note, Rectangle visible) {
+    /** Draws all of it, with a note in what is free where it may not agree with the picture, which may be empty. */
+    void paint(List<OverlayDrawing> drawings, String note, Rectangle visible, Rectangle free) {
         for (OverlayDrawing drawing : drawings) {
             Mark.paintLines(g, lines(drawing), COLOURS.get(drawing.kind()), isFine(drawing.kind()));
             marks(drawing);
@@ -84,7 +86,7 @@ final class OverlayPen {
         WRITTEN_FIRST.forEach(kind ->
                 drawings.stream().filter(drawing -> drawing.kind() == kind).forEach(this::write));
         if (!note.isEmpty()) {
-            PictureLabel.paint(g, font, note, visible, PictureLabel.Corner.TOP_RIGHT);
+            PictureLabel.paint(g, font, note, free, PictureLabel.Corner.TOP_RIGHT);
         }
     }
 
@@ -138,7 +140,7 @@ final class OverlayPen {
                 .toList();
         String text = Texts.get("overlay." + drawing.kind());
         for (Vector2dc place : highest) {
-            if (write(drawing.kind(), text, place, null)) {
+            if (write(drawing.kind(), text, place, List.of())) {
                 return;
             }
         }
@@ -150,33 +152,29 @@ final class OverlayPen {
             String text = label.frame() == null
                     ? label.text()
                     : Texts.get(label.frame() == Frame.SCENE ? "overlay.inScene" : "overlay.inCamera", label.text());
-            write(drawing.kind(), text, label.position(), label.extent());
+            write(drawing.kind(), text, label.position(), label.corners());
         }
     }
 
     /** Whether there was room: above, below or beside what is named, or else at its place. */
-    private boolean write(OverlayKind kind, String text, Vector2dc place, Rectangle2D named) {
+    private boolean write(OverlayKind kind, String text, Vector2dc place, List<Vector2dc> named) {
         double width = g.getFontMetrics(font).stringWidth(text);
         double height = font.getSize2D() + 2;
         List<Rectangle2D> rooms = new ArrayList<>();
-        if (named != null) {
+        if (!named.isEmpty()) {
+            Rectangle2D thing = new Rectangle2D.Double(x(place), y(place), 0, 0);
+            named.forEach(corner -> thing.add(x(corner), y(corner)));
             double middle = x(place) - width / 2;
             double above = y(place) - height / 2;
-            rooms.add(new Rectangle2D.Double(middle, bounds.y + named.getMinY() * scaleY - height - 2, width, height));
-            rooms.add(new Rectangle2D.Double(middle, bounds.y + named.getMaxY() * scaleY + 2, width, height));
-            rooms.add(new Rectangle2D.Double(bounds.x + named.getMaxX() * scaleX + 5, above, width, height));
-            rooms.add(new Rectangle2D.Double(bounds.x + named.getMinX() * scaleX - width - 5, above, width, height));
-            rooms.removeIf(room -> !bounds.contains(room));
+            rooms.add(new Rectangle2D.Double(middle, thing.getMinY() - height - 2, width, height));
+            rooms.add(new Rectangle2D.Double(middle, thing.getMaxY() + 2, width, height));
+            rooms.add(new Rectangle2D.Double(thing.getMaxX() + 5, above, width, height));
+            rooms.add(new Rectangle2D.Double(thing.getMinX() - width - 5, above, width, height));
         }
         double left = Math.min(x(place) + 5, bounds.getMaxX() - width - 4);
         rooms.add(new Rectangle2D.Double(left, Math.max(y(place) - 2 - height, bounds.y), width, height));
-        Optional<Rectangle2D> free = rooms.stream()
-                .filter(room -> written.stream().noneMatch(room::intersects))
-                .findFirst();
-        free.ifPresent(room -> {
-            written.add(room);
-            Mark.paintText(g, font, text, room.getX(), room.getMaxY() - 2, COLOURS.get(kind));
-        });
+        Optional<Rectangle2D> free = written.takeFree(rooms);
+        free.ifPresent(room -> Mark.paintText(g, font, text, room.getX(), room.getMaxY() - 2, COLOURS.get(kind)));
         return free.isPresent();
     }
 }

@@ -44,14 +44,14 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
     /** What is drawn over the picture of a plan. */
     private record Drawn(RenderPlan plan, Set<OverlayKind> kinds, List<OfEye> eyes, String note) {
 
-        void paint(Graphics2D g, Rectangle bounds, Font font, Rectangle visible) {
+        void paint(Graphics2D g, Rectangle bounds, Font font, Rectangle visible, Rectangle free) {
             for (OfEye eye : eyes) {
                 Graphics2D own = (Graphics2D) g.create();
                 if (plan.studio().camera().stereo().layout().hasHalves()) {
                     own.clip(eye.part(bounds, plan));
                 }
                 String once = eye == eyes.get(0) ? note : "";
-                new OverlayPen(own, bounds, plan, font).paint(eye.drawings, once, visible);
+                new OverlayPen(own, bounds, plan, font).paint(eye.drawings, once, visible, free);
                 own.dispose();
             }
         }
@@ -117,7 +117,7 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
         }
         Drawn now = drawn(picture.plan());
         if (now != null) {
-            now.paint(g, bounds, UIManager.getFont("small.font"), visible);
+            now.paint(g, bounds, UIManager.getFont("small.font"), visible, free);
         }
     }
 
@@ -131,7 +131,7 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
         float size = (float) Math.max(SMALLEST_TYPE, HEIGHT_SHARE * whole.height);
         Graphics2D g = image.createGraphics();
         draw(plan, kinds, SceneShapes.of(plan.world().frames()))
-                .paint(g, whole, new Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont(size), whole);
+                .paint(g, whole, new Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont(size), whole, whole);
         g.dispose();
     }
 

@@ -169,12 +169,9 @@ public final class StatusBar extends Part {
 
     /** Shows what lies under the mouse, or a hint if that is nothing. */
     public void show(PixelReading reading) {
-        PixelReading before = read;
+        boolean rests =
+                reading != null && read != null && reading.column() == read.column() && reading.row() == read.row();
         read = reading;
-        boolean rests = reading != null
-                && before != null
-                && reading.column() == before.column()
-                && reading.row() == before.row();
         if (rests && fading.isRunning()) {
             // another picture under a mouse that rests does not hide news
             return;

@@ -21,7 +21,7 @@ public final class LabelPlacer {
     }
 
     /** Takes the first of some places that is free, if there is one. */
-    Optional<Rectangle2D> takeFree(List<Rectangle2D> places) {
+    public Optional<Rectangle2D> takeFree(List<Rectangle2D> places) {
         Optional<Rectangle2D> free =
                 places.stream().filter(place -> inTheWay(place) == 0).findFirst();
         free.ifPresent(taken::add);

@@ -1,5 +1,6 @@
 package tompkins.ui.ride;
 
+import java.awt.Dimension;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.DefaultComboBoxModel;
@@ -50,7 +51,16 @@ public final class RidePanel extends Part {
     private final JComboBox<Ride> rides = new JComboBox<>();
     private final Note task = new Note("");
     private final ValueSlider light;
-    private final JComboBox<String> keyboard = new JComboBox<>();
+
+    /** The names of keyboards have room in its list alone. */
+    private final JComboBox<String> keyboard = new JComboBox<>() {
+        @Override
+        public Dimension getPreferredSize() {
+            int height = super.getPreferredSize().height;
+            return new Dimension(getFontMetrics(getFont()).stringWidth("W W W W W W W") + 2 * height, height);
+        }
+    };
+
     private final Updating updating = new Updating();
     private double told;
     private final Note keys = new Note("");
@@ -83,14 +93,18 @@ public final class RidePanel extends Part {
             pilot.setRecording(record.isSelected());
             flown.run();
         });
-        replay = Buttons.of("ride.replay", pilot::replay);
+        replay = Buttons.of("ride.replay", () -> {
+            pilot.replay();
+            flown.run();
+        });
         export = Buttons.of("ride.export", () -> export(exporter));
         offerKeyboards(settings);
         offerRides(model, flown);
         panel.add(ride);
         Rows.add(panel, Texts.get("ride.light"), light.slider(), "wmin 60");
         panel.add(units);
-        panel.add(rides, "wmin 0");
+        // a long name must leave room for the slider
+        panel.add(rides, "wmin 0, wmax 35%");
         panel.add(record, "newline, span, split 4");
         panel.add(replay);
         panel.add(export);
@@ -139,8 +153,6 @@ public final class RidePanel extends Part {
                         .findFirst()
                         .orElse(text));
         keyboard.setEditable(true);
-        // the names of keyboards are only in the list
-        keyboard.setPrototypeDisplayValue("W W W W W W W");
         RideKeyboard kept = RideKeyboard.of(settings.text(KEYBOARD, ""));
         steerBy(kept == null ? RideKeyboard.usual() : kept);
         keyboard.addActionListener(event -> {

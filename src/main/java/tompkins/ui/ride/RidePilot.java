@@ -104,8 +104,8 @@ public final class RidePilot {
 
     /** Says how to go on, if there is a ride that no key steers now. */
     void tellThatItPauses() {
-        if (isReplaying() || moment() != null) {
-            teller.accept(Texts.get(isReplaying() ? "ride.steerReplay" : "ride.steerPause"));
+        if (moment() != null) {
+            teller.accept(Texts.get(isRiding() ? "ride.steerReplay" : "ride.steerPause"));
         }
     }
 
@@ -350,14 +350,11 @@ public final class RidePilot {
 
     /** Takes changes by others: another view or other lights are part of the ride, another place is not; false then. */
     private boolean follow(Studio studio) {
-        if (studio.equals(moment.studio())) {
-            return true;
+        boolean follows = film == null && moment.isOf(studio);
+        if (follows) {
+            moment = moment.with(studio);
         }
-        if (film != null || !moment.isOf(studio)) {
-            return false;
-        }
-        moment = moment.with(studio);
-        return true;
+        return follows || studio.equals(moment.studio());
     }
 
     private void ride(double seconds) {

@@ -242,6 +242,9 @@ class OverlayTest {
         assertThat(marked(painted(overlay(OverlayKind.OUTLINES), fine)).y).isGreaterThan(100);
         assertThat(marked(painted(overlay(OverlayKind.OUTLINES), wide)).y).isLessThan(30);
         assertThat(marked(painted(overlay(OverlayKind.OUTLINES), window)).y).isLessThan(30);
+        assertThat(marked(painted(overlay(OverlayKind.OUTLINES), window, FREE)).y)
+                .as("below titles")
+                .isBetween(30, 60);
     }
 
     /** A shutter that opens at many times is worked out by another thread; then the canvas is painted again. */
