@@ -33,11 +33,11 @@ class RoomSizeTest {
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
                         26_922),
-                arguments("file, image", 4_501),
-                arguments("explain, lesson, measure, animation", 6_284),
+                arguments("file, image", 4_502),
+                arguments("explain, lesson, measure, animation", 6_309),
                 arguments("io, app", 7_992),
                 arguments("study", 4_087),
-                arguments("ui", 20_746));
+                arguments("ui", 20_842));
     }
 
     @ParameterizedTest

@@ -176,23 +176,12 @@ public final class PictureLabel {
     /** A text as far as it has room: without its last parts, or else without the end of a part. */
     public static String shortened(String text, FontMetrics metrics, int room) {
         String fitting = text;
-        while (metrics.stringWidth(fitting) > room) {
-            int part = Math.max(fitting.lastIndexOf("; "), fitting.lastIndexOf(BETWEEN_PARTS));
-            if (part < 0) {
-                return cut(fitting, metrics, room);
-            }
-            fitting = fitting.substring(0, part).stripTrailing();
+        for (int end = text.length(); end > 0 && metrics.stringWidth(fitting) > room; ) {
+            int part = Math.max(text.lastIndexOf("; ", end - 1), text.lastIndexOf(BETWEEN_PARTS, end - 1));
+            int word = text.lastIndexOf(' ', end - 1);
+            end = part > 0 ? part : word > 0 ? word : end - 1;
+            fitting = text.substring(0, end).stripTrailing() + (part > 0 ? "" : "\u2026");
         }
         return fitting;
-    }
-
-    /** The words of a text that have room; of a single long word, its letters. */
-    private static String cut(String text, FontMetrics metrics, int room) {
-        int end = text.length();
-        while (end > 0 && metrics.stringWidth(text.substring(0, end) + "\u2026") > room) {
-            int word = text.lastIndexOf(' ', end - 1);
-            end = word > 0 ? word : end - 1;
-        }
-        return text.substring(0, end) + "\u2026";
     }
 }
