@@ -202,7 +202,7 @@ final class DescriptionReader {
     Object record(Class<?> type, JsonObject object, String path, List<String> otherKeys, Object standard) {
         List<String> keys = new ArrayList<>(otherKeys);
         keys.addAll(DescriptionTypes.keys(type));
-        boolean clear = problems.noteUnknownKeys(object, path, keys);
+        boolean clear = problems.noteUnknownKeys(object, path, keys, key -> home(key, standard));
         List<RecordComponent> components = Descriptions.components(type);
         List<Object> present = Descriptions.values(standard);
         Object[] arguments = new Object[components.size()];
@@ -229,6 +229,15 @@ final class DescriptionReader {
             }
         }
         return clear && replaced.isEmpty() ? made : null;
+    }
+
+    /** The way to a key that belongs into a part of a description. */
+    private static Optional<String> home(String key, Object whole) {
+        return StudioPath.stepsFrom(whole).stream()
+                .filter(part -> StudioPath.stepsFrom(StudioPath.ROOT.then(part).get(whole))
+                        .contains(key))
+                .map(part -> part + "." + key)
+                .findFirst();
     }
 
     /** The way to a part of something. */

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
 import tompkins.io.JsonValue.JsonNumber;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.Member;
@@ -113,6 +115,12 @@ final class Problems {
 
     /** Notes the unknown keys of an object, and says whether there are none. */
     boolean noteUnknownKeys(JsonObject object, String path, List<String> known) {
+        return noteUnknownKeys(object, path, known, key -> Optional.empty());
+    }
+
+    /** As above; if no known key is similar, a hint names where the key belongs. */
+    boolean noteUnknownKeys(
+            JsonObject object, String path, List<String> known, Function<String, Optional<String>> home) {
         boolean clear = true;
         for (Map.Entry<String, Member> entry : object.members().entrySet()) {
             if (!known.contains(entry.getKey())) {
@@ -123,7 +131,7 @@ final class Problems {
                         entry.getValue().column(),
                         path,
                         "unknown key " + quoted(entry.getKey()) + "; " + allowed
-                                + Spelling.hint(entry.getKey(), known));
+                                + Spelling.hint(entry.getKey(), known, home));
             }
         }
         return clear;

@@ -5,6 +5,8 @@ public final class InvalidPropertyException extends IllegalArgumentException {
 
     private static final long serialVersionUID = 1;
 
+    private static final String NOT = "not ";
+
     private final String property;
     private final String problem;
     private final String allowed;
@@ -40,7 +42,9 @@ public final class InvalidPropertyException extends IllegalArgumentException {
     }
 
     private static String problem(String allowed, Object value) {
-        return "must be " + allowed + ", was " + (value instanceof Double number ? NumberText.of(number) : value);
+        String shown = value instanceof Double number ? NumberText.of(number) : String.valueOf(value);
+        String must = allowed.startsWith(NOT) ? "must not be " + allowed.substring(NOT.length()) : "must be " + allowed;
+        return must + ", was " + (shown.isEmpty() ? "\"\"" : shown);
     }
 
     /** The name of the property that is wrong, as in the scene file. */
