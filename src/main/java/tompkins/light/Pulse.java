@@ -21,7 +21,8 @@ public record Pulse(
         double duration,
 
         @Meaning(
-                value = "Own time from one flash to the next, before and after, at least the duration; 0 for one flash",
+                value =
+                        "Proper time from one flash to the next, at least the duration; flashes repeat without end, before and after. 0 for one flash",
                 unit = "time")
         double period)
         implements Flash {
