@@ -231,13 +231,14 @@ final class DescriptionReader {
         return clear && replaced.isEmpty() ? made : null;
     }
 
-    /** The way to a key that belongs into a part of a description. */
-    private static Optional<String> home(String key, Object whole) {
+    /** A hint at the part of a description to which a key belongs. */
+    private static String home(String key, Object whole) {
         return StudioPath.stepsFrom(whole).stream()
                 .filter(part -> StudioPath.stepsFrom(StudioPath.ROOT.then(part).get(whole))
                         .contains(key))
-                .map(part -> part + "." + key)
-                .findFirst();
+                .findFirst()
+                .map(part -> "; did you mean \"" + part + "." + key + "\"?")
+                .orElse("");
     }
 
     /** The way to a part of something. */

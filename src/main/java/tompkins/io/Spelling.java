@@ -4,7 +4,6 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.function.Function;
 import java.util.function.Predicate;
 
 /** Finds the word that may have been meant. */
@@ -22,11 +21,6 @@ public final class Spelling {
      * similar.
      */
     public static String hint(String word, Collection<String> known) {
-        return hint(word, known, unknown -> Optional.empty());
-    }
-
-    /** As above, with another word that may be meant if none of the known ones is similar. */
-    static String hint(String word, Collection<String> known, Function<String, Optional<String>> other) {
         if (word.length() > LONGEST) {
             return "";
         }
@@ -45,7 +39,6 @@ public final class Spelling {
         return Optional.ofNullable(best)
                 .or(() -> only(known, candidate -> isPart(word, candidate)))
                 .or(() -> only(known, candidate -> beginsLike(word, candidate)))
-                .or(() -> other.apply(word))
                 .map(meant -> "; did you mean \"" + meant + "\"?")
                 .orElse("");
     }

@@ -21,8 +21,7 @@ public record Pulse(
         double duration,
 
         @Meaning(
-                value =
-                        "Proper time from one flash to the next, at least the duration; flashes repeat without end, before and after. 0 for one flash",
+                value = "Proper time between flashes, before and after, at least the duration; 0 for one flash",
                 unit = "time")
         double period)
         implements Flash {

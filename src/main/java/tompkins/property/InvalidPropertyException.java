@@ -5,8 +5,6 @@ public final class InvalidPropertyException extends IllegalArgumentException {
 
     private static final long serialVersionUID = 1;
 
-    private static final String NOT = "not ";
-
     private final String property;
     private final String problem;
     private final String allowed;
@@ -43,8 +41,8 @@ public final class InvalidPropertyException extends IllegalArgumentException {
 
     private static String problem(String allowed, Object value) {
         String shown = value instanceof Double number ? NumberText.of(number) : String.valueOf(value);
-        String must = allowed.startsWith(NOT) ? "must not be " + allowed.substring(NOT.length()) : "must be " + allowed;
-        return must + ", was " + (shown.isEmpty() ? "\"\"" : shown);
+        return ("must be " + allowed).replaceFirst("^must be not ", "must not be ") + ", was "
+                + (shown.isEmpty() ? "\"\"" : shown);
     }
 
     /** The name of the property that is wrong, as in the scene file. */

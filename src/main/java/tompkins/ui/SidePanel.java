@@ -204,9 +204,7 @@ final class SidePanel {
         return section;
     }
 
-    /**
-     * In a lesson the controls of its subject, on a projector speed, colours and opening time; all if that is wanted.
-     */
+    /** In a lesson the controls of its subject, on a projector speed, colours and opening time; else all. */
     private void showSections() {
         Lesson lesson = model.studio().lesson() instanceof Lesson its ? its : null;
         boolean few = !all.isSelected() && (lesson != null || Look.isSlim());

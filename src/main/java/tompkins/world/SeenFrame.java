@@ -136,9 +136,7 @@ public final class SeenFrame {
         }
     }
 
-    /**
-     * A time so far on one side that the difference has its sign; the steps grow, for light of the camera can be slow.
-     */
+    /** A time so far on one side that the difference has its sign; the light of the camera can be slow. */
     private static double bound(UnivariateFunction late, double time, double side) {
         double step = side;
         for (int i = 0; i < MOST_STEPS && !(late.value(time + step) * side > 0); i++) {
