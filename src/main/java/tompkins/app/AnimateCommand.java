@@ -31,6 +31,7 @@ import tompkins.image.AnimationWriter;
 import tompkins.image.Fonts;
 import tompkins.image.FrameFolder;
 import tompkins.image.PictureDecoration;
+import tompkins.io.Assignment;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.MistakeException;
 import tompkins.property.Require;
@@ -38,6 +39,7 @@ import tompkins.render.Quality;
 import tompkins.studio.RideLeg;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
+import tompkins.studio.StudioPath;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.photograph.Captions;
 
@@ -162,12 +164,16 @@ final class AnimateCommand extends LongCommand {
         if (assembled != null) {
             requireOnlyAssembly();
         } else if (scene == null) {
-            throw new MistakeException("Missing required parameter: SCENE: scene file, or saved photograph");
+            throw needed("SCENE: scene file, or saved photograph");
         }
         if (output == null && !listed) {
-            throw new MistakeException(
-                    "Missing required option: --output=FILE: the animation, or a folder for its" + " frames");
+            throw needed("--output=FILE: the animation, or a folder for its frames");
         }
+    }
+
+    /** What the library says of other commands; here it depends on other options what is needed. */
+    private static MistakeException needed(String what) {
+        return new MistakeException("tompkins animate: needs " + what);
     }
 
     private void requireOnlyAssembly() {
@@ -296,6 +302,7 @@ final class AnimateCommand extends LongCommand {
     private Recording ofNumber(Studio studio) {
         StudioNumber animated = MistakeException.inOption("--number", () -> StudioNumber.at(number, studio));
         requireEnds();
+        requireNotFixed(animated);
         Animation animation = new Animation(
                 animated,
                 from,
@@ -311,12 +318,26 @@ final class AnimateCommand extends LongCommand {
         return new Recording(animation.sequence(studio), Captions.ofPictures(studio, animated, captioned));
     }
 
+    /** Refuses an option that gives the number one value; the speed that runs keeps the direction of {@code --beta}. */
+    private void requireNotFixed(StudioNumber animated) {
+        StudioPath path = animated.path();
+        for (Assignment option : options.assignments()) {
+            StudioPath fixed = StudioPath.parse(option.path()).orElse(StudioPath.ROOT);
+            boolean isSpeed = animated.isSpeed()
+                    && fixed.parent().equals(path.parent())
+                    && !fixed.last().equals("direction");
+            if (isSpeed || fixed.equals(path)) {
+                throw new MistakeException(option.option() + ": " + path
+                        + " runs from the value of --from to that of --to; leave this option out");
+            }
+        }
+    }
+
     private void requireEnds() {
         if (from == null || to == null) {
-            throw new MistakeException("Missing required " + (from == null && to == null ? "options" : "option") + ": "
-                    + Stream.of(from == null ? "--from=A" : "", to == null ? "--to=B" : "")
+            throw needed(Stream.of(from == null ? "--from=A" : "", to == null ? "--to=B" : "")
                             .filter(name -> !name.isEmpty())
-                            .collect(Collectors.joining(", "))
+                            .collect(Collectors.joining(" and "))
                     + "; or --ride for the ride that is recorded in the scene");
         }
     }

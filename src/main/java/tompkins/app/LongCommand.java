@@ -16,7 +16,7 @@ abstract class LongCommand extends ProgramCommand {
 
     // called when the option is read, so that all that follows is told in that form
     @SuppressWarnings("unused")
-    @Option(names = "--progress", paramLabel = "json", description = "tell on the error stream how far it is, in JSON")
+    @Option(names = "--progress", paramLabel = "json", description = "report progress on the error stream, in JSON")
     private void setProgress(ProgressForm json) {
         commandLine().setErr(new JsonLines(err()));
     }

@@ -57,7 +57,7 @@ final class RideOption {
                 .filter(ride -> ride.name().equals(name))
                 .findFirst()
                 .orElseThrow(() -> new MistakeException("--ride must be the name of a ride in " + scene + ", was \""
-                        + name + "\"" + others + Spelling.hint(name, names)));
+                        + name + "\"" + (names.isEmpty() ? "; it has none" : others) + Spelling.hint(name, names)));
         if (named.legs().isEmpty()) {
             throw new MistakeException("--ride: \"" + name + "\" is steered by hand and has no legs" + others);
         }

@@ -9,6 +9,7 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
+import java.nio.file.NotDirectoryException;
 
 /** Says in words why a file cannot be read or written. */
 public final class FileFailure {
@@ -45,6 +46,9 @@ public final class FileFailure {
         }
         if (failure instanceof FileAlreadyExistsException) {
             return "there is a file of this name already";
+        }
+        if (failure instanceof NotDirectoryException) {
+            return "it is a file, not a folder";
         }
         if (failure instanceof ClosedChannelException) {
             // nothing else closes a file while it is written

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.joml.Vector2ic;
 import tompkins.io.JsonValue.JsonChange;
 import tompkins.io.JsonValue.JsonFlag;
 import tompkins.io.JsonValue.JsonList;
@@ -49,7 +50,7 @@ public final class Assignments {
                 new Problems(assignments.stream().map(Assignment::option).toList());
         Map<String, Member> parts = new LinkedHashMap<>();
         for (int i = 0; i < assignments.size(); i++) {
-            add(parts, assignments, i, problems);
+            add(parts, assignments, i, description, problems);
         }
         problems.throwIfAny();
         DescriptionReader reader = new DescriptionReader(problems, new SceneFolder(folder));
@@ -60,11 +61,12 @@ public final class Assignments {
         return result;
     }
 
-    private static void add(Map<String, Member> parts, List<Assignment> assignments, int index, Problems problems) {
+    private static void add(
+            Map<String, Member> parts, List<Assignment> assignments, int index, Record whole, Problems problems) {
         Assignment assignment = assignments.get(index);
         int number = index + 1;
-        List<Object> steps =
-                StudioPath.parse(assignment.path()).orElse(StudioPath.ROOT).steps();
+        StudioPath path = StudioPath.parse(assignment.path()).orElse(StudioPath.ROOT);
+        List<Object> steps = path.steps();
         if (steps.isEmpty()) {
             problems.add(
                     number,
@@ -86,7 +88,7 @@ public final class Assignments {
             }
             if (known == null) {
                 JsonValue value = last
-                        ? value(assignment, problems, number)
+                        ? value(assignment, isPair(path, whole), problems, number)
                         : new JsonChange(new JsonObject(number, 0, new LinkedHashMap<>()));
                 known = new Member(number, 0, value);
                 inner.put(key, known);
@@ -95,12 +97,17 @@ public final class Assignments {
         }
     }
 
-    private static JsonValue value(Assignment assignment, Problems problems, int number) {
+    /** Whether two numbers belong at the end of a path, so that a comma stands between them. */
+    private static boolean isPair(StudioPath path, Record whole) {
+        return path.length(whole) == path.steps().size() && path.get(whole) instanceof Vector2ic;
+    }
+
+    private static JsonValue value(Assignment assignment, boolean isPair, Problems problems, int number) {
         String text = assignment.value().strip();
         if (text.startsWith("{") || text.startsWith("[") || text.startsWith("\"")) {
             return JsonParsing.parseValue(text, assignment.path(), problems, number);
         }
-        if (isNumber(text)) {
+        if (isNumber(text) && !(isPair && text.contains(","))) {
             return new JsonNumber(number, 0, NumberText.withPoint(text));
         }
         String[] parts = text.split(",", -1);

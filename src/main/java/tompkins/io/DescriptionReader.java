@@ -202,7 +202,7 @@ final class DescriptionReader {
     Object record(Class<?> type, JsonObject object, String path, List<String> otherKeys, Object standard) {
         List<String> keys = new ArrayList<>(otherKeys);
         keys.addAll(DescriptionTypes.keys(type));
-        boolean clear = problems.noteUnknownKeys(object, path, keys);
+        boolean clear = problems.noteUnknownKeys(object, path, keys, key -> home(key, standard));
         List<RecordComponent> components = Descriptions.components(type);
         List<Object> present = Descriptions.values(standard);
         Object[] arguments = new Object[components.size()];
@@ -229,6 +229,16 @@ final class DescriptionReader {
             }
         }
         return clear && replaced.isEmpty() ? made : null;
+    }
+
+    /** A hint at the part of a description to which a key belongs. */
+    private static String home(String key, Object whole) {
+        return StudioPath.stepsFrom(whole).stream()
+                .filter(part -> StudioPath.stepsFrom(StudioPath.ROOT.then(part).get(whole))
+                        .contains(key))
+                .findFirst()
+                .map(part -> "; did you mean \"" + part + "." + key + "\"?")
+                .orElse("");
     }
 
     /** The way to a part of something. */

@@ -298,7 +298,12 @@ final class MeshFaces {
                 usable[i] = number;
                 some = true;
             } else if (number > NONE) {
-                notes.add(name, "faces name a \"" + key + "\" that is missing or not finite");
+                notes.add(
+                        name,
+                        "faces name a \"" + key
+                                + (key.equals("vn")
+                                        ? "\" that is missing, zero or not finite"
+                                        : "\" that is missing or not finite"));
             }
         }
         return some ? usable : new int[0];

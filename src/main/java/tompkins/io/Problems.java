@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.function.UnaryOperator;
 import tompkins.io.JsonValue.JsonNumber;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.Member;
@@ -113,17 +114,23 @@ final class Problems {
 
     /** Notes the unknown keys of an object, and says whether there are none. */
     boolean noteUnknownKeys(JsonObject object, String path, List<String> known) {
+        return noteUnknownKeys(object, path, known, key -> "");
+    }
+
+    /** As above, with another hint for keys that are similar to none. */
+    boolean noteUnknownKeys(JsonObject object, String path, List<String> known, UnaryOperator<String> home) {
         boolean clear = true;
         for (Map.Entry<String, Member> entry : object.members().entrySet()) {
             if (!known.contains(entry.getKey())) {
                 clear = false;
+                String similar = Spelling.hint(entry.getKey(), known);
+                String hint = similar.isEmpty() ? home.apply(entry.getKey()) : similar;
                 String allowed = known.isEmpty() ? "there are none here" : "allowed are " + String.join(", ", known);
                 add(
                         entry.getValue().line(),
                         entry.getValue().column(),
                         path,
-                        "unknown key " + quoted(entry.getKey()) + "; " + allowed
-                                + Spelling.hint(entry.getKey(), known));
+                        "unknown key " + quoted(entry.getKey()) + "; " + allowed + hint);
             }
         }
         return clear;

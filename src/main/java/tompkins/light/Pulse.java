@@ -21,7 +21,7 @@ public record Pulse(
         double duration,
 
         @Meaning(
-                value = "Own time from one flash to the next, before and after, at least the duration; 0 for one flash",
+                value = "Proper time between flashes, before and after, at least the duration; 0 for one flash",
                 unit = "time")
         double period)
         implements Flash {

@@ -40,7 +40,9 @@ public final class InvalidPropertyException extends IllegalArgumentException {
     }
 
     private static String problem(String allowed, Object value) {
-        return "must be " + allowed + ", was " + (value instanceof Double number ? NumberText.of(number) : value);
+        String shown = value instanceof Double number ? NumberText.of(number) : String.valueOf(value);
+        return ("must be " + allowed).replaceFirst("^must be not ", "must not be ") + ", was "
+                + (shown.isEmpty() ? "\"\"" : shown);
     }
 
     /** The name of the property that is wrong, as in the scene file. */

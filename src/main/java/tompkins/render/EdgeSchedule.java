@@ -8,7 +8,7 @@ import tompkins.camera.PixelSampler;
 /**
  * The passes of a picture that is seen for a moment: one sample at each knot of a wide net, and then of finer ones, as
  * far as the corners of their cells differ, the most different cells first. {@link Film#image} interpolates the rest. A
- * fifth of the pixels shows nearly all that all of them show.
+ * fifth of the pixels shows nearly everything.
  */
 final class EdgeSchedule implements Schedule {
 
@@ -77,8 +77,8 @@ final class EdgeSchedule implements Schedule {
     }
 
     /**
-     * Chooses pixels without samples in the cells whose corners differ most, about as many as wanted. Of cells that
-     * differ alike some are left out evenly, and not all in one part of the picture.
+     * Chooses pixels without samples in the cells whose corners differ most, about as many as wanted. Where cells
+     * differ alike and not all can be chosen, those left out are spread evenly over the picture.
      */
     private static BitSet choose(Film film, int side, long most) {
         int columns = (film.width() + side - 1) / side;

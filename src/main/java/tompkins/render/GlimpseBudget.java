@@ -1,10 +1,10 @@
 package tompkins.render;
 
 /**
- * How many samples a glimpse may have: as many as let pictures follow each other in the wanted time. That holds all
- * that a picture needs of the processors, such as painting the one before, so each picture tells how long it took, and
- * the next ones get more samples or fewer. A machine that does other things meanwhile shows fewer pictures rather than
- * blurred ones: they get what they could have at the greatest speed of late, until they are good enough.
+ * How many samples a glimpse may have: as many as let pictures follow each other in the wanted time. That time includes
+ * all that a picture needs of the processors, such as painting the previous one. So each picture reports how long it
+ * took, and the next ones get more samples or fewer. A busy machine shows fewer pictures rather than blurred ones: they
+ * get the samples that the greatest recent speed would allow, until they are good enough.
  */
 final class GlimpseBudget {
 

@@ -9,12 +9,12 @@ import java.util.stream.Stream;
 
 /**
  * Small spots of light, or of darkness, that stand alone: stars, far lamps, glints. Most samples miss them. Along an
- * edge or a line a pixel tells of the next one, but a speck tells nothing about where the next one is, only how many
- * there are likely to be: where some were found, others were missed.
+ * edge or a line a pixel says something about the next one. A speck says nothing about where the next one is, only how
+ * many there are likely to be: where some were found, others were missed.
  *
- * <p>They are counted in regions. Each region leans on the wider one around it until it holds enough specks of its own.
- * What the specks of a region cover of their pixels says how many samples it takes to find such specks: one that covers
- * the share c of its pixel is missed by n samples with the probability exp(-c n).
+ * <p>They are counted in regions. Each region relies on the wider one around it until it holds enough specks of its
+ * own. What the specks of a region cover of their pixels says how many samples it takes to find such specks: one that
+ * covers the share c of its pixel is missed by n samples with the probability exp(-c n).
  */
 final class Specks {
 
@@ -30,13 +30,13 @@ final class Specks {
     /** Width in pixels of what is around the picture in {@link #variances}. */
     private static final int BORDER = 2;
 
-    /** So many specks of its own count as much as all that a region has from the wider one. */
+    /** With this many specks of its own, a region gives them the weight of all that it takes from the wider one. */
     private static final double ENOUGH = 4;
 
     /**
-     * Specks count as found, each in its pixel, once as many as this are likely to be found all. Until then they count
-     * alike in all pixels of a region, which get the same samples: if only those got more in which a speck was found by
-     * luck, its light would be corrected, and that of the missed ones never be found.
+     * Specks count as found, each in its pixel, once it is likely that as many as this are all found. Until then they
+     * count alike in all pixels of a region, which get the same samples. If only pixels with a speck that was found by
+     * luck got more, its light would be corrected, and that of the missed ones never found.
      */
     private static final int ALL_OF = 32;
 
@@ -192,7 +192,7 @@ final class Specks {
         return regions.tallies.get(row / SIDE * regions.columns + column / SIDE);
     }
 
-    /** What tells of the specks that a pixel may have: those in the other half of the pixels around it. */
+    /** The specks that say how many a pixel may have: those in the other half of the pixels around it. */
     private Tally telling(int column, int row) {
         return region(1 - half(column, row), column, row);
     }

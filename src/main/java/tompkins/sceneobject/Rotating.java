@@ -21,7 +21,7 @@ import tompkins.surface.ColouredSurface;
  * constant speed below 1. That is a motion, and not a rigid body: lengths along the circles are those in the frame of
  * the axis, and nothing says how the turning began.
  */
-@Meaning("Objects that turn about an axis, which rests in the frame around them; they are described before they turned")
+@Meaning("Objects that turn about an axis at rest in the frame around them; they are described at the angle 0")
 public record Rotating(
         @Meaning("Name of what turns") String description,
 

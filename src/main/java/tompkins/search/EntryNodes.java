@@ -5,8 +5,8 @@ import tompkins.ray.RayPacket;
 
 /**
  * Where a few neighbouring rays enter the tree: the way from its root down to the parts that they can meet is walked
- * only once for all of them. The result for each ray is the same as that of a search of its own. One for each thread,
- * used again for every few rays.
+ * only once for all of them. Each ray gets the same result as in a search of its own. One for each thread, used again
+ * for every few rays.
  */
 final class EntryNodes {
 

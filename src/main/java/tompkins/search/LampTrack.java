@@ -16,13 +16,13 @@ public final class LampTrack {
     /** What {@link #at} returns for a place for which nothing is prepared. */
     public static final double NOWHERE = -1;
 
-    /** To ask fewer than this one by one takes no longer. */
+    /** Fewer primitives than this are tested one by one in the same time. */
     private static final int LEAST_PRIMITIVES = 10;
 
     /** With more primitives than this it takes longer to prepare a piece than it saves in a picture. */
     private static final int MOST_PRIMITIVES = 20_000;
 
-    /** The memory of the cells of a piece, as a number of primitives that take the same. */
+    /** The memory of the cells of a piece, as a number of primitives that take as much. */
     private static final int CELLS = 4_000;
 
     /** Length of a piece, in units of the least distance between the lamp and the middle of the primitives. */

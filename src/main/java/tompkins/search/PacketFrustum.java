@@ -5,7 +5,7 @@ import tompkins.primitive.RayStarts;
 import tompkins.ray.RayPacket;
 
 /**
- * A region that holds a number of rays: the space between five planes, worked out from the rays themselves. It is right
+ * A region that holds a number of rays: the space between five planes, computed from the rays themselves. It is right
  * for whatever made the rays: lenses, shutters, changes of frame.
  *
  * <p>A plane is kept as a normal n and a bound: no point of any ray has n.x above the bound. A primitive whose least

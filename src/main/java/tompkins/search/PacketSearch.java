@@ -10,9 +10,9 @@ import tompkins.ray.RayPacket;
 
 /**
  * The search for what the rays of a packet meet among the objects of one frame, with the same result as that of a
- * search for each. As far as that helps it is made for all rays together, which is several times faster. If they can
- * meet only a few primitives, these are found once for all rays. If there are more, they are taken in batches, the
- * nearest first, until all rays but a few have met something nearer than what waits. If there are too many, the tree is
+ * search for each. Where that pays, it is made for all rays together, which is several times faster. If they can meet
+ * only a few primitives, these are found once for all rays. If there are more, they are taken in batches, the nearest
+ * first, until all rays but a few have met something nearer than what waits. If there are too many, the tree is
  * searched for each ray, from where a few neighbours enter it ({@link EntryNodes}). One for each thread, used again for
  * every packet.
  */

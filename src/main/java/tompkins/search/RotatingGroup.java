@@ -20,20 +20,20 @@ import tompkins.spacetime.PointFrame;
 import tompkins.surface.Shadow;
 
 /**
- * All primitives that turn together, as one that fills what they come by. What turns into itself is met as if it
- * rested. For the others a ray is a curve: it is cut into pieces that turn by an eighth of a radian at most, each of
- * which lies near its chord; a tree finds what the chord may come near to, and the faces of that are met on the curve
- * itself.
+ * All primitives that turn together, as one that fills the region through which they sweep. What turns into itself is
+ * met as if it rested. For the others a ray is a curve: it is cut into pieces that turn by an eighth of a radian at
+ * most, each of which lies near its chord; a tree finds what the chord may come near to, and the faces of that are met
+ * on the curve itself.
  */
 final class RotatingGroup extends Primitive {
 
     /** Chords in a radian. */
     private static final int CHORDS = 8;
 
-    /** The most chords of a ray: longer ones save less, but no hit is missed with them either. */
+    /** The most chords of a ray; beyond this they get longer, which is slower but misses no hit. */
     private static final int MOST_CHORDS = 10_000;
 
-    /** The most surfaces that let light pass at some of their points that are looked at behind one another. */
+    /** The most surfaces with gaps for light that are examined one behind the other. */
     private static final int MOST_PASSED = 1000;
 
     private final Rotation rotation;
@@ -49,7 +49,7 @@ final class RotatingGroup extends Primitive {
     private final TreeNode[] boxes;
     private final Face[][] faces;
 
-    // the cylinder that the others come by
+    // the cylinder through which the others sweep
     private final double low;
     private final double high;
     private final double radius;

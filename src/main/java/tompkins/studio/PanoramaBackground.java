@@ -11,7 +11,7 @@ public record PanoramaBackground(
         PixelPicture picture,
 
         @Meaning(
-                "Whether pixels show the mean of what they see of the picture, and it is smooth between its own pixels")
+                "Whether each pixel shows the mean of what it sees of the picture, which is smooth between its own pixels")
         boolean filtered)
         implements Background {
 

@@ -6,8 +6,8 @@ import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
-/** Two surfaces in turns, half a period each, by the proper time of the object: on a plane they show simultaneity. */
-@Meaning("Two surfaces in turns, by the proper time of the object; each point by its own time")
+/** Two surfaces in turn, half a period each, by the proper time of the object: on a plane they show simultaneity. */
+@Meaning("Two surfaces in turn, by the proper time of the object; each point by its own time")
 public record Blinking(
         @Meaning(value = "Time after which the first surface returns", unit = "time")
         double period,

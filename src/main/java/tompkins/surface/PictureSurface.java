@@ -23,7 +23,7 @@ public record PictureSurface(
         boolean luminous,
 
         @Meaning(
-                "Whether pixels show the mean of what they see of the picture, and it is smooth between its own pixels")
+                "Whether each pixel shows the mean of what it sees of the picture, which is smooth between its own pixels")
         boolean filtered,
 
         @Meaning("Whether it is laid on mirrored, so that it reads right from inside or behind")

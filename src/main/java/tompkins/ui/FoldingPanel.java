@@ -73,7 +73,7 @@ final class FoldingPanel {
         SwingUtilities.invokeLater(() -> content.setVisible(true));
     }
 
-    /** Shows what there is to say about the picture on the screen, as soon as the panel is there. */
+    /** Shows the messages about the picture on the screen, as soon as the panel is there. */
     void show(Picture picture) {
         shown = picture;
         if (panel != null) {
@@ -102,7 +102,7 @@ final class FoldingPanel {
      * when there is room again. The user may {@link #toggle} it meanwhile.
      *
      * @param content what the photograph shares with this room
-     * @param folding told when the panel is folded, and when it is not any more
+     * @param folding notified when the panel is folded, and when it is not any more
      */
     void fitInto(JComponent content, Consumer<Boolean> folding) {
         window = content;

@@ -87,7 +87,7 @@ final class FullScreen {
 
     private void putBack() {
         if (frame.getExtendedState() == Frame.NORMAL && !frame.getLocation().equals(place)) {
-            // it is only told that it is there if it goes there
+            // the window learns its place only if it moves
             frame.setLocation(place.x + 1, place.y);
             frame.setLocation(place);
         }

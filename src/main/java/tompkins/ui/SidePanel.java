@@ -204,7 +204,7 @@ final class SidePanel {
         return section;
     }
 
-    /** In a lesson what that is about, on a projector speed, colours and opening time; the rest if all is wanted. */
+    /** In a lesson the controls of its subject, on a projector speed, colours and opening time; else all. */
     private void showSections() {
         Lesson lesson = model.studio().lesson() instanceof Lesson its ? its : null;
         boolean few = !all.isSelected() && (lesson != null || Look.isSlim());
@@ -212,7 +212,7 @@ final class SidePanel {
         sections.forEach(section -> section.setVisible(!few));
         speed.setVisible(!few || brief);
         velocity.setBrief(brief);
-        // a slim panel has room for two of three beside each other
+        // a slim panel has room for two of three side by side
         ((MigLayout) quickColours.getLayout())
                 .setComponentConstraints(quickColours.getComponent(1), brief ? "wmin 0, wrap" : "wmin 0");
         boolean comparesShutters = lesson != null && LessonStudio.comparesShutters(lesson);
@@ -246,7 +246,7 @@ final class SidePanel {
         }
     }
 
-    /** Focuses at a distance; false if a click beside all objects gave none, so that the user can try again. */
+    /** Focuses at a distance; false if a click that met no object gave none, so that the user can try again. */
     private static boolean focus(StudioModel model, Consumer<String> teller, double distance) {
         if (distance > 0) {
             Camera camera = model.studio().camera();
@@ -272,7 +272,7 @@ final class SidePanel {
         return split;
     }
 
-    /** Shows what there is to say about the picture on the screen. */
+    /** Shows the messages about the picture on the screen. */
     void show(Picture picture) {
         RenderPlan made = picture.plan();
         if (shown == null || shown.plan() != made || !shown.warnings().equals(picture.warnings())) {

@@ -11,9 +11,9 @@ import tompkins.spacetime.FrameTree;
 import tompkins.spacetime.RelativeMotion;
 
 /**
- * The ways between the frames of a world, and the frame of the camera, by their numbers. Each is worked out when
- * somebody asks for it, because a scene with many frames needs few of all pairs. For any number of threads: those that
- * ask at once find the same.
+ * The ways between the frames of a world, and the frame of the camera, by their numbers. Each is computed when somebody
+ * asks for it, because a scene with many frames needs few of all pairs. For any number of threads: those that ask at
+ * once find the same.
  */
 public final class FrameRoutes {
 

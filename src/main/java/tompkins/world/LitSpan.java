@@ -42,7 +42,7 @@ public record LitSpan(double from, double to) {
 
     /**
      * When the line is within reach of light from an event: A + e W &gt;= |r + e w|, with the difference (r, A) of hit
-     * and event and the shift (w, W). The reach of light is convex, so this is one span, or null if it is none.
+     * and event and the shift (w, W). The reach of light is convex, so this is one span, or null if it is empty.
      */
     private static LitSpan since(Event event, Event hit, Event shift, double square) {
         Event r = hit.minus(event);

@@ -19,8 +19,8 @@ import tompkins.studio.View;
 
 /**
  * How the camera sees what rests in one frame of the scene. An object at rest in the frame is seen along a direction of
- * that frame, from the event at which its light crosses the lens; so only directions have to be worked out. A direction
- * n that is followed backwards in time has the tangent (n, -1), which the change of frame takes to the camera. In the
+ * that frame, from the event at which its light crosses the lens; so only directions have to be computed. A direction n
+ * that is followed backwards in time has the tangent (n, -1), which the change of frame takes to the camera. In the
  * measured view the tangent lies in one time of the camera. In a Galilean world light has speed 1 in the camera frame,
  * and the tangent is (k n, -1) with the k that gives this speed.
  */
@@ -136,7 +136,7 @@ public final class SeenFrame {
         }
     }
 
-    /** A time so far on one side that what runs is late by then, or early; light of the camera can be slow. */
+    /** A time so far on one side that the difference has its sign; the light of the camera can be slow. */
     private static double bound(UnivariateFunction late, double time, double side) {
         double step = side;
         for (int i = 0; i < MOST_STEPS && !(late.value(time + step) * side > 0); i++) {

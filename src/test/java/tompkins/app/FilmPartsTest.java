@@ -246,12 +246,14 @@ class FilmPartsTest {
     void otherMistakesAreFoundAtOnce() {
         assertThat(animate("film.gif", "--part=0/2").err()).contains("give -o a name without an ending, was");
         assertThat(assemble("nowhere", "film.gif").err()).contains("nowhere: cannot be read: there is no such file");
+        assertThat(assemble(scene.getFileName().toString(), "film.gif").err())
+                .contains(scene + ": cannot be read: it is a file, not a folder");
         assertThat(assemble("", "film.gif").err()).contains("holds no frames of a film");
         ProgramRun noScene = ProgramRun.of("animate", "-o", folder.resolve("film.gif"));
         assertThat(noScene.code()).isEqualTo(2);
-        assertThat(noScene.err()).contains("Missing required parameter: SCENE");
+        assertThat(noScene.err()).contains("tompkins animate: needs SCENE: scene file");
         assertThat(ProgramRun.of("animate", scene, "--from=0", "--to=0.9").err())
-                .contains("Missing required option: --output=FILE");
+                .contains("tompkins animate: needs --output=FILE");
     }
 
     /** Killed at some moment, it leaves whole frames alone, and the next process takes the rest. */

@@ -95,5 +95,10 @@ class SheetCommandTest {
         assertThat(none.code()).isEqualTo(Failures.MISTAKE);
         assertThat(none.err()).contains("ball.json: the scene must have a lesson");
         assertThat(folder.resolve("ball.html")).doesNotExist();
+
+        ProgramRun paper = ProgramRun.of("sheet", LESSON, "-o", folder.resolve("sheet.pdf"));
+        assertThat(paper.code()).isEqualTo(Failures.MISTAKE);
+        assertThat(paper.err()).contains("sheet.pdf: the name of a sheet must end in .html");
+        assertThat(folder.resolve("sheet.pdf")).doesNotExist();
     }
 }

@@ -10,6 +10,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.joml.Vector2i;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,6 +18,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.fuzz.RandomStudio;
 import tompkins.property.Descriptions;
 import tompkins.property.MistakeException;
+import tompkins.sceneobject.ImagePointGrid;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -85,6 +87,15 @@ class AssignmentsTest {
         assertThat(studio.camera().shutter().openingTime()).isEqualTo(1e-3);
         assertThat(studio.lights()).hasSize(1);
         assertThat(StudioWriter.write(studio)).contains("[0.8, 0.25, 0.8]", "\"colours\": \"doppler\"");
+    }
+
+    /** A comma is a decimal one where a single number belongs, and stands between two where a pair belongs. */
+    @Test
+    void aPairIsWrittenWithAComma() {
+        Studio studio = STUDIO.withScene(List.of(ImagePointGrid.DEFAULT, Sphere.DEFAULT));
+        assertThat(((ImagePointGrid) with(studio, "scene[0].points=5,7").scene().get(0)).points())
+                .isEqualTo(new Vector2i(5, 7));
+        assertThat(sphere(with(studio, "scene[1].radius=1,5")).radius()).isEqualTo(1.5);
     }
 
     /** gamma of 3/5 is 5/4. */

@@ -163,6 +163,12 @@ class MeshMaterialTest {
         }
     }
 
+    @Test
+    void normalsOfNoLengthAreNoted() throws IOException {
+        assertThat(StudioWriter.notes(studio(SQUARE + "vn 0 0 0\nf 1//1 2//1 3//1\n")))
+                .containsExactly("model.obj: faces name a \"vn\" that is missing, zero or not finite (3 times)");
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

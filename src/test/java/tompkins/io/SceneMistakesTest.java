@@ -38,6 +38,20 @@ class SceneMistakesTest {
     }
 
     /** Neither is spelt like the key that is meant; the first begins with the same word. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '~',
+            value = {
+                "{\"beta\": 0.5} | velocity.beta",
+                "{\"samples\": 4} | settings.samples",
+                "{\"camera\": {\"openingTime\": 1}} | shutter.openingTime",
+                "{\"scene\": [{\"type\": \"Sphere\", \"diffuse\": 1}]} | surface.diffuse"
+            })
+    void aKeyInTheWrongPlaceIsToldItsOwn(String scene, String home) {
+        assertThat(messageOf(scene)).endsWith("; did you mean \"" + home + "\"?");
+    }
+
     @Test
     void aKeyIsKnownByItsFirstWord() {
         String object = "{\"scene\": [{\"type\": \"Rotating\", \"KEY\": 1}]}";

@@ -100,7 +100,7 @@ class BackgroundTest {
         Vector3d north = new Vector3d(1, 2, 3);
         assertThatThrownBy(() -> new StarSky(6, 0.2, north, new Vector3d(-2, -4, -6), Colour.BLACK))
                 .isInstanceOf(InvalidPropertyException.class)
-                .hasMessage("zeroHour must be not parallel to north [1, 2, 3], was [-2, -4, -6]");
+                .hasMessage("zeroHour must not be parallel to north [1, 2, 3], was [-2, -4, -6]");
         assertThatThrownBy(() -> new StarSky(6.6, 0.2, north, new Vector3d(0, 0, 1), Colour.BLACK))
                 .hasMessageContaining("limit must be");
         assertThatThrownBy(() -> new StarSky(6, 0, north, new Vector3d(0, 0, 1), Colour.BLACK))

@@ -80,7 +80,7 @@ public final class PlayPanel extends Part {
      * The panel.
      *
      * @param export takes a studio and the animation of it that is to be saved
-     * @param chosen told which number is to be animated; null while the panel is hidden
+     * @param chosen notified of the number that is to be animated; null while the panel is hidden
      */
     public PlayPanel(StudioModel model, BiConsumer<Studio, Animation> export, Consumer<NumberProperty> chosen) {
         super(new JPanel(new MigLayout(

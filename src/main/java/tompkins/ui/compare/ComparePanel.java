@@ -75,8 +75,8 @@ public final class ComparePanel extends Part {
      * The panel.
      *
      * @param model what the photograph shows
-     * @param changed told what the user wants to compare
-     * @param peeking told when the other picture should be shown alone, and when no longer
+     * @param changed notified of what the user wants to compare
+     * @param peeking notified when the other picture should be shown alone, and when no longer
      * @param keeping keeps the picture that is shown, and says what to call it
      */
     public ComparePanel(

@@ -16,7 +16,7 @@ import tompkins.ui.picture.Comparison;
  * @param other the kind of the other picture
  * @param shutter the model of the other shutter, if that is what differs
  * @param view how the two are shown
- * @param name what the other picture is called
+ * @param name name of the other picture
  */
 public record Compared(ComparePanel.Other other, Class<?> shutter, Comparison view, String name) {
 

@@ -49,7 +49,7 @@ public final class ComparedPicture implements AutoCloseable {
      *
      * @param sizes says in which size the picture of a studio is taken
      * @param pace says how soon it has to come
-     * @param failed told what goes wrong, by any thread
+     * @param failed notified of what goes wrong, by any thread
      */
     public ComparedPicture(
             StudioModel model,
@@ -75,7 +75,7 @@ public final class ComparedPicture implements AutoCloseable {
         rideAtRest = atRest;
     }
 
-    /** What the picture is called; null if there is none. */
+    /** The name of the picture; null if there is none. */
     public String name() {
         return compared.name();
     }

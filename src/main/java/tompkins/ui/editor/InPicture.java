@@ -167,7 +167,7 @@ final class InPicture {
         return lens.plus(new Event(distance * look.x(), distance * look.y(), distance * look.z(), -delay));
     }
 
-    /** How far away what is seen at a place is; infinite if nothing is, or if there is too much to find it. */
+    /** The distance of what is seen at a place; infinite if nothing is, or if there is too much to search. */
     private static double distance(Studio studio, Vector2dc place) {
         double primitives =
                 studio.scene().stream().mapToDouble(SceneObject::primitiveCount).sum();

@@ -12,8 +12,8 @@ import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
 /**
- * The tree and the form of the editor: beside each other, where the tree gets the room that it needs and the form the
- * rest; or one above the other, so that the editor covers less of the picture.
+ * The tree and the form of the editor: side by side, where the tree gets the room that it needs and the form the rest;
+ * or one above the other, so that the editor covers less of the picture.
  */
 final class TreeAndForm {
 

@@ -24,7 +24,7 @@ public final class PictureSize {
      * Proposes the size of a studio.
      *
      * @param refused says why a size cannot be had
-     * @param changed told of each other size
+     * @param changed notified of each other size
      */
     public PictureSize(Studio studio, Note refused, Runnable changed) {
         this.studio = studio;

@@ -34,7 +34,7 @@ public final class LessonCourse {
         follower.run();
     }
 
-    /** Has somebody told when the lessons are there; a window opens before that. */
+    /** Calls somebody when the lessons are there; a window opens before that. */
     void follow(Runnable other) {
         follower = other;
     }

@@ -232,7 +232,7 @@ public final class LessonPanel extends Part {
         cards = new CardPanel();
         Keys.bindEnter(cards.component(), () -> {
             if (next.isEnabled()) {
-                // before what has the keys is hidden with its page
+                // before the component with the focus is hidden with its page
                 next.requestFocusInWindow();
                 next.doClick();
             }

@@ -90,7 +90,7 @@ final class MeasurePanel extends Part {
      *
      * @param answer what came of it in the picture
      * @param otherAnswer what came of it in the picture with which that is compared
-     * @param otherName what that picture is called; null if there is none
+     * @param otherName name of that picture; null if there is none
      */
     public void show(MeasureTool.Answer answer, MeasureTool.Answer otherAnswer, String otherName) {
         measured = answer == null ? null : answer.measured();

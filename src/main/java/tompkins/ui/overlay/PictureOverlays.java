@@ -31,7 +31,7 @@ public final class PictureOverlays {
     private final SceneMap map = new SceneMap();
     private final SceneOverlay overlay;
 
-    /** The overlays of a canvas; {@code failures} is told by any thread what could not be worked out. */
+    /** The overlays of a canvas; {@code failures} is told by any thread what could not be computed. */
     public PictureOverlays(PictureCanvas canvas, Settings settings, Consumer<Throwable> failures) {
         this.canvas = canvas;
         this.settings = settings;

@@ -32,7 +32,7 @@ import tompkins.world.InertialFrame;
 /**
  * What formulas say about a picture, drawn over it: outlines, axes, places, grids. It follows each picture. If the
  * shutter opens at another time for each place, if rays are followed, or if lines turn, that takes a while: it is then
- * worked out by a thread of its own, and nothing is drawn until it is there.
+ * computed by a thread of its own, and nothing is drawn until it is there.
  */
 public final class SceneOverlay implements Overlay, AutoCloseable {
 
@@ -87,7 +87,7 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
      * An overlay that draws nothing yet.
      *
      * @param repaint called by the event thread when more can be drawn
-     * @param failures told by another thread what could not be worked out
+     * @param failures told by another thread what could not be computed
      */
     public SceneOverlay(Runnable repaint, Consumer<Throwable> failures) {
         this.repaint = repaint;
@@ -135,7 +135,7 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
         g.dispose();
     }
 
-    /** What is drawn over a picture; null while that is worked out. */
+    /** What is drawn over a picture; null while that is computed. */
     private Drawn drawn(RenderPlan plan) {
         for (Drawn each : drawn) {
             if (each.plan == plan && each.kinds.equals(shown)) {

@@ -41,7 +41,7 @@ public final class CameraPanel extends Part {
     /** The most objects that are used to find the middle of the scene. */
     private static final int MOST_OBJECTS = 100_000;
 
-    /** Digits of a place that was worked out; the last are only rounding. */
+    /** Digits of a place that was computed; the last are only rounding. */
     private static final int PLACE_DIGITS = 9;
 
     private static final Vector3dc UP = new Vector3d(0, 1, 0);

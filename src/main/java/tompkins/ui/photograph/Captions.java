@@ -159,11 +159,11 @@ public final class Captions {
     /** The caption of a picture with a number besides its speed, or with none if it is null. */
     static String of(Studio studio, NumberProperty number) {
         List<String> words = new ArrayList<>();
-        words.add(motion(studio));
         // another shutter may have no opening time
         if (number != null && !number.number().isSpeed() && number.number().isIn(studio)) {
             words.add(Texts.get("caption.number", number.name(), number.text().apply(studio)));
         }
+        words.add(motion(studio));
         return String.join(", ", words);
     }
 

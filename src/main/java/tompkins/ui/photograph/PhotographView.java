@@ -49,7 +49,7 @@ public final class PhotographView implements AutoCloseable {
         /**
          * The pinned pixel was read; null if none is pinned.
          *
-         * @param picture what the picture is called in which it is pinned, or null if it is the studio's
+         * @param picture name of the picture in which it is pinned, or null if it is the studio's
          */
         void pinned(PixelReading reading, String picture);
 
@@ -63,7 +63,7 @@ public final class PhotographView implements AutoCloseable {
         void failed(String message);
     }
 
-    /** Offers what can be done with what is seen. */
+    /** Offers actions on what is seen. */
     public interface Menu {
 
         /** Shows the menu for a place of a picture, at a point of the canvas. */

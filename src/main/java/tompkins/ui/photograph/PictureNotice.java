@@ -68,7 +68,7 @@ final class PictureNotice {
         back = home;
     }
 
-    /** Shows what there is to say about the picture on the screen; about an incomplete one only a ride knows. */
+    /** Shows the messages about the picture on the screen; about an incomplete one only a ride knows. */
     void show(Picture picture) {
         String said = trouble.apply(picture);
         layout.setRowConstraints(said.isEmpty() ? AT_TOP : IN_THE_MIDDLE);

@@ -216,7 +216,7 @@ public final class StatusBar extends Part {
                 : Texts.get("status.angles", inCamera, Numbers.brief(Math.toDegrees(sighting.sceneAngle()), 4));
     }
 
-    /** Shows what the picture on the screen is. */
+    /** Describes the picture on the screen. */
     public void show(Picture shown) {
         // a picture that was rendered before the stop may reach the screen after it
         boolean ended = shown.complete() || controller.isStopped();

@@ -59,7 +59,7 @@ record PictureArrangement(
                 .orElse(null);
     }
 
-    /** Whether there is room for two beside each other. */
+    /** Whether there is room for two side by side. */
     boolean isBeside() {
         return comparison == Comparison.BESIDE && !otherAlone;
     }
@@ -116,7 +116,7 @@ record PictureArrangement(
         return new Rectangle(space().size());
     }
 
-    /** The room for each picture: of two, beside each other or one above the other, whichever makes them larger. */
+    /** The room for each picture: of two, side by side or one above the other, whichever makes them larger. */
     Room space() {
         if (!isBeside()) {
             return new Room(canvas, zoom != null, false);

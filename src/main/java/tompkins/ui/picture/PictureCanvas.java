@@ -40,7 +40,7 @@ public final class PictureCanvas extends JPanel {
         default void clickedTwice() {}
     }
 
-    /** The distance between two pictures beside each other. */
+    /** The distance between two pictures side by side. */
     private static final int GAP = 8;
 
     private final Consumer<Room> resized;

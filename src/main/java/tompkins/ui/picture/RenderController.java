@@ -66,8 +66,8 @@ public final class RenderController implements AutoCloseable {
     /**
      * A controller.
      *
-     * @param pictures told of each better picture, by threads of the renderer
-     * @param failures told why there is no picture, by threads of the renderer and the controller
+     * @param pictures notified of each better picture, by threads of the renderer
+     * @param failures notified of why there is no picture, by threads of the renderer and the controller
      */
     public RenderController(Consumer<Picture> pictures, Consumer<Throwable> failures) {
         this.pictures = pictures;

@@ -41,9 +41,9 @@ public final class PixelPin implements AutoCloseable {
     /**
      * The pin of a canvas, at no place.
      *
-     * @param names says what a picture is called; null for one that is seen alone
-     * @param listener told what was read, and in which picture; a reading of null says that nothing is pinned
-     * @param failed told what goes wrong, by any thread
+     * @param names gives the name of a picture; null for one that is seen alone
+     * @param listener notified of what was read, and in which picture; a reading of null says that nothing is pinned
+     * @param failed notified of what goes wrong, by any thread
      */
     public PixelPin(
             PictureCanvas canvas,

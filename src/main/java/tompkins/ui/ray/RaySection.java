@@ -97,7 +97,7 @@ public final class RaySection {
     /**
      * Shows a ray, or nothing if it is null.
      *
-     * @param picture what the picture is called that the ray belongs to, or null if it is the studio's
+     * @param picture name of the picture to which the ray belongs, or null if it is the studio's
      */
     public void show(PixelReading reading, String picture) {
         section.component().setVisible(reading != null);

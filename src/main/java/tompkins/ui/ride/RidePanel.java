@@ -69,7 +69,7 @@ public final class RidePanel extends Part {
     /**
      * The bar.
      *
-     * @param flown told that keys are wanted for the ride
+     * @param flown notified that keys are wanted for the ride
      * @param exporter asks where to save the film of the ride that begins with a studio
      */
     public RidePanel(StudioModel model, Settings settings, RidePilot pilot, Runnable flown, Consumer<Studio> exporter) {
@@ -157,7 +157,7 @@ public final class RidePanel extends Part {
         steerBy(kept == null ? RideKeyboard.usual() : kept);
         keyboard.addActionListener(event -> {
             RideKeyboard chosen = RideKeyboard.of(String.valueOf(keyboard.getSelectedItem()));
-            // what are not seven letters is put back
+            // a text that is not seven letters is undone
             steerBy(chosen == null ? pilot.keyboard() : chosen);
             if (chosen != null) {
                 settings.setText(KEYBOARD, chosen.letters());

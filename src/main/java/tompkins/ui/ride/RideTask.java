@@ -51,7 +51,7 @@ final class RideTask {
         return Texts.get(key, Numbers.brief(now.properTime()), Numbers.brief(now.sceneTime()));
     }
 
-    /** The ride of the scene that is flown; another one if it is none of them, null before the first. */
+    /** The ride that is flown, one of the scene or another; null before the first. */
     Ride ride() {
         return ride;
     }

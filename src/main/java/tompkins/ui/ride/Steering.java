@@ -61,7 +61,7 @@ final class Steering {
         return model.studio().camera();
     }
 
-    /** Turns the camera so that what was at a place is at another one. */
+    /** Turns the camera so that what was seen at one place of the picture is seen at another. */
     void turn(PicturePosition from, PicturePosition to) {
         change(camera -> Aim.at(camera, from.direction(camera), to));
     }
@@ -83,7 +83,7 @@ final class Steering {
         change(new Aim(right * angle, up * angle)::turn);
     }
 
-    /** Moves the lens sideways and up, so that what was at a place is about at another one. */
+    /** Moves the lens sideways and up, so that what was seen at one place is seen near another. */
     void slide(PicturePosition from, PicturePosition to) {
         waitingFrom = waitingFrom == null ? from : waitingFrom;
         whenFar(from, () -> {
@@ -137,7 +137,7 @@ final class Steering {
         }
     }
 
-    /** Does something as soon as the distance of what is at a place is known. */
+    /** Does something as soon as the distance of what is seen at a place is known. */
     private void whenFar(PicturePosition place, Runnable action) {
         if (Double.isFinite(distance)) {
             action.run();

@@ -24,7 +24,7 @@ public final class ChoiceRow {
      * @param text the text on the button of a value
      * @param name the name of the button
      * @param tip what its value means
-     * @param chosen told of each choice
+     * @param chosen notified of each choice
      */
     public static <T> JComponent of(
             List<T> values,

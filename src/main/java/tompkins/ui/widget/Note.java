@@ -34,7 +34,7 @@ public final class Note {
     /** The key of its font. */
     private final String font;
 
-    /** What there is to say, and what is said while that is nothing. */
+    /** The message, and the text that is shown while there is none. */
     private Message said = new Message("", false);
 
     private Message usual = said;

@@ -71,7 +71,7 @@ public final class TabStrip extends Part {
      * Fills a tab.
      *
      * @param maker makes what it shows, when that is first wanted
-     * @param listener told when it is opened, and when it is closed; it shows and hides what was made
+     * @param listener notified when it is opened, and when it is closed; it shows and hides what was made
      */
     public void fill(Tab tab, Supplier<JComponent> maker, Consumer<Boolean> listener) {
         makers.put(tab, maker);

@@ -7,7 +7,7 @@ import javax.swing.event.DocumentListener;
 /**
  * Tells of each change of a plain text.
  *
- * @param listener told of a change while the text must not be changed again
+ * @param listener notified of a change while the text must not be changed again
  */
 public record TextChanges(Consumer<DocumentEvent> listener) implements DocumentListener {
 

@@ -22,7 +22,7 @@ public final class ValueSlider {
      * A slider.
      *
      * @param moved takes the value and the gesture it belongs to
-     * @param released told of the gesture when the hand lets go
+     * @param released notified of the gesture when the hand lets go
      */
     public ValueSlider(
             String name, String tip, Range range, BiConsumer<Double, Object> moved, Consumer<Object> released) {

@@ -106,11 +106,12 @@ class CaptionsTest {
         assertThat(Captions.of(studio, null)).endsWith("\u03b3 = " + gamma);
     }
 
+    /** It comes first: in a small picture the end of a long caption is cut off. */
     @Test
     void theyTellTheNumberThatIsAnimated() {
         Studio later = StudioNumber.OPENING_TIME.with(FAST, 1.5);
         assertThat(Captions.of(later, NumberProperty.openingTime()))
-                .isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25, Opening time of the shutter = 1.5");
+                .isEqualTo("Opening time of the shutter = 1.5, \u03b2 = 0.6, \u03b3 = 1.25");
         assertThat(Captions.of(later, NumberProperty.speed(SpeedScale.RAPIDITY)))
                 .as("the speed is told already")
                 .isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25");
