@@ -32,11 +32,11 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        26_922),
+                        27_032),
                 arguments("file, image", 4_501),
                 arguments("explain, lesson, measure, animation", 6_284),
                 arguments("io, app", 7_992),
-                arguments("study", 4_087),
+                arguments("study", 4_089),
                 arguments("ui", 20_746));
     }
 
