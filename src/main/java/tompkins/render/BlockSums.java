@@ -2,25 +2,29 @@ package tompkins.render;
 
 import java.util.Arrays;
 import java.util.function.BooleanSupplier;
-import tompkins.ray.Colour;
 import tompkins.ray.RayPacket;
+import tompkins.trace.BlockSamples;
 import tompkins.trace.SampleSink;
 
 /**
  * Adds up the samples that a pass takes of a block of pixels, in double precision, and then gives the film their sums.
- * The film has single precision, and would lose the last digits of each of many samples. The film gets single samples
- * directly, because coarse passes take no more. One for each thread.
+ * The film has single precision, and would lose the last digits of each of many samples. One for each thread.
  */
 final class BlockSums implements SampleSink {
 
     private final Film film;
     private final BooleanSupplier stopped;
-    private final double[] sums = new double[3 * RayPacket.MOST];
+    private final double[] red = new double[RayPacket.MOST];
+    private final double[] green = new double[RayPacket.MOST];
+    private final double[] blue = new double[RayPacket.MOST];
     private final double[] squares = new double[RayPacket.MOST];
-    private final int[] counts = new int[RayPacket.MOST];
     private Pass pass;
-    private int left;
-    private int top;
+
+    /** What was taken last, which knows its pixels. */
+    private BlockSamples last;
+
+    /** Number of samples of each pixel. */
+    private int taken;
 
     /**
      * Sums for one film.
@@ -32,11 +36,9 @@ final class BlockSums implements SampleSink {
         this.stopped = stopped;
     }
 
-    /** Begins the block of a pass whose first pixel is given. */
-    void begin(Pass ofPass, int firstColumn, int firstRow) {
+    /** Begins a block of a pass. */
+    void begin(Pass ofPass) {
         pass = ofPass;
-        left = firstColumn;
-        top = firstRow;
     }
 
     @Override
@@ -50,39 +52,35 @@ final class BlockSums implements SampleSink {
     }
 
     @Override
-    public void take(int column, int row, Colour colour) {
-        if (pass.samples() == 1) {
-            film.add(film.pixel(column, row), colour.red(), colour.green(), colour.blue(), 1);
-            return;
+    public void take(BlockSamples samples) {
+        last = samples;
+        taken++;
+        for (int i = 0; i < samples.count(); i++) {
+            red[i] += samples.red[i];
         }
-        int place = (row - top) * RayPacket.SIDE + column - left;
-        sums[3 * place] += colour.red();
-        sums[3 * place + 1] += colour.green();
-        sums[3 * place + 2] += colour.blue();
-        squares[place] += Film.squared(colour.red(), colour.green(), colour.blue());
-        counts[place]++;
+        for (int i = 0; i < samples.count(); i++) {
+            green[i] += samples.green[i];
+        }
+        for (int i = 0; i < samples.count(); i++) {
+            blue[i] += samples.blue[i];
+        }
+        for (int i = 0; i < samples.count(); i++) {
+            squares[i] += Film.squared(samples.red[i], samples.green[i], samples.blue[i]);
+        }
     }
 
     /** Gives the film what was summed up, and starts from 0 again. */
     void addToFilm() {
-        if (pass.samples() == 1) {
+        if (taken == 0) {
             return;
         }
-        for (int place = 0; place < counts.length; place++) {
-            if (counts[place] > 0) {
-                int column = left + place % RayPacket.SIDE;
-                int row = top + place / RayPacket.SIDE;
-                film.add(
-                        film.pixel(column, row),
-                        sums[3 * place],
-                        sums[3 * place + 1],
-                        sums[3 * place + 2],
-                        squares[place],
-                        counts[place]);
-            }
+        for (int i = 0; i < last.count(); i++) {
+            film.add(film.pixel(last.column(i), last.row(i)), red[i], green[i], blue[i], squares[i], taken);
         }
-        Arrays.fill(sums, 0);
+        taken = 0;
+        Arrays.fill(red, 0);
+        Arrays.fill(green, 0);
+        Arrays.fill(blue, 0);
         Arrays.fill(squares, 0);
-        Arrays.fill(counts, 0);
     }
 }

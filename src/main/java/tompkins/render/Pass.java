@@ -22,6 +22,9 @@ record Pass(int stride, int coarserStride, int firstSample, int samples, int inA
 
     private static final int COARSEST = 8;
 
+    /** So many are taken at once where nobody watches, since samples of a block share what is known of its pixels. */
+    private static final int FIRST = 16;
+
     /** Later passes are at most this long, or an eighth of what is done, so that one can watch the picture improve. */
     private static final int LONG = 64;
 
@@ -29,21 +32,22 @@ record Pass(int stride, int coarserStride, int firstSample, int samples, int inA
     private static final int LONGEST = 4096;
 
     /**
-     * The passes that take the given number of samples of each pixel: 1, 1, 2, 4, ... 64, 64, ..., and at the end an
-     * eighth of those before.
+     * The passes that take the given number of samples of each pixel: 16, 16, 32, 64, 64, ..., and at the end an eighth
+     * of those before.
      *
      * @param inAll samples that pixels may have after later passes
-     * @param coarseFirst whether the first one is taken coarse to fine
+     * @param coarseFirst whether somebody watches: the first sample is taken coarse to fine, and those after it are 1,
+     *     2, 4, 8
      */
     static List<Pass> of(int samples, int inAll, boolean coarseFirst) {
         List<Pass> passes = new ArrayList<>();
         int coarser = 0;
+        int done = coarseFirst ? 1 : Math.min(FIRST, samples);
         for (int stride = coarseFirst ? COARSEST : 1; stride >= 1; stride /= 2) {
             double share = 1.0 / (stride * stride) - (coarser == 0 ? 0 : 1.0 / (coarser * coarser));
-            passes.add(new Pass(stride, coarser, PixelSampler.firstOf(samples), 1, inAll, null, share));
+            passes.add(new Pass(stride, coarser, PixelSampler.firstOf(samples), done, inAll, null, share));
             coarser = stride;
         }
-        int done = 1;
         while (done < samples) {
             int next = Math.min(Math.min(done, Math.min(LONGEST, Math.max(LONG, done / 8))), samples - done);
             passes.add(new Pass(1, 0, done, next, inAll, null, 1));

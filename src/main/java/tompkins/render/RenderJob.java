@@ -112,7 +112,7 @@ public final class RenderJob {
                 }
                 int left = tile.column() + column;
                 int top = tile.row() + row;
-                sums.begin(pass, left, top);
+                sums.begin(pass);
                 tracer.beginBlock(left, top, width, height, pass.stride(), sums);
                 for (int sample = pass.firstSample(); sample < end && !isStopped(); sample++) {
                     try {

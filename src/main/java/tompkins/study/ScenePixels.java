@@ -136,11 +136,13 @@ final class ScenePixels {
         tracer.shareBetween(samples);
         double[] light = new double[block.values()];
         for (int sample = 0; sample < samples; sample++) {
-            SampleSink sink = (column, row, colour) -> {
-                int place = 3 * ((row - block.top) * block.width + column - block.left);
-                light[place] += colour.red();
-                light[place + 1] += colour.green();
-                light[place + 2] += colour.blue();
+            SampleSink sink = taken -> {
+                for (int i = 0; i < taken.count(); i++) {
+                    int place = 3 * ((taken.row(i) - block.top) * block.width + taken.column(i) - block.left);
+                    light[place] += taken.red[i];
+                    light[place + 1] += taken.green[i];
+                    light[place + 2] += taken.blue[i];
+                }
             };
             tracer.sampleBlock(block.left, block.top, block.width, block.height, 1, sample, sink);
         }

@@ -16,6 +16,11 @@ interface EscapedLight {
         return colour(rays.ray(place));
     }
 
+    /** The light that comes back, if it is the same for all rays; otherwise null. */
+    default Colour evenLight() {
+        return null;
+    }
+
     /** The light that comes back, as the camera sees it; for surroundings that shift light where it leaves a hit. */
     default Colour seen(Ray ray, Surroundings surroundings) {
         return surroundings.seen(colour(ray), ray, 1);

@@ -48,6 +48,11 @@ final class MovingSurroundings implements Surroundings {
     }
 
     @Override
+    public boolean mayMeet(int place) {
+        return search.mayMeet(place);
+    }
+
+    @Override
     public boolean nearest(int place) {
         return search.nearest(place);
     }

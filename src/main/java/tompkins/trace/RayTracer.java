@@ -70,6 +70,16 @@ final class RayTracer implements Tracer {
         return surroundings.shifts();
     }
 
+    /** The light along each ray that meets nothing, if it is the same for all; otherwise null. */
+    Colour evenLight() {
+        return escaped.evenLight();
+    }
+
+    /** Whether a ray of the packet may meet something. */
+    boolean mayMeet(int place) {
+        return surroundings.mayMeet(place);
+    }
+
     /** The light that comes back along a ray of the packet. */
     Colour packetColour(RayPacket rays, int place) {
         counts.rays++;

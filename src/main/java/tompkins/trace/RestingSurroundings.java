@@ -44,6 +44,11 @@ final class RestingSurroundings implements Surroundings {
     }
 
     @Override
+    public boolean mayMeet(int place) {
+        return packet.mayMeet(place);
+    }
+
+    @Override
     public boolean nearest(int place) {
         return packet.nearest(place, Primitive.NO_HIT);
     }

@@ -1,7 +1,5 @@
 package tompkins.trace;
 
-import tompkins.ray.Colour;
-
 /** Receives the samples of a block of pixels: all of them, unless it says otherwise. */
 @FunctionalInterface
 public interface SampleSink {
@@ -16,6 +14,6 @@ public interface SampleSink {
         return false;
     }
 
-    /** Takes the colour of one sample of a pixel, before exposure. */
-    void take(int column, int row, Colour colour);
+    /** Takes one sample of each pixel that is wanted; the memory is used again for the next ones of the block. */
+    void take(BlockSamples samples);
 }

@@ -1,6 +1,5 @@
 package tompkins.trace;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import tompkins.camera.EyeView;
@@ -45,15 +44,14 @@ public final class SampleTracer {
 
     private SamplePositions places;
 
-    private Colour[] colours = new Colour[RayPacket.MOST];
+    /** The samples of the block; those of the second eye follow those of the first. */
+    private final BlockSamples samples = new BlockSamples();
 
-    /** The samples whose colours are known; clearing references instead would cost the garbage collector time. */
-    private boolean[] known = new boolean[RayPacket.MOST];
+    /** The number of the first one of the eye. */
+    private int first;
 
-    /** Those of one eye, while the other is traced for the same pixels. */
-    private Colour[] otherColours = new Colour[RayPacket.MOST];
-
-    private boolean[] otherKnown = new boolean[RayPacket.MOST];
+    /** Of an anaglyph the light of the left eye, while the right one is traced for the same pixels. */
+    private final Colour[] leftLight = new Colour[RayPacket.MOST];
 
     private final Colour[] sums = new Colour[RayPacket.MOST];
     private final Colour[] factors = new Colour[RayPacket.MOST];
@@ -210,6 +208,7 @@ public final class SampleTracer {
     public void beginBlock(int left, int top, int width, int height, int stride, SampleSink taker) {
         column = left;
         row = top;
+        samples.clear();
         for (EyeView next : eyes()) {
             begin(next);
             addPixels(left, top, width, height, stride, taker);
@@ -228,9 +227,10 @@ public final class SampleTracer {
      * few neighbours at a time, where they enter the tree. The colours are those of single samples.
      *
      * @param sample number of the sample of each pixel
-     * @param taker gets the colours
+     * @param taker gets the colours, unless it stops before all are known
      */
     public void sampleBlock(int sample, SampleSink taker) {
+        first = 0;
         for (EyeView next : eyes()) {
             turnTo(next);
             sampler.choose(places, sample);
@@ -238,7 +238,11 @@ public final class SampleTracer {
             if (pictureRays.layout().isAnaglyph()) {
                 combineWith(pictureRays.views().get(1), taker);
             }
-            hand(taker);
+            first += places.count();
+        }
+        if (!taker.isStopped()) {
+            counts.samples += first;
+            taker.take(samples);
         }
     }
 
@@ -250,54 +254,33 @@ public final class SampleTracer {
 
     /** Follows the rays of another eye for the same places, and combines the colours of both. */
     private void combineWith(EyeView right, SampleSink taker) {
-        Colour[] leftColours = colours;
-        boolean[] leftKnown = known;
-        colours = otherColours;
-        known = otherKnown;
-        otherColours = leftColours;
-        otherKnown = leftKnown;
+        for (int i = 0; i < places.count(); i++) {
+            leftLight[i] = samples.colour(i);
+        }
         eye = right;
         trace(taker);
         for (int i = 0; i < places.count(); i++) {
-            known[i] &= leftKnown[i];
-            colours[i] = known[i] ? pictureRays.layout().combined(leftColours[i], colours[i]) : null;
+            samples.set(i, pictureRays.layout().combined(leftLight[i], samples.colour(i)));
         }
     }
 
     /** Follows the rays of all places, as far as the taker lets it. */
     private void trace(SampleSink taker) {
         start();
-        boolean raysMissing = rays.count() < places.count();
-        Arrays.fill(known, 0, places.count(), raysMissing);
-        if (raysMissing) {
-            Arrays.fill(colours, 0, places.count(), Colour.BLACK);
-            for (int i = 0; i < rays.count(); i++) {
-                known[rays.sample(i)] = false;
-            }
-        }
+        boolean allGoOn = rays.count() == places.count() && cameraTracer == null;
+        Colour behind = allGoOn ? sceneEntry.evenBackground() : null;
+        // a sample without a ray is black
+        samples.fill(first, first + places.count(), behind == null ? Colour.BLACK : behind);
         if (cameraTracer != null) {
             followInCameraFrame(taker);
         }
         if (rays.isInOneMedium()) {
-            followInScene(taker);
+            followInScene(behind != null, taker);
         } else {
             for (int i = 0; i < rays.count() && goesTo(i, taker); i++) {
                 takeFromScene(i, sceneEntry.colour(rays.ray(i)));
             }
         }
-    }
-
-    /** Gives away all colours that are known. */
-    private void hand(SampleSink taker) {
-        int taken = 0;
-        // all together, so that the pixels' memory is fetched at once
-        for (int i = 0; i < places.count(); i++) {
-            if (known[i]) {
-                taker.take(eye.column() + places.column(i), eye.row() + places.row(i), colours[i]);
-                taken++;
-            }
-        }
-        counts.samples += taken;
     }
 
     /** Keeps the rays that leave what moves with the camera. */
@@ -318,11 +301,23 @@ public final class SampleTracer {
         rays.keep(leaving);
     }
 
-    private void followInScene(SampleSink taker) {
+    /**
+     * Follows the rays through the scene.
+     *
+     * @param known whether the samples have the light of rays that meet nothing
+     */
+    private void followInScene(boolean known, SampleSink taker) {
         RayTracer tracer = sceneEntry.sceneTracer();
         sceneEntry.enter(rays);
         tracer.begin(rays);
-        for (int i = 0; i < rays.count() && goesTo(i, taker); i++) {
+        for (int i = 0; i < rays.count(); i++) {
+            if (known && !tracer.mayMeet(i)) {
+                counts.rays++;
+                continue;
+            }
+            if (!goesTo(i, taker)) {
+                return;
+            }
             // light without a direction is at rest in the scene, and has come from nowhere
             Colour light = Double.isNaN(rays.dx[i]) ? Colour.BLACK : tracer.packetColour(rays, i);
             takeFromScene(i, sceneEntry.inCameraFrame(light, rays.frequency[i], rays.directionLength[i]));
@@ -340,6 +335,7 @@ public final class SampleTracer {
                     && pictureRays.view(nextColumn, nextRow) == eye
                     && taker.wants(nextColumn, nextRow)) {
                 places.addPixel(nextColumn - eye.column(), nextRow - eye.row());
+                samples.add(nextColumn, nextRow);
             }
         }
     }
@@ -363,9 +359,7 @@ public final class SampleTracer {
     }
 
     private void take(int index, Colour colour) {
-        int sample = rays.sample(index);
-        colours[sample] = finite(colour);
-        known[sample] = true;
+        samples.set(first + rays.sample(index), finite(colour));
     }
 
     private Colour finite(Colour colour) {

@@ -66,6 +66,13 @@ final class SceneEntry implements EscapedLight {
         return shift == null || sceneTracer.shifts() ? light : shift.seen(light, 1, 1 / frequency, directionLength);
     }
 
+    /**
+     * What the camera sees along each ray that meets nothing in the scene, if it is the same for all; otherwise null.
+     */
+    Colour evenBackground() {
+        return shift == null ? sceneTracer.evenLight() : null;
+    }
+
     /** Lets each ray of a packet enter the scene, all in one medium or in none; the observer is not told. */
     void enter(RayPacket rays) {
         if (rays.medium(0) == null) {

@@ -16,6 +16,9 @@ interface Surroundings extends Lighting {
      */
     void begin(RayPacket rays);
 
+    /** Whether a ray of that packet may meet something; false only if that is certain. */
+    boolean mayMeet(int place);
+
     /**
      * Searches for the nearest hit of a ray of that packet, in the order of the places, and says whether there is one.
      */

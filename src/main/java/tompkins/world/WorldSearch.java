@@ -108,6 +108,16 @@ public final class WorldSearch {
         }
     }
 
+    /** Whether a ray of that packet may meet something. */
+    public boolean mayMeet(int place) {
+        for (int i = 0; i < openCount; i++) {
+            if (open[i].query.mayMeet(place)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** As {@link #nearest(Ray)}, for a ray of that packet; asked in the order of the places. */
     public boolean nearest(int place) {
         begin(packetStart);

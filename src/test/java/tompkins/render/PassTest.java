@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
 import java.util.List;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -42,10 +43,10 @@ class PassTest {
     @ParameterizedTest
     @CsvSource({
         "1,'1'",
-        "2,'1,1'",
-        "5,'1,1,2,1'",
-        "200,'1,1,2,4,8,16,32,64,64,8'",
-        "700,'1,1,2,4,8,16,32,64,64,64,64,64,64,64,64,72,52'"
+        "5,'5'",
+        "50,'16,16,18'",
+        "200,'16,16,32,64,64,8'",
+        "700,'16,16,32,64,64,64,64,64,64,64,64,72,52'"
     })
     void passesDoubleTheSamplesAndThenGrowByAnEighth(int samples, String expected) {
         List<String> sizes = Pass.of(samples, samples, false).stream()
@@ -53,5 +54,12 @@ class PassTest {
                 .toList();
 
         assertThat(String.join(",", sizes)).isEqualTo(expected);
+    }
+
+    /** Whoever watches sees a sample of each pixel, coarse to fine, and then ever longer passes. */
+    @Test
+    void passesThatAreWatchedBeginWithFewSamples() {
+        assertThat(Pass.of(9, 9, true).stream().map(pass -> pass.stride() + ":" + pass.samples()))
+                .containsExactly("8:1", "4:1", "2:1", "1:1", "1:1", "1:2", "1:4", "1:1");
     }
 }

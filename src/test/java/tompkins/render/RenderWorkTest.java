@@ -39,6 +39,7 @@ import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.LuminousSurface;
 import tompkins.surface.Refractive;
+import tompkins.trace.BlockSamples;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleSink;
 import tompkins.trace.SampleTracer;
@@ -261,8 +262,8 @@ class RenderWorkTest {
         private long count;
 
         @Override
-        public void take(int column, int row, Colour colour) {
-            count++;
+        public void take(BlockSamples samples) {
+            count += samples.count();
         }
     }
 }

@@ -128,8 +128,10 @@ class FastSearchTest {
                 }
 
                 @Override
-                public void take(int column, int row, Colour colour) {
-                    colours[index(column, row)] = colour;
+                public void take(BlockSamples taken) {
+                    for (int i = 0; i < taken.count(); i++) {
+                        colours[index(taken.column(i), taken.row(i))] = taken.colour(i);
+                    }
                 }
 
                 private int index(int column, int row) {

@@ -85,9 +85,11 @@ class MovingMediumTest {
                 studio.withScene(scene).withSettings(studio.settings().withSize(RayPacket.SIDE, RayPacket.SIDE)));
         SampleTracer single = plan.tracer(new RayCounts());
         List<Colour> colours = new ArrayList<>();
-        plan.tracer(new RayCounts()).sampleBlock(0, 0, RayPacket.SIDE, RayPacket.SIDE, 1, 0, (column, row, colour) -> {
-            assertThat(colour).isEqualTo(single.sample(column, row, 0));
-            colours.add(colour);
+        plan.tracer(new RayCounts()).sampleBlock(0, 0, RayPacket.SIDE, RayPacket.SIDE, 1, 0, samples -> {
+            for (int i = 0; i < samples.count(); i++) {
+                assertThat(samples.colour(i)).isEqualTo(single.sample(samples.column(i), samples.row(i), 0));
+                colours.add(samples.colour(i));
+            }
         });
 
         assertThat(colours).hasSize(RayPacket.MOST).contains(Colour.BLACK).endsWith(Colour.BLACK);

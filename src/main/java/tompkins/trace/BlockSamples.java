@@ -1,0 +1,65 @@
+package tompkins.trace;
+
+import java.util.Arrays;
+import tompkins.ray.Colour;
+import tompkins.ray.RayPacket;
+
+/**
+ * One sample of each of some pixels of a block, as arrays of numbers, which short loops add up. One for each thread,
+ * filled again and again.
+ */
+public final class BlockSamples {
+
+    /** The light of each sample, before exposure. */
+    public final double[] red = new double[RayPacket.MOST];
+
+    public final double[] green = new double[RayPacket.MOST];
+    public final double[] blue = new double[RayPacket.MOST];
+
+    private final int[] columns = new int[RayPacket.MOST];
+    private final int[] rows = new int[RayPacket.MOST];
+    private int count;
+
+    /** Number of samples. */
+    public int count() {
+        return count;
+    }
+
+    /** The column of the pixel of a sample. */
+    public int column(int sample) {
+        return columns[sample];
+    }
+
+    /** The row of the pixel of a sample. */
+    public int row(int sample) {
+        return rows[sample];
+    }
+
+    /** The light of a sample, before exposure. */
+    public Colour colour(int sample) {
+        return new Colour(red[sample], green[sample], blue[sample]);
+    }
+
+    void clear() {
+        count = 0;
+    }
+
+    void add(int column, int row) {
+        columns[count] = column;
+        rows[count] = row;
+        count++;
+    }
+
+    void set(int sample, Colour colour) {
+        red[sample] = colour.red();
+        green[sample] = colour.green();
+        blue[sample] = colour.blue();
+    }
+
+    /** Gives the samples from one (included) to another (excluded) the same light. */
+    void fill(int from, int to, Colour colour) {
+        Arrays.fill(red, from, to, colour.red());
+        Arrays.fill(green, from, to, colour.green());
+        Arrays.fill(blue, from, to, colour.blue());
+    }
+}
