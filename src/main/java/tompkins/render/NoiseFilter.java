@@ -20,6 +20,7 @@ final class NoiseFilter {
     /** Few samples tell little of their variance: it is the mean of what those of pixels tell that are so near. */
     private static final int VARIANCE_REACH = 3;
 
+    /** Columns on both sides, in which the edge of the picture is continued. */
     private static final int BORDER = 2 * REACH + VARIANCE_REACH + 1;
 
     /** Rows that are filtered together. */
@@ -39,30 +40,25 @@ final class NoiseFilter {
     private final int width;
     private final int height;
 
-    /** The width of the planes: the picture with a border, in which its edge is continued. */
-    private final int down;
-
-    /** The channels. */
-    private final float[][] light = new float[3][];
+    /** The rows of each channel. */
+    private final float[][][] light;
 
     /** The variances of the means of the square around each pixel, added up. */
-    private final float[] variances;
+    private final float[][] variances;
 
     private NoiseFilter(Film film, int stride, float[] rgb) {
         this.film = film;
         this.stride = stride;
         width = (film.width() - 1) / stride + 1;
         height = (film.height() - 1) / stride + 1;
-        down = width + 2 * BORDER;
-        float[] variance = new float[down * (height + 2 * BORDER)];
-        variances = new float[variance.length];
-        Arrays.setAll(light, channel -> new float[variance.length]);
-        IntStream.range(-BORDER, height + BORDER).parallel().forEach(row -> read(row, rgb, variance));
+        light = new float[3][height][width + 2 * BORDER];
+        variances = new float[height][width + 2 * BORDER];
+        float[][] variance = new float[height][width + 2 * BORDER];
+        IntStream.range(0, height).parallel().forEach(row -> read(row, rgb, variance[row]));
         if (film.samples(0) == 1) {
-            IntStream.range(1 - BORDER, height + BORDER).parallel().forEach(row -> compare(row, variance));
+            IntStream.range(0, height).parallel().forEach(row -> compare(row, variance[row]));
         }
-        int reach = 2 * REACH;
-        IntStream.range(-reach, height + reach).parallel().forEach(row -> addUp(row, variance));
+        IntStream.range(0, height).parallel().forEach(row -> addUp(row, variance));
     }
 
     /**
@@ -73,162 +69,205 @@ final class NoiseFilter {
         float[] rgb = film.means();
         NoiseFilter filter = new NoiseFilter(film, stride, rgb);
         int bands = (filter.height + BAND - 1) / BAND;
-        IntStream.range(0, bands).parallel().forEach(band -> filter.filter(BAND * band, rgb));
+        IntStream.range(0, bands).parallel().forEach(band -> filter.new Band(BAND * band).filter(rgb));
         return film.interpolated(stride, rgb);
     }
 
-    private static int inside(int place, int size) {
-        return Math.min(Math.max(place, 0), size - 1);
-    }
-
-    private int place(int column, int row) {
-        return (row + BORDER) * down + column + BORDER;
-    }
-
     private int pixel(int column, int row) {
-        return film.pixel(stride * inside(column, width), stride * inside(row, height));
+        return film.pixel(stride * column, stride * row);
     }
 
     private void read(int row, float[] rgb, float[] variance) {
         int lastSamples = 0;
         double growth = 1;
-        for (int column = -BORDER; column < width + BORDER; column++) {
+        for (int column = 0; column < width; column++) {
             int pixel = pixel(column, row);
-            int place = place(column, row);
             int samples = film.samples(pixel);
             if (samples > 1) {
                 growth = samples == lastSamples ? growth : Math.pow(samples, PixelVariance.POWER);
                 lastSamples = samples;
-                variance[place] = (float) Math.min(BRIGHTEST, film.sampleVariance(pixel) / growth);
+                variance[BORDER + column] = (float) Math.min(BRIGHTEST, film.sampleVariance(pixel) / growth);
             }
             for (int channel = 0; channel < 3; channel++) {
-                light[channel][place] = Math.min(BRIGHTEST, rgb[3 * pixel + channel]);
+                light[channel][row][BORDER + column] = Math.min(BRIGHTEST, rgb[3 * pixel + channel]);
             }
         }
+        for (int channel = 0; channel < 3; channel++) {
+            continueEdges(light[channel][row]);
+        }
+        continueEdges(variance);
+    }
+
+    private void continueEdges(float[] line) {
+        Arrays.fill(line, 0, BORDER, line[BORDER]);
+        Arrays.fill(line, BORDER + width, line.length, line[BORDER + width - 1]);
+    }
+
+    /** A row; beyond the edge of the picture the one at the edge. */
+    private float[] row(float[][] rows, int row) {
+        return rows[Math.min(Math.max(row, 0), height - 1)];
     }
 
     /** Single samples vary as much as they differ from those on the left and above. */
     private void compare(int row, float[] variance) {
-        float[][] differences = new float[2][down - 1];
-        int first = place(1 - BORDER, row);
-        differ(first, -1, differences[0]);
-        differ(first, -down, differences[1]);
-        for (int i = 0; i < down - 1; i++) {
-            variance[first + i] = Math.min(BRIGHTEST, (differences[0][i] + differences[1][i]) / 12);
+        float[][] others = new float[3][variance.length];
+        float[][] differences = new float[2][variance.length];
+        differ(row, -1, 0, others, differences[0]);
+        differ(row, 0, -1, others, differences[1]);
+        for (int i = 0; i < variance.length; i++) {
+            variance[i] = Math.min(BRIGHTEST, (differences[0][i] + differences[1][i]) / 12);
         }
     }
 
     /** The variances of the squares around the pixels of a row. */
-    private void addUp(int row, float[] variance) {
-        float[] columns = new float[down];
+    private void addUp(int row, float[][] variance) {
+        float[] columns = new float[width + 2 * BORDER];
         for (int line = row - VARIANCE_REACH; line <= row + VARIANCE_REACH; line++) {
-            int first = place(-BORDER, line);
-            for (int i = 0; i < down; i++) {
-                columns[i] += variance[first + i];
+            float[] values = row(variance, line);
+            for (int i = 0; i < columns.length; i++) {
+                columns[i] += values[i];
             }
         }
         int side = 2 * VARIANCE_REACH + 1;
         float share = (float) SQUARE / (side * side);
-        int first = place(-BORDER, row);
-        for (int i = VARIANCE_REACH; i < down - VARIANCE_REACH; i++) {
+        for (int i = VARIANCE_REACH; i < columns.length - VARIANCE_REACH; i++) {
             float sum = 0;
             for (int j = i - VARIANCE_REACH; j <= i + VARIANCE_REACH; j++) {
                 sum += columns[j];
             }
-            variances[first + i] = share * sum;
+            variances[row][i] = share * sum;
         }
     }
 
-    /**
-     * Filters some rows, which share the differences of their squares. What a pixel counts for another one is what that
-     * counts for it.
-     */
-    private void filter(int top, float[] rgb) {
-        int end = Math.min(top + BAND, height);
-        float[][] differences = new float[3][width + 2 * REACH + 2];
-        float[] weights = new float[width + 2 * REACH];
-        float[][] sums = new float[4 * (end - top)][width];
-        for (int row = top; row < end; row++) {
-            for (int channel = 0; channel < 3; channel++) {
-                System.arraycopy(light[channel], place(0, row), sums[4 * (row - top) + channel], 0, width);
-            }
-            Arrays.fill(sums[4 * (row - top) + 3], 1);
-        }
-        for (int y = 0; y <= REACH; y++) {
-            for (int x = y == 0 ? 1 : -REACH; x <= REACH; x++) {
-                int offset = y * down + x;
-                for (int row = top - y - 2; row < end; row++) {
-                    differ(place(-REACH - 1, row + 1), offset, differences[Math.floorMod(row, 3)]);
-                    if (row >= top - y) {
-                        weigh(place(-REACH, row), offset, differences, weights);
-                    }
-                    if (row >= top) {
-                        add(weights, REACH, place(0, row) + offset, sums, row - top);
-                    }
-                    if (row >= top - y && row + y < end) {
-                        add(weights, REACH - x, place(-x, row), sums, row + y - top);
-                    }
-                }
-            }
-        }
-        for (int row = top; row < end; row++) {
-            float[] all = sums[4 * (row - top) + 3];
-            for (int column = 0; column < width; column++) {
-                for (int channel = 0; channel < 3; channel++) {
-                    rgb[3 * pixel(column, row) + channel] = sums[4 * (row - top) + channel][column] / all[column];
-                }
-            }
-        }
-    }
-
-    /** How much the pixels of a line differ from those at an offset: the squares, added up. */
-    private void differ(int first, int offset, float[] differences) {
-        float[] red = light[0];
-        float[] green = light[1];
-        float[] blue = light[2];
+    /** How much the pixels of a row differ from those at an offset: the squares, added up. */
+    private void differ(int row, int x, int y, float[][] others, float[] differences) {
+        copy(row + y, x, others);
+        float[] red = row(light[0], row);
+        float[] green = row(light[1], row);
+        float[] blue = row(light[2], row);
+        float[] otherRed = others[0];
+        float[] otherGreen = others[1];
+        float[] otherBlue = others[2];
         for (int i = 0; i < differences.length; i++) {
-            int here = first + i;
-            float r = red[here] - red[here + offset];
-            float g = green[here] - green[here + offset];
-            float b = blue[here] - blue[here + offset];
+            float r = red[i] - otherRed[i];
+            float g = green[i] - otherGreen[i];
+            float b = blue[i] - otherBlue[i];
             differences[i] = r * r + g * g + b * b;
         }
     }
 
-    /** What pixels at an offset count: 1 if they differ as by chance, or less. */
-    private void weigh(int first, int offset, float[][] differences, float[] weights) {
-        float[] above = differences[0];
-        float[] here = differences[1];
-        float[] below = differences[2];
-        for (int i = 0; i < weights.length; i++) {
-            float sum = above[i]
-                    + above[i + 1]
-                    + above[i + 2]
-                    + here[i]
-                    + here[i + 1]
-                    + here[i + 2]
-                    + below[i]
-                    + below[i + 1]
-                    + below[i + 2];
-            float chance = 3 * (variances[first + i] + variances[first + i + offset]);
-            float known = chance + INVISIBLE;
-            float ratio = known / (known + Math.max(0, sum - chance) / 4);
-            weights[i] = ratio * ratio * ratio * ratio;
+    /** The channels of a row, from a column further to the right. */
+    private void copy(int row, int right, float[][] into) {
+        for (int channel = 0; channel < 3; channel++) {
+            copy(row(light[channel], row), right, into[channel]);
         }
     }
 
-    /** Adds the light of a line, and its weights, to the sums of a row. */
-    private void add(float[] weights, int firstWeight, int first, float[][] sums, int row) {
-        for (int channel = 0; channel < 3; channel++) {
-            float[] values = light[channel];
-            float[] sum = sums[4 * row + channel];
-            for (int i = 0; i < width; i++) {
-                sum[i] += weights[firstWeight + i] * values[first + i];
+    private static void copy(float[] line, int right, float[] into) {
+        System.arraycopy(line, Math.max(0, right), into, Math.max(0, -right), line.length - Math.abs(right));
+    }
+
+    /**
+     * Some rows, which share the differences of their squares. What a pixel counts for another one is what that counts
+     * for it. The loops have one index for all their arrays, for which rows are copied: the compiler turns them into
+     * instructions for several pixels at once.
+     */
+    private final class Band {
+
+        private final int top;
+        private final int end;
+        private final int length = width + 2 * BORDER;
+        private final float[][] sums;
+        private final float[][] differences = new float[3][length];
+        private final float[] left = new float[length];
+        private final float[] middle = new float[length];
+        private final float[] right = new float[length];
+
+        /** The channels of other pixels, and ones. */
+        private final float[][] others = new float[4][length];
+
+        private final float[] otherVariances = new float[length];
+        private final float[] weights = new float[length];
+        private final float[] otherWeights = new float[length];
+
+        Band(int top) {
+            this.top = top;
+            end = Math.min(top + BAND, height);
+            sums = new float[4 * (end - top)][];
+            Arrays.fill(others[3], 1);
+            for (int row = top; row < end; row++) {
+                for (int channel = 0; channel < 3; channel++) {
+                    sums[4 * (row - top) + channel] = light[channel][row].clone();
+                }
+                sums[4 * (row - top) + 3] = others[3].clone();
             }
         }
-        float[] sum = sums[4 * row + 3];
-        for (int i = 0; i < width; i++) {
-            sum[i] += weights[firstWeight + i];
+
+        void filter(float[] rgb) {
+            for (int y = 0; y <= REACH; y++) {
+                for (int x = y == 0 ? 1 : -REACH; x <= REACH; x++) {
+                    for (int row = top - y - 2; row < end; row++) {
+                        differ(row + 1, x, y, others, differences[Math.floorMod(row, 3)]);
+                        if (row >= top - y) {
+                            weigh(row, x, y);
+                        }
+                        if (row >= top) {
+                            copy(row + y, x, others);
+                            add(weights, row);
+                        }
+                        if (row >= top - y && row + y < end) {
+                            copy(row, -x, others);
+                            copy(weights, -x, otherWeights);
+                            add(otherWeights, row + y);
+                        }
+                    }
+                }
+            }
+            for (int row = top; row < end; row++) {
+                write(row, rgb);
+            }
+        }
+
+        /** What pixels at an offset count: 1 if they differ as by chance, or less. */
+        private void weigh(int row, int x, int y) {
+            float[] above = differences[0];
+            float[] here = differences[1];
+            float[] below = differences[2];
+            for (int i = 0; i < length; i++) {
+                middle[i] = above[i] + here[i] + below[i];
+            }
+            copy(middle, -1, left);
+            copy(middle, 1, right);
+            float[] ownVariances = row(variances, row);
+            copy(row(variances, row + y), x, otherVariances);
+            for (int i = 0; i < length; i++) {
+                float chance = 3 * (ownVariances[i] + otherVariances[i]);
+                float known = chance + INVISIBLE;
+                float ratio = known / (known + Math.max(0, left[i] + middle[i] + right[i] - chance) / 4);
+                weights[i] = ratio * ratio * ratio * ratio;
+            }
+        }
+
+        /** Adds other light, and its weights, to the sums of a row. */
+        private void add(float[] weights, int row) {
+            for (int channel = 0; channel < 4; channel++) {
+                float[] sum = sums[4 * (row - top) + channel];
+                float[] values = others[channel];
+                for (int i = 0; i < length; i++) {
+                    sum[i] += weights[i] * values[i];
+                }
+            }
+        }
+
+        private void write(int row, float[] rgb) {
+            int first = 4 * (row - top);
+            for (int column = 0; column < width; column++) {
+                int pixel = 3 * pixel(column, row);
+                float share = 1 / sums[first + 3][BORDER + column];
+                for (int channel = 0; channel < 3; channel++) {
+                    rgb[pixel + channel] = share * sums[first + channel][BORDER + column];
+                }
+            }
         }
     }
 }

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
 import tompkins.image.PictureDifference;
@@ -55,6 +57,71 @@ class NoiseFilterTest {
             assertThat(gains.get(3)).as("one sample").isLessThan(0.4);
             assertThat(gains.get(gains.size() - 1)).as("complete").isEqualTo(1);
         }
+    }
+
+    /** Two random samples of each pixel of some bands, against the formula, pixel by pixel, away from the edges. */
+    @Test
+    void isTheMeanOfTheFormula() {
+        Film film = new Film(24, 40, 1, true);
+        Random random = new Random(3);
+        double[][] light = new double[film.pixels()][3];
+        double[] variances = new double[film.pixels()];
+        double[] samples = new double[6];
+        for (int pixel = 0; pixel < film.pixels(); pixel++) {
+            for (int channel = 0; channel < 3; channel++) {
+                double first = random.nextDouble();
+                double second = first + 0.2 * random.nextDouble();
+                light[pixel][channel] = (first + second) / 2;
+                variances[pixel] += (first - second) * (first - second) / 2 / 3 / Math.pow(2, PixelVariance.POWER);
+                samples[channel] = first;
+                samples[3 + channel] = second;
+            }
+            film.add(pixel, samples[0], samples[1], samples[2], 1);
+            film.add(pixel, samples[3], samples[4], samples[5], 1);
+        }
+        LinearImage filtered = NoiseFilter.image(film);
+        for (int row = 6; row < 34; row++) {
+            for (int column = 6; column < 18; column++) {
+                double[] sums = new double[4];
+                for (int other : square(film.pixel(column, row), 2)) {
+                    double weight = weight(film.pixel(column, row), other, light, variances);
+                    for (int channel = 0; channel < 3; channel++) {
+                        sums[channel] += weight * light[other][channel];
+                    }
+                    sums[3] += weight;
+                }
+                for (int channel = 0; channel < 3; channel++) {
+                    assertThat((double) filtered.value(column, row, channel))
+                            .isCloseTo(sums[channel] / sums[3], within(1e-5));
+                }
+            }
+        }
+    }
+
+    private static double weight(int first, int second, double[][] light, double[] variances) {
+        int offset = second - first;
+        if (offset == 0) {
+            return 1;
+        }
+        double squares = 0;
+        for (int pixel : square(first, 1)) {
+            for (int channel = 0; channel < 3; channel++) {
+                squares += Math.pow(light[pixel][channel] - light[pixel + offset][channel], 2);
+            }
+        }
+        double chance = 0;
+        for (int pixel : square(first, 3)) {
+            chance += 3 * 9 * (variances[pixel] + variances[pixel + offset]) / 49;
+        }
+        double known = chance + 3e-4;
+        return Math.pow(known / (known + Math.max(0, squares - chance) / 4), 4);
+    }
+
+    /** The pixels around one of a film of 24 columns. */
+    private static int[] square(int pixel, int reach) {
+        return IntStream.rangeClosed(-reach, reach)
+                .flatMap(row -> IntStream.rangeClosed(-reach, reach).map(column -> pixel + 24 * row + column))
+                .toArray();
     }
 
     /** A sharp edge and a bright pixel, without variance. */
