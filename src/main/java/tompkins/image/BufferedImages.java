@@ -18,17 +18,11 @@ import java.util.stream.IntStream;
 /** Photographs in the forms that screens and image writers take. */
 public final class BufferedImages {
 
-    private static final LevelTable LINEAR_LEVELS = new LevelTable(ToneCurve.LINEAR);
-    private static final LevelTable SRGB_LEVELS = new LevelTable(ToneCurve.SRGB);
-
     private BufferedImages() {}
 
     /** The photograph for the screen: 8 bits per channel, type {@link BufferedImage#TYPE_INT_RGB}. */
     public static BufferedImage toBufferedImage(LinearImage image, ToneCurve curve) {
-        LevelTable levels = switch (curve) {
-            case LINEAR -> LINEAR_LEVELS;
-            case SRGB -> SRGB_LEVELS;
-        };
+        LevelTable levels = LevelTable.of(curve);
         int width = image.width();
         BufferedImage result = new BufferedImage(width, image.height(), BufferedImage.TYPE_INT_RGB);
         WritableRaster raster = result.getRaster();
@@ -36,9 +30,7 @@ public final class BufferedImages {
         IntStream.range(0, image.height()).parallel().forEach(y -> {
             int[] row = new int[width];
             for (int x = 0, index = 3 * y * width; x < width; x++, index += 3) {
-                row[x] = levels.level(rgb[index]) << 16
-                        | levels.level(rgb[index + 1]) << 8
-                        | levels.level(rgb[index + 2]);
+                row[x] = levels.levels(rgb[index], rgb[index + 1], rgb[index + 2]);
             }
             // Row by row, because an image whose data buffer was ever asked for stays slow to draw.
             raster.setDataElements(0, y, width, 1, row);

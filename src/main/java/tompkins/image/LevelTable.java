@@ -4,7 +4,10 @@ package tompkins.image;
  * The 8-bit levels of a tone curve without working out its powers: the same level as {@link ToneCurve#quantise} for
  * every float, by a look-up. A window that shows thirty pictures a second has no time for a million powers each.
  */
-final class LevelTable {
+public final class LevelTable {
+
+    private static final LevelTable LINEAR = new LevelTable(ToneCurve.LINEAR);
+    private static final LevelTable SRGB = new LevelTable(ToneCurve.SRGB);
 
     /** Fine enough that no level lies within a cell; a power of two, so that the scaling is exact. */
     private static final int CELLS = 4096;
@@ -17,7 +20,7 @@ final class LevelTable {
     /** The level at the lower end of each cell. */
     private final int[] cellLevel = new int[CELLS];
 
-    LevelTable(ToneCurve curve) {
+    private LevelTable(ToneCurve curve) {
         for (int level = 1; level <= TOP; level++) {
             threshold[level] = smallestLight(curve, level);
         }
@@ -25,6 +28,19 @@ final class LevelTable {
         for (int cell = 0; cell < CELLS; cell++) {
             cellLevel[cell] = curve.quantise((double) cell / CELLS, TOP);
         }
+    }
+
+    /** The table of a curve. */
+    public static LevelTable of(ToneCurve curve) {
+        return switch (curve) {
+            case LINEAR -> LINEAR;
+            case SRGB -> SRGB;
+        };
+    }
+
+    /** The levels of a pixel's light, as {@link java.awt.image.BufferedImage#TYPE_INT_RGB} has them. */
+    public int levels(float red, float green, float blue) {
+        return level(red) << 16 | level(green) << 8 | level(blue);
     }
 
     /** The level of an amount of light, from 0 to 255. */

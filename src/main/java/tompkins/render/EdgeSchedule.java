@@ -7,8 +7,8 @@ import tompkins.camera.PixelSampler;
 
 /**
  * The passes of a picture that is seen for a moment: one sample at each knot of a wide net, and then of finer ones, as
- * far as the corners of their cells differ, the most different cells first. {@link Film#image} interpolates the rest. A
- * fifth of the pixels shows nearly everything.
+ * far as the corners of their cells differ, the most different cells first. {@link Glimpse#levels} interpolates the
+ * rest. A fifth of the pixels shows nearly everything.
  */
 final class EdgeSchedule implements Schedule {
 
@@ -18,8 +18,8 @@ final class EdgeSchedule implements Schedule {
     /** In nets wider than this all knots are wanted: details hide between them. */
     private static final int FIRST_EDGES = 4;
 
-    /** Steps of the difference between black and white, which is that of the square roots of light. */
-    private static final int STEPS = 255;
+    /** Levels from black to white. */
+    private static final int TOP = 255;
 
     /** A smaller difference is not worth a sample: interpolation shows it. */
     private static final int SMALLEST = 6;
@@ -42,6 +42,7 @@ final class EdgeSchedule implements Schedule {
         long most(long first, double seconds);
     }
 
+    private final Glimpse glimpse;
     private final Budget budget;
     private final TimeBudget clock = new TimeBudget(Double.POSITIVE_INFINITY);
     private int stride = 2 * WIDEST;
@@ -51,9 +52,11 @@ final class EdgeSchedule implements Schedule {
     /**
      * A schedule for one picture.
      *
+     * @param glimpse what gets the samples
      * @param budget asked once, when the samples of the widest net have been taken
      */
-    EdgeSchedule(Budget budget) {
+    EdgeSchedule(Glimpse glimpse, Budget budget) {
+        this.glimpse = glimpse;
         this.budget = budget;
     }
 
@@ -65,14 +68,15 @@ final class EdgeSchedule implements Schedule {
             return null;
         }
         double share = 1.0 / (WIDEST * WIDEST);
-        BitSet chosen = null;
+        long[] chosen = null;
         if (stride < WIDEST) {
             most = most == 0 ? budget.most(taken, clock.spent()) : most;
             // each finer net needs as many samples
-            chosen = choose(film, cell, (most - taken) / Integer.numberOfTrailingZeros(cell));
-            share = (double) chosen.cardinality() / film.pixels();
+            BitSet next = choose(cell, (most - taken) / Integer.numberOfTrailingZeros(cell));
+            share = (double) next.cardinality() / glimpse.pixels();
+            chosen = next.toLongArray();
         }
-        taken += Math.round(share * film.pixels());
+        taken += Math.round(share * glimpse.pixels());
         return new Pass(stride, 0, PixelSampler.CENTRE, 1, 1, chosen, share);
     }
 
@@ -80,26 +84,26 @@ final class EdgeSchedule implements Schedule {
      * Chooses pixels without samples in the cells whose corners differ most, about as many as wanted. Where cells
      * differ alike and not all can be chosen, those left out are spread evenly over the picture.
      */
-    private static BitSet choose(Film film, int side, long most) {
-        int columns = (film.width() + side - 1) / side;
-        int rows = (film.height() + side - 1) / side;
+    private BitSet choose(int side, long most) {
+        int columns = (glimpse.width() + side - 1) / side;
+        int rows = (glimpse.height() + side - 1) / side;
         byte[] differences = new byte[columns * rows];
         IntStream.range(0, rows).parallel().forEach(row -> {
             for (int column = 0; column < columns; column++) {
-                differences[row * columns + column] = (byte) difference(film, side * column, side * row, side);
+                differences[row * columns + column] = (byte) difference(side * column, side * row, side);
             }
         });
-        int[] cells = new int[STEPS + 1];
+        int[] cells = new int[TOP + 1];
         for (byte difference : differences) {
             cells[difference & 0xff]++;
         }
         int smallest = side > FIRST_EDGES ? 0 : SMALLEST;
         long left = most / (side > 2 ? PER_CELL : PER_LAST_CELL);
-        int least = STEPS;
+        int least = TOP;
         for (; least > smallest && cells[least] <= left; least--) {
             left -= cells[least];
         }
-        BitSet chosen = new BitSet(film.pixels());
+        BitSet chosen = new BitSet(glimpse.pixels());
         // between the knots of the last cells the next one's left and upper side are its own
         int reach = side > 2 ? side : 1;
         long due = 0;
@@ -113,18 +117,18 @@ final class EdgeSchedule implements Schedule {
                     due -= isChosen ? cells[least] : 0;
                 }
                 if (isChosen) {
-                    choose(film, side * column, side * row, reach, side / 2, chosen);
+                    choose(side * column, side * row, reach, side / 2, chosen);
                 }
             }
         }
         return chosen;
     }
 
-    private static void choose(Film film, int left, int top, int reach, int step, BitSet chosen) {
-        for (int row = top; row <= Math.min(top + reach, film.height() - 1); row += step) {
-            for (int column = left; column <= Math.min(left + reach, film.width() - 1); column += step) {
-                int pixel = film.pixel(column, row);
-                if (film.samples(pixel) == 0) {
+    private void choose(int left, int top, int reach, int step, BitSet chosen) {
+        for (int row = top; row <= Math.min(top + reach, glimpse.height() - 1); row += step) {
+            for (int column = left; column <= Math.min(left + reach, glimpse.width() - 1); column += step) {
+                int pixel = glimpse.pixel(column, row);
+                if (glimpse.samples(pixel) == 0) {
                     chosen.set(pixel);
                 }
             }
@@ -132,15 +136,14 @@ final class EdgeSchedule implements Schedule {
     }
 
     /** The largest difference between those corners of a cell that are known, in one channel. */
-    private static int difference(Film film, int left, int top, int side) {
-        int right = left + side < film.width() ? left + side : left;
-        int bottom = top + side < film.height() ? top + side : top;
-        return film.contrast(
-                film.pixel(left, top),
-                film.pixel(right, top),
-                film.pixel(left, bottom),
-                film.pixel(right, bottom),
-                STEPS);
+    private int difference(int left, int top, int side) {
+        int right = left + side < glimpse.width() ? left + side : left;
+        int bottom = top + side < glimpse.height() ? top + side : top;
+        return glimpse.contrast(
+                glimpse.pixel(left, top),
+                glimpse.pixel(right, top),
+                glimpse.pixel(left, bottom),
+                glimpse.pixel(right, bottom));
     }
 
     @Override

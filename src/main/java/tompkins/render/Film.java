@@ -2,13 +2,15 @@ package tompkins.render;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import tompkins.image.FramePicture;
 import tompkins.image.LinearImage;
+import tompkins.image.ToneCurve;
 
 /**
  * The light that has been collected so far. Each pixel is written by one thread at a time, in the order of its samples,
  * so that the sums are the same whatever the number of threads.
  */
-final class Film {
+class Film {
 
     /** Marks a pixel whose only sample is replaced by the next one. */
     private static final int REPLACED = -1;
@@ -45,6 +47,17 @@ final class Film {
         squares = comparesSamples ? new float[samples.length] : null;
     }
 
+    /** A film that keeps something else than sums. */
+    Film(int width, int height, double exposure) {
+        this.width = width;
+        this.height = height;
+        this.exposure = exposure;
+        sums = null;
+        samples = null;
+        halfSums = null;
+        squares = null;
+    }
+
     /** The memory that a film takes. */
     static int bytesPerPixel(boolean comparesSamples) {
         int sums = 3 * Float.BYTES;
@@ -60,7 +73,7 @@ final class Film {
     }
 
     int pixels() {
-        return samples.length;
+        return width * height;
     }
 
     /** The number of a pixel: row by row, from 0. */
@@ -129,8 +142,8 @@ final class Film {
     /** Number of pixels that have samples. */
     int sampledPixels() {
         int sampled = 0;
-        for (int count : samples) {
-            sampled += count == 0 ? 0 : 1;
+        for (int pixel = 0; pixel < pixels(); pixel++) {
+            sampled += samples(pixel) == 0 ? 0 : 1;
         }
         return sampled;
     }
@@ -181,6 +194,11 @@ final class Film {
         return interpolated(completeStride(), means());
     }
 
+    /** The picture as the screen shows it. */
+    FramePicture levels(ToneCurve curve) {
+        return FramePicture.of(image(), curve);
+    }
+
     /** The mean of the samples of each pixel, channel by channel; 0 where there are none. */
     float[] means() {
         float[] rgb = new float[sums.length];
@@ -216,7 +234,7 @@ final class Film {
     private boolean isComplete(int stride) {
         for (int row = 0; row < height; row += stride) {
             for (int column = 0; column < width; column += stride) {
-                if (samples[pixel(column, row)] == 0) {
+                if (samples(pixel(column, row)) == 0) {
                     return false;
                 }
             }
@@ -248,36 +266,6 @@ final class Film {
                 rgb[3 * pixel + channel] = (rgb[3 * first + channel] + rgb[3 * second + channel]) / 2;
             }
         }
-    }
-
-    /**
-     * The largest difference between four pixels in one channel, from 0 to {@code steps}: that of the square roots of
-     * their light, which is about what is seen. Pixels without samples do not count, so that a line which leaves a cell
-     * through its side is found in the next one, too.
-     */
-    int contrast(int first, int second, int third, int fourth, int steps) {
-        int known = samples[first] != 0 ? first : samples[second] != 0 ? second : samples[third] != 0 ? third : fourth;
-        int ofA = 3 * known;
-        int ofB = 3 * (samples[second] != 0 ? second : known);
-        int ofC = 3 * (samples[third] != 0 ? third : known);
-        int ofD = 3 * (samples[fourth] != 0 ? fourth : known);
-        double largest = 0;
-        for (int channel = 0; channel < 3; channel++) {
-            float a = sums[ofA + channel];
-            float b = sums[ofB + channel];
-            float c = sums[ofC + channel];
-            float d = sums[ofD + channel];
-            float most = Math.max(Math.max(a, b), Math.max(c, d));
-            float least = Math.min(Math.min(a, b), Math.min(c, d));
-            if (most > least) {
-                largest = Math.max(largest, root(most) - root(least));
-            }
-        }
-        return (int) (steps * largest);
-    }
-
-    private double root(float light) {
-        return Math.sqrt(Math.min(1, Math.max(0, exposure * light)));
     }
 
     private void put(int pixel, float[] rgb) {

@@ -15,10 +15,10 @@ import tompkins.camera.PixelSampler;
  * @param samples samples per pixel
  * @param inAll how many samples the pixel is divided among: those that it has after the pass, or is expected to have at
  *     the end
- * @param chosen the pixels that get them, or null for all
+ * @param chosen the pixels that get them, one bit for each, or null for all
  * @param share the share of the rendered pixels that get them
  */
-record Pass(int stride, int coarserStride, int firstSample, int samples, int inAll, BitSet chosen, double share) {
+record Pass(int stride, int coarserStride, int firstSample, int samples, int inAll, long[] chosen, double share) {
 
     private static final int COARSEST = 8;
 
@@ -59,15 +59,28 @@ record Pass(int stride, int coarserStride, int firstSample, int samples, int inA
     /** A pass that takes further samples of some pixels. */
     static Pass refining(int firstSample, int samples, BitSet chosen, int pixels) {
         double share = (double) chosen.cardinality() / pixels;
-        return new Pass(1, 0, firstSample, samples, firstSample + samples, chosen, share);
+        return new Pass(1, 0, firstSample, samples, firstSample + samples, chosen.toLongArray(), share);
     }
 
     /** Whether this pass takes samples of a pixel, whose number is {@code pixel}. */
     boolean takes(int column, int row, int pixel) {
         if (chosen != null) {
-            return chosen.get(pixel);
+            return (chosenFrom(pixel) & 1) != 0;
         }
         return coarserStride == 0 || column % coarserStride != 0 || row % coarserStride != 0;
+    }
+
+    /** Whether this pass takes samples of some of the pixels from one on, at most 64 of them. */
+    boolean takesAny(int pixel, int pixels) {
+        return chosen == null || chosenFrom(pixel) << Long.SIZE - pixels != 0;
+    }
+
+    /** Which of the pixels from one on are chosen: a bit for each, the lowest for the first. */
+    private long chosenFrom(int pixel) {
+        int word = pixel / Long.SIZE;
+        long bits = word < chosen.length ? chosen[word] >>> pixel : 0;
+        boolean isWhole = pixel % Long.SIZE == 0 || word + 1 >= chosen.length;
+        return isWhole ? bits : bits | chosen[word + 1] << -pixel;
     }
 
     /** Samples of this pass, divided by the number of pixels that are rendered. */

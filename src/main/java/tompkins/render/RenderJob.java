@@ -10,6 +10,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Consumer;
+import tompkins.image.FramePicture;
 import tompkins.image.LinearImage;
 import tompkins.light.ColourLaw;
 import tompkins.ray.RayCounts;
@@ -132,15 +133,9 @@ public final class RenderJob {
     }
 
     private boolean isWanted(Pass pass, int left, int top, int width, int height) {
-        if (pass.chosen() == null) {
-            return true;
-        }
-        // not by the next set bit, which may be far behind the block
         for (int row = top; row < top + height; row += pass.stride()) {
-            for (int column = left; column < left + width; column += pass.stride()) {
-                if (pass.chosen().get(film.pixel(column, row))) {
-                    return true;
-                }
+            if (pass.takesAny(film.pixel(left, row), width)) {
+                return true;
             }
         }
         return false;
@@ -261,9 +256,14 @@ public final class RenderJob {
         return failure.get();
     }
 
-    /** The picture so far, in linear light, exposed. */
+    /** The picture so far, in linear light, exposed; not that of a glimpse, which has only {@link #levels}. */
     public LinearImage image() {
         return film.image();
+    }
+
+    /** The picture so far as the screen shows it, also that of a glimpse. */
+    public FramePicture levels() {
+        return film.levels(plan.studio().settings().toneCurve());
     }
 
     /**

@@ -9,6 +9,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import tompkins.image.ToneCurve;
 import tompkins.studio.RenderSettings;
 import tompkins.trace.RenderPlan;
 
@@ -69,12 +70,22 @@ public final class Renderer implements AutoCloseable {
      * of each pixel, or the stars would twinkle from one picture to the next. Returns at once.
      */
     public RenderJob startGlimpse(RenderPlan plan, double seconds, RenderListener listener) {
-        int pixels = plan.width() * plan.height();
-        Schedule schedule = plan.hasStars()
-                ? new FixedSchedule(Pass.of(1, 1, false))
-                : new EdgeSchedule((first, taken) -> glimpseBudget.most(first, taken, seconds, pixels));
+        int width = plan.width();
+        int height = plan.height();
+        Film film;
+        Schedule schedule;
+        if (plan.hasStars()) {
+            film = new Film(width, height, plan.exposure(), false);
+            schedule = new FixedSchedule(Pass.of(1, 1, false));
+        } else {
+            ToneCurve curve = plan.studio().settings().toneCurve();
+            Glimpse glimpse = new Glimpse(width, height, plan.exposure(), curve);
+            film = glimpse;
+            schedule = new EdgeSchedule(
+                    glimpse, (first, taken) -> glimpseBudget.most(first, taken, seconds, width * height));
+        }
         long start = System.nanoTime();
-        return start(plan, schedule, false, Tile.of(plan.width(), plan.height()), listener, job -> {
+        return start(plan, schedule, film, Tile.of(width, height), listener, job -> {
             if (job.isComplete()) {
                 glimpseBudget.ended((System.nanoTime() - start) * 1e-9, seconds);
             }
@@ -84,18 +95,18 @@ public final class Renderer implements AutoCloseable {
     /** Starts some tiles of a picture. */
     RenderJob start(RenderPlan plan, Quality quality, boolean coarseFirst, List<Tile> tiles, RenderListener listener) {
         boolean comparesSamples = needsHalves(plan.studio().settings(), quality);
-        return start(plan, schedule(plan, quality, coarseFirst), comparesSamples, tiles, listener, job -> {});
+        Film film = new Film(plan.width(), plan.height(), plan.exposure(), comparesSamples);
+        return start(plan, schedule(plan, quality, coarseFirst), film, tiles, listener, job -> {});
     }
 
     /** Starts some tiles of a picture by a schedule; {@code afterwards} is called once the listener knows the end. */
     RenderJob start(
             RenderPlan plan,
             Schedule schedule,
-            boolean comparesSamples,
+            Film film,
             List<Tile> tiles,
             RenderListener listener,
             Consumer<RenderJob> afterwards) {
-        Film film = new Film(plan.width(), plan.height(), plan.exposure(), comparesSamples);
         RenderJob job = new RenderJob(plan, schedule, film, tiles, threads, listener, ended -> {
             jobs.remove(ended);
             afterwards.accept(ended);

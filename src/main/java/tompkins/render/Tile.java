@@ -31,10 +31,15 @@ record Tile(int column, int row, int width, int height) {
                         column, row, Math.min(size, pictureWidth - column), Math.min(size, pictureHeight - row)));
             }
         }
-        tiles.sort(Comparator.comparingDouble(tile -> Math.hypot(
-                tile.column + tile.width / 2.0 - pictureWidth / 2.0,
-                tile.row + tile.height / 2.0 - pictureHeight / 2.0)));
+        tiles.sort(Comparator.comparingLong(tile -> tile.fromCentre(pictureWidth, pictureHeight)));
         return tiles;
+    }
+
+    /** Four times the square of the distance between its centre and that of the picture. */
+    private long fromCentre(int pictureWidth, int pictureHeight) {
+        long across = 2L * column + width - pictureWidth;
+        long down = 2L * row + height - pictureHeight;
+        return across * across + down * down;
     }
 
     /** Number of pixels. */

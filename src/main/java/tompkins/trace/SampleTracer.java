@@ -325,15 +325,17 @@ public final class SampleTracer {
     }
 
     private void addPixels(int left, int top, int width, int height, int stride, SampleSink taker) {
-        for (int place = 0; place < RayPacket.MOST; place++) {
+        // the way goes through a square of twice the side only after the smaller one
+        int side = Integer.highestOneBit(2 * ((Math.max(width, height) - 1) / stride) + 1);
+        for (int place = 0; place < side * side; place++) {
             int across = stride * MORTON_COLUMNS[place];
             int down = stride * MORTON_COLUMNS[place >> 1];
             int nextColumn = left + across;
             int nextRow = top + down;
             if (across < width
                     && down < height
-                    && pictureRays.view(nextColumn, nextRow) == eye
-                    && taker.wants(nextColumn, nextRow)) {
+                    && taker.wants(nextColumn, nextRow)
+                    && pictureRays.view(nextColumn, nextRow) == eye) {
                 places.addPixel(nextColumn - eye.column(), nextRow - eye.row());
                 samples.add(nextColumn, nextRow);
             }

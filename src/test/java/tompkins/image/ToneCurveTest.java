@@ -51,7 +51,7 @@ class ToneCurveTest {
     @ParameterizedTest
     @EnumSource
     void theTableGivesTheLevelsOfTheCurve(ToneCurve curve) {
-        LevelTable table = new LevelTable(curve);
+        LevelTable table = LevelTable.of(curve);
         Random random = new Random(11);
         for (int i = 0; i < 200_000; i++) {
             float light = (float) Math.pow(random.nextDouble() * 1.1, 4);
@@ -65,7 +65,7 @@ class ToneCurveTest {
     @ParameterizedTest
     @EnumSource
     void theTableChangesLevelAtTheSameFloatAsTheCurve(ToneCurve curve) {
-        LevelTable table = new LevelTable(curve);
+        LevelTable table = LevelTable.of(curve);
         for (int level = 1; level < 255; level++) {
             double encoded = (level - (curve == ToneCurve.SRGB ? 0.5 : 0)) / 255;
             double edge = curve == ToneCurve.LINEAR

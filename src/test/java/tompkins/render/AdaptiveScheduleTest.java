@@ -111,7 +111,9 @@ class AdaptiveScheduleTest {
             boolean isRough = pixel % 20 >= 12;
             boolean isNextToRough = pixel % 20 == 11;
             if (!isNextToRough) {
-                assertThat(next.chosen().get(pixel)).as("pixel %d", pixel).isEqualTo(isRough);
+                assertThat(next.takes(pixel % 20, pixel / 20, pixel))
+                        .as("pixel %d", pixel)
+                        .isEqualTo(isRough);
             }
         }
         assertThat(schedule.wantedError()).isEqualTo(0.05);

@@ -13,9 +13,8 @@ import java.util.Map;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import tompkins.animation.RideFilm;
-import tompkins.image.BufferedImages;
-import tompkins.image.LinearImage;
 import tompkins.image.PictureDifference;
+import tompkins.image.ToneCurve;
 import tompkins.io.StudioReader;
 import tompkins.studio.RideMoment;
 import tompkins.studio.Studio;
@@ -39,10 +38,12 @@ class GlimpseTest {
     }
 
     private static RenderJob glimpse(RenderPlan plan, double samples) throws InterruptedException {
+        Glimpse film = new Glimpse(
+                WIDTH, HEIGHT, plan.exposure(), plan.studio().settings().toneCurve());
         RenderJob job = RENDERER.start(
                 plan,
-                new EdgeSchedule((first, seconds) -> (long) (samples * WIDTH * HEIGHT)),
-                false,
+                new EdgeSchedule(film, (first, seconds) -> (long) (samples * WIDTH * HEIGHT)),
+                film,
                 Tile.of(WIDTH, HEIGHT),
                 RenderListener.NONE,
                 ended -> {});
@@ -53,22 +54,14 @@ class GlimpseTest {
     /** The pictures of the ride with one sample in each pixel, which all tests compare theirs with. */
     private static final Map<Studio, BufferedImage> WHOLE = new HashMap<>();
 
-    private static LinearImage whole(RenderPlan plan) throws InterruptedException {
-        return RENDERER.render(plan, new Quality.Samples(1)).image();
-    }
-
     private static double samples(RenderJob job) {
         return job.samples() / (double) (WIDTH * HEIGHT);
-    }
-
-    private static BufferedImage levels(RenderPlan plan, LinearImage image) {
-        return BufferedImages.toBufferedImage(image, plan.studio().settings().toneCurve());
     }
 
     private static BufferedImage wholeLevels(RenderPlan plan) throws InterruptedException {
         BufferedImage known = WHOLE.get(plan.studio());
         if (known == null) {
-            known = levels(plan, whole(plan));
+            known = RENDERER.render(plan, new Quality.Samples(1)).levels().image();
             WHOLE.put(plan.studio(), known);
         }
         return known;
@@ -84,7 +77,7 @@ class GlimpseTest {
                 RenderPlan plan = plan(studio);
                 RenderJob job = glimpse(plan, samples);
                 assertThat(samples(job)).isLessThan(samples + 0.01);
-                differences.add(PictureDifference.ofLevels(levels(plan, job.image()), wholeLevels(plan)));
+                differences.add(PictureDifference.ofLevels(job.levels().image(), wholeLevels(plan)));
             }
         }
         Collections.sort(differences);
@@ -110,7 +103,7 @@ class GlimpseTest {
     void thinLinesOfClocksAreFollowed() throws Exception {
         RenderPlan plan = plan(StudioReader.read(Path.of("scenes/motion-clocks.json")));
         RenderJob job = glimpse(plan, 0.165);
-        assertThat(PictureDifference.ofLevels(levels(plan, job.image()), wholeLevels(plan)))
+        assertThat(PictureDifference.ofLevels(job.levels().image(), wholeLevels(plan)))
                 .isLessThan(9);
     }
 
@@ -135,17 +128,50 @@ class GlimpseTest {
     @Test
     void edgesAreNotSmoothed() throws Exception {
         RenderPlan plan = plan(Studios.sphere());
-        float[] whole = whole(plan).rgb();
-        float[] seen = glimpse(plan, 1).image().rgb();
+        BufferedImage whole = wholeLevels(plan);
+        BufferedImage seen = glimpse(plan, 1).levels().image();
         int edges = 0;
-        for (int i = 0; i < whole.length - 3; i++) {
-            if (Math.abs(whole[i] - whole[i + 3]) > 0.3) {
-                edges++;
-                assertThat(seen[i]).isEqualTo(whole[i]);
-                assertThat(seen[i + 3]).isEqualTo(whole[i + 3]);
+        for (int row = 0; row < HEIGHT; row++) {
+            for (int column = 0; column < WIDTH - 1; column++) {
+                int here = whole.getRGB(column, row);
+                int beside = whole.getRGB(column + 1, row);
+                if (Math.abs((here & 0xff) - (beside & 0xff)) > 100) {
+                    edges++;
+                    assertThat(seen.getRGB(column, row)).isEqualTo(here);
+                    assertThat(seen.getRGB(column + 1, row)).isEqualTo(beside);
+                }
             }
         }
         assertThat(edges).isGreaterThan(100);
+    }
+
+    /** Other films interpolate light; in a soft picture that is the same. */
+    @Test
+    void betweenSamplesAreTheMeansOfTheirNeighbours() {
+        Glimpse glimpse = new Glimpse(21, 12, 0.5, ToneCurve.LINEAR);
+        Film film = new Film(21, 12, 0.5, false);
+        for (int row = 0; row < 12; row++) {
+            for (int column = 0; column < 21; column++) {
+                boolean isFine = column > 6 && column < 13 && (column + row) % 3 == 0;
+                if (row % 8 == 0 && column % 8 == 0 || isFine) {
+                    double light = (column + 2 * row) / 32.0;
+                    glimpse.add(glimpse.pixel(column, row), light, 1, 2 - light, 1);
+                    film.add(film.pixel(column, row), light, 1, 2 - light, 1);
+                }
+            }
+        }
+        BufferedImage seen = glimpse.levels(ToneCurve.LINEAR).image();
+        BufferedImage exact = film.levels(ToneCurve.LINEAR).image();
+        for (int row = 0; row < 12; row++) {
+            for (int column = 0; column < 21; column++) {
+                for (int channel = 0; channel < 3; channel++) {
+                    assertThat(seen.getRGB(column, row) >> 8 * channel & 0xff)
+                            .as("column %d, row %d", column, row)
+                            .isCloseTo(exact.getRGB(column, row) >> 8 * channel & 0xff, within(1));
+                }
+            }
+        }
+        assertThat(glimpse.sampledPixels()).isEqualTo(film.sampledPixels());
     }
 
     /** With 0.165 samples of a pixel it can be looked at, if the rays take no longer than a picture may. */

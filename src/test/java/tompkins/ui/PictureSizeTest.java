@@ -28,7 +28,6 @@ import tompkins.studio.Studios;
 import tompkins.ui.model.Settings;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
-import tompkins.ui.picture.ScreenPicture;
 
 /** How large the picture in the window is, which pixels it has, and how it is enlarged. */
 @NeedsDisplay
@@ -107,11 +106,11 @@ class PictureSizeTest {
         assertThat(new Dimension(picture.image().width(), picture.image().height()))
                 .isEqualTo(place.getSize());
         assertThat(picture.isOfOwnSize()).isFalse();
-        awaitPixels(place, ScreenPicture.levels(picture));
+        awaitPixels(place, picture.levels());
         WindowDriver.onEventThread(() -> driver.window().frame().setSize(700, 500));
         Picture smaller = driver.completePicture();
         assertThat(smaller.image().width()).isLessThan(picture.image().width());
-        awaitPixels(onScreen(), ScreenPicture.levels(smaller));
+        awaitPixels(onScreen(), smaller.levels());
     }
 
     /** Where + is on the key of =, Ctrl and + is Ctrl, Shift and =. */
@@ -148,7 +147,7 @@ class PictureSizeTest {
         assertThat(enlarged.getSize()).isEqualTo(new Dimension(side * 320, side * 240));
         assertThat(side).isGreaterThan(fitting.width / 320).isIn(4, 8, 16);
         WindowDriver.await("the same pixel", () -> what.getText().startsWith("Pixel 106, 80"));
-        BufferedImage levels = ScreenPicture.levels(own);
+        BufferedImage levels = own.levels();
         BufferedImage square = new BufferedImage(side, 1, BufferedImage.TYPE_INT_RGB);
         for (int x = 0; x < side; x++) {
             square.setRGB(x, 0, levels.getRGB(106, 80));

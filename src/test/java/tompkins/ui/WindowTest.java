@@ -52,7 +52,6 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.RenderController;
-import tompkins.ui.picture.ScreenPicture;
 import tompkins.ui.widget.Texts;
 
 /** The real window, used with mouse and keys. */
@@ -430,8 +429,7 @@ class WindowTest {
         BufferedImage copy =
                 (BufferedImage) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.imageFlavor);
         assertThat(copy.getWidth()).isEqualTo(320);
-        assertThat(copy.getRGB(160, 120))
-                .isEqualTo(ScreenPicture.levels(picture).getRGB(160, 120));
+        assertThat(copy.getRGB(160, 120)).isEqualTo(picture.levels().getRGB(160, 120));
         driver.key(KeyEvent.VK_L, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
         assertThat(Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor))
                 .isEqualTo("tompkins render " + folder.resolve("lattice.json"));

@@ -230,8 +230,8 @@ public final class StatusBar extends Part {
         String samples = Numbers.brief(shown.samples(), 3);
         picture.setText(Texts.get(
                         key,
-                        shown.image().width(),
-                        shown.image().height(),
+                        shown.width(),
+                        shown.height(),
                         Texts.get(samples.equals("1") ? "status.sample" : "status.samples", samples),
                         milliseconds < 1000 ? milliseconds + " ms" : Numbers.brief(milliseconds / 1000.0, 3) + " s",
                         Double.isNaN(shown.error()) ? "" : Texts.get("status.error", Numbers.brief(shown.error(), 2)))

@@ -3,10 +3,12 @@ package tompkins.ui.picture;
 import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.awt.geom.Point2D;
+import java.awt.image.BufferedImage;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import tompkins.explain.Explanation;
+import tompkins.image.BufferedImages;
 import tompkins.image.LinearImage;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
@@ -18,7 +20,8 @@ import tompkins.trace.RenderPlan;
  *
  * @param studio the studio that is photographed
  * @param plan what it was made from, in the size of the picture
- * @param image its light
+ * @param image its light; null if it is a glimpse, which is only looked at
+ * @param glimpse its levels if it is a glimpse, or null
  * @param complete whether all samples were taken
  * @param time since the change that it answers
  * @param samples mean number of samples of a pixel
@@ -30,6 +33,7 @@ public record Picture(
         Studio studio,
         RenderPlan plan,
         LinearImage image,
+        BufferedImage glimpse,
         boolean complete,
         Duration time,
         double samples,
@@ -45,6 +49,37 @@ public record Picture(
         BURNT,
         /** No ray met an object of the scene. */
         EMPTY
+    }
+
+    /** A picture that is no glimpse. */
+    public Picture(
+            Studio studio,
+            RenderPlan plan,
+            LinearImage image,
+            boolean complete,
+            Duration time,
+            double samples,
+            double error,
+            List<String> warnings,
+            Flaw flaw) {
+        this(studio, plan, image, null, complete, time, samples, error, warnings, flaw);
+    }
+
+    /** How the screen shows it, in its own size. */
+    public BufferedImage levels() {
+        return glimpse != null
+                ? glimpse
+                : BufferedImages.toBufferedImage(image, studio.settings().toneCurve());
+    }
+
+    /** The width of the picture, in pixels. */
+    public int width() {
+        return plan.width();
+    }
+
+    /** The height of the picture, in pixels. */
+    public int height() {
+        return plan.height();
     }
 
     /** Which samples it gets. */
@@ -79,12 +114,12 @@ public record Picture(
 
     /** Whether it has the pixels of the photograph. */
     public boolean isOfOwnSize() {
-        return image.width() == ownWidth() && image.height() == ownHeight();
+        return width() == ownWidth() && height() == ownHeight();
     }
 
     /** Whether it has a size, in pixels. */
     public boolean isOfSize(Dimension size) {
-        return image.width() == size.width && image.height() == size.height;
+        return width() == size.width && height() == size.height;
     }
 
     /** Whether a place of the photograph lies on it. */
@@ -94,14 +129,13 @@ public record Picture(
 
     /** A place of the photograph in pixels of the picture. */
     public Point2D inPixels(Point2D place) {
-        return new Point2D.Double(
-                place.getX() * image.width() / ownWidth(), place.getY() * image.height() / ownHeight());
+        return new Point2D.Double(place.getX() * width() / ownWidth(), place.getY() * height() / ownHeight());
     }
 
     /** The middle of the pixel of the picture that is nearest to a place, as a place of the photograph. */
     Point2D middle(int column, int row) {
         return new Point2D.Double(
-                (Math.min(column, image.width() - 1) + 0.5) * ownWidth() / image.width(),
-                (Math.min(row, image.height() - 1) + 0.5) * ownHeight() / image.height());
+                (Math.min(column, width() - 1) + 0.5) * ownWidth() / width(),
+                (Math.min(row, height() - 1) + 0.5) * ownHeight() / height());
     }
 }

@@ -187,8 +187,8 @@ record PictureArrangement(
         }
         Rectangle bounds = pane.bounds;
         Picture now = shown.now();
-        return now.middle((int) ((point.x + 0.5 - bounds.x) * now.image().width() / bounds.width), (int)
-                ((point.y + 0.5 - bounds.y) * now.image().height() / bounds.height));
+        return now.middle((int) ((point.x + 0.5 - bounds.x) * now.width() / bounds.width), (int)
+                ((point.y + 0.5 - bounds.y) * now.height() / bounds.height));
     }
 
     /** Where on the canvas a place of the photograph is seen. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
+import tompkins.image.LinearImage;
 import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderListener;
@@ -256,6 +257,13 @@ public final class RenderController implements AutoCloseable {
                     : report.isBurnt() ? Picture.Flaw.BURNT : Picture.Flaw.NONE;
         }
 
+        private LinearImage light(RenderJob rendered, boolean complete) {
+            if (request.pace.isGlimpse()) {
+                return null;
+            }
+            return complete ? rendered.image() : rendered.preview(Quality.of(request.studio));
+        }
+
         private void deliver(RenderJob rendered, boolean complete) {
             Duration time = Duration.ofNanos(System.nanoTime() - request.time);
             // the error takes a moment to work out, in which no samples are taken
@@ -265,7 +273,8 @@ public final class RenderController implements AutoCloseable {
             Picture picture = new Picture(
                     request.studio,
                     rendered.plan(),
-                    complete ? rendered.image() : rendered.preview(Quality.of(request.studio)),
+                    light(rendered, complete),
+                    request.pace.isGlimpse() ? rendered.levels().image() : null,
                     complete,
                     time,
                     samples(rendered),

@@ -5,7 +5,6 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
-import tompkins.image.BufferedImages;
 
 /**
  * Pictures as the screen shows them.
@@ -27,12 +26,6 @@ public record ScreenPicture(
         double scale = (double) picture.studio().settings().width()
                 / now.studio().settings().width();
         return new Point2D.Double(scale * place.getX(), scale * place.getY());
-    }
-
-    /** A picture in its own size, as levels. */
-    public static BufferedImage levels(Picture picture) {
-        return BufferedImages.toBufferedImage(
-                picture.image(), picture.studio().settings().toneCurve());
     }
 
     /** An image in another size. */

@@ -93,7 +93,7 @@ public final class ScreenPictures implements AutoCloseable {
     }
 
     private static BufferedImage image(Picture picture, Wanted order) {
-        BufferedImage levels = ScreenPicture.levels(picture);
+        BufferedImage levels = picture.levels();
         Dimension fitted = size(picture, order);
         // The display enlarges a picture itself in a fifth of the time, but two that are subtracted need the same size.
         boolean enlarged = fitted.width >= levels.getWidth() && fitted.height >= levels.getHeight();

@@ -1,9 +1,9 @@
 package tompkins.ui.ride;
 
+import java.awt.image.BufferedImage;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Locale;
-import tompkins.image.LinearImage;
 import tompkins.studio.LensEvent;
 import tompkins.studio.Studio;
 import tompkins.ui.number.SceneSize;
@@ -18,8 +18,11 @@ final class RideReading {
     /** So many points across and down are looked at. */
     private static final int GRID = 16;
 
-    /** Light that differs by no more is one colour. */
-    private static final double SAME = 0.08;
+    /** The largest level. */
+    private static final int TOP = 255;
+
+    /** Levels that differ by no more are one colour. */
+    private static final int SAME = 20;
 
     /** The scene is left at so many times the distance of its farthest object from the origin. */
     private static final double OUTSIDE = 2;
@@ -52,26 +55,23 @@ final class RideReading {
         if (LensEvent.inScene(studio).position().length() > OUTSIDE * size.of(studio)) {
             return Texts.get("ride.outside");
         }
-        return isOneColour(picture.image()) ? Texts.get("ride.blind") : "";
+        return isOneColour(picture.levels()) ? Texts.get("ride.blind") : "";
     }
 
     /** Whether a picture shows one colour from edge to edge. */
-    static boolean isOneColour(LinearImage image) {
-        for (int channel = 0; channel < 3; channel++) {
-            double least = 1;
-            double most = 0;
-            for (int i = 0; i < GRID * GRID; i++) {
-                double light = Math.min(
-                        1,
-                        image.value(
-                                (2 * (i % GRID) + 1) * image.width() / (2 * GRID),
-                                (2 * (i / GRID) + 1) * image.height() / (2 * GRID),
-                                channel));
-                least = Math.min(least, light);
-                most = Math.max(most, light);
-            }
-            if (most - least > SAME) {
-                return false;
+    static boolean isOneColour(BufferedImage image) {
+        int[] least = {TOP, TOP, TOP};
+        int[] most = {0, 0, 0};
+        for (int i = 0; i < GRID * GRID; i++) {
+            int x = (2 * (i % GRID) + 1) * image.getWidth() / (2 * GRID);
+            int y = (2 * (i / GRID) + 1) * image.getHeight() / (2 * GRID);
+            for (int channel = 0; channel < 3; channel++) {
+                int level = image.getRGB(x, y) >> 8 * channel & TOP;
+                least[channel] = Math.min(least[channel], level);
+                most[channel] = Math.max(most[channel], level);
+                if (most[channel] - least[channel] > SAME) {
+                    return false;
+                }
             }
         }
         return true;

@@ -58,7 +58,7 @@ class PictureCanvasTest {
         Studio sized = studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT));
         Picture picture = new Picture(
                 sized, RenderPlan.of(sized), image, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE);
-        return new ScreenPicture(picture, ScreenPicture.levels(picture), null, null, null);
+        return new ScreenPicture(picture, picture.levels(), null, null, null);
     }
 
     private void press(String key) {
@@ -120,7 +120,7 @@ class PictureCanvasTest {
         Picture now = pictures(Studio.DEFAULT).now();
         Picture other =
                 pictures(Studio.DEFAULT.withVelocity(Velocity.of(0, 0, 0.5))).now();
-        canvas.show(new ScreenPicture(now, ScreenPicture.levels(now), other, ScreenPicture.levels(other), null));
+        canvas.show(new ScreenPicture(now, now.levels(), other, other.levels(), null));
         canvas.setComparison(Comparison.SPLIT, "");
         List<Studio> asked = new ArrayList<>();
         canvas.setCaptions(studio -> {
