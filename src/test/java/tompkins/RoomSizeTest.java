@@ -32,10 +32,10 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        26_922),
+                        26_974),
                 arguments("file, image", 4_502),
                 arguments("explain, lesson, measure, animation", 6_309),
-                arguments("io, app", 7_992),
+                arguments("io, app", 8_115),
                 arguments("study", 4_087),
                 arguments("ui", 20_842));
     }
