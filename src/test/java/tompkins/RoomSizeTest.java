@@ -32,10 +32,10 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        27_239),
+                        27_291),
                 arguments("file, image", 4_530),
                 arguments("explain, lesson, measure, animation", 6_309),
-                arguments("io, app", 8_052),
+                arguments("io, app", 8_175),
                 arguments("study", 4_089),
                 arguments("ui", 20_878));
     }

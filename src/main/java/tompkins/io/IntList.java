@@ -2,21 +2,43 @@ package tompkins.io;
 
 import java.util.Arrays;
 
-/** Whole numbers that become more. */
+/** Whole numbers from -1 upwards that become more. They take no memory as long as all are -1. */
 final class IntList {
 
-    private int[] numbers = new int[64];
+    private static final int SMALLEST = 64;
+
+    /** Empty as long as all numbers are -1. */
+    private int[] numbers = {};
+
     private int size;
 
     void add(int number) {
-        if (size == numbers.length) {
-            numbers = Arrays.copyOf(numbers, 2 * size);
+        if (number >= 0 || hasOthers()) {
+            if (size >= numbers.length) {
+                int[] more = Arrays.copyOf(numbers, Math.max(SMALLEST, 2 * size));
+                Arrays.fill(more, numbers.length, more.length, -1);
+                numbers = more;
+            }
+            numbers[size] = number;
         }
-        numbers[size++] = number;
+        size++;
+    }
+
+    /** Adds the numbers of another list, those from 0 upwards larger by an offset. */
+    void addAll(IntList others, int offset) {
+        for (int i = 0; i < others.size; i++) {
+            int number = others.get(i);
+            add(number < 0 ? number : number + offset);
+        }
     }
 
     int get(int index) {
-        return numbers[index];
+        return hasOthers() ? numbers[index] : -1;
+    }
+
+    /** Whether there is another number than -1. */
+    boolean hasOthers() {
+        return numbers.length > 0;
     }
 
     int size() {
@@ -24,6 +46,10 @@ final class IntList {
     }
 
     int[] toArray() {
-        return Arrays.copyOf(numbers, size);
+        int[] all = Arrays.copyOf(numbers, size);
+        if (!hasOthers()) {
+            Arrays.fill(all, -1);
+        }
+        return all;
     }
 }

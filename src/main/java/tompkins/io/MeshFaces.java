@@ -37,6 +37,9 @@ final class MeshFaces {
     private final Map<String, Integer> materialNumbers = new HashMap<>();
     private int material = NONE;
 
+    /** Whether a face counts backwards from its line. */
+    private boolean isRelative;
+
     private final ResizableDoubleArray coordinates = new ResizableDoubleArray();
     private final ResizableDoubleArray textureCoordinates = new ResizableDoubleArray();
     private final ResizableDoubleArray normals = new ResizableDoubleArray();
@@ -67,6 +70,52 @@ final class MeshFaces {
     MeshFaces(String name, FileKind.Files files) {
         this.name = name;
         library = new ObjMaterials(files, notes);
+    }
+
+    /** Takes all statements. */
+    void addAll(ObjStatements statements) {
+        while (statements.next()) {
+            add(statements);
+        }
+    }
+
+    /**
+     * The faces of the second half of a file, read without the first; null if they need it, or if something of them
+     * cannot be used.
+     */
+    static MeshFaces ofSecondHalf(String name, ObjStatements statements) {
+        MeshFaces faces = new MeshFaces(name, FileKind.Files.NONE);
+        try {
+            faces.addAll(statements);
+        } catch (ObjMistake needsItsLine) {
+            return null;
+        }
+        return faces.isRelative || !faces.notes.sentences().isEmpty() ? null : faces;
+    }
+
+    /**
+     * Adds the faces of the second half.
+     *
+     * @param linesBefore number of lines of the first
+     * @return false if they are too many
+     */
+    boolean append(MeshFaces second, int linesBefore) {
+        long triangles = (long) corners.size() + second.corners.size() - 2L * (ends.size() + second.ends.size());
+        if (triangles > MOST_TRIANGLES) {
+            return false;
+        }
+        coordinates.addElements(second.coordinates.getElements());
+        textureCoordinates.addElements(second.textureCoordinates.getElements());
+        normals.addElements(second.normals.getElements());
+        ends.addAll(second.ends, corners.size());
+        lines.addAll(second.lines, linesBefore);
+        corners.addAll(second.corners, 0);
+        textureCorners.addAll(second.textureCorners, 0);
+        normalCorners.addAll(second.normalCorners, 0);
+        while (faceMaterials.size() < ends.size()) {
+            faceMaterials.add(material);
+        }
+        return true;
     }
 
     /**
@@ -188,7 +237,8 @@ final class MeshFaces {
     }
 
     /** A number counted from 1, or backwards from the last so far, as one counted from 0; -1 if there is none. */
-    private static int index(long number, int known) {
+    private int index(long number, int known) {
+        isRelative |= number < 0;
         long index = number > 0 ? number - 1 : number < 0 ? known + number : NONE;
         return index < 0 || index > Integer.MAX_VALUE ? NONE : (int) index;
     }
@@ -288,6 +338,9 @@ final class MeshFaces {
 
     /** The numbers at the corners of the triangles: -1 where there are none; empty if all are. */
     private int[] usable(IntList numbers, double[] values, int count, String key) {
+        if (!numbers.hasOthers()) {
+            return new int[0];
+        }
         int[] usable = new int[cut.length];
         boolean some = false;
         for (int i = 0; i < cut.length; i++) {

@@ -35,6 +35,10 @@ final class ObjStatements {
     private static final long LARGEST = 1L << 59;
 
     private final String file;
+
+    /** Where lines that are read end: that of the file, or the middle while another thread reads the second half. */
+    private int limit;
+
     private int linesRead;
     private int firstLine;
 
@@ -54,8 +58,36 @@ final class ObjStatements {
     private int at;
 
     ObjStatements(byte[] file) {
-        this.file = new String(file, StandardCharsets.UTF_8);
+        this(new String(file, StandardCharsets.UTF_8));
         next = this.file.startsWith(BYTE_ORDER_MARK) ? 1 : 0;
+    }
+
+    private ObjStatements(String file) {
+        this.file = file;
+        limit = file.length();
+    }
+
+    /** Ends these statements near the middle of the file, and gives those behind; null if no line can end there. */
+    ObjStatements secondHalf() {
+        int middle = file.indexOf('\n', file.length() / 2) + 1;
+        String line = file.substring(file.lastIndexOf('\n', middle - 2) + 1, Math.max(0, middle));
+        if (middle <= next || line.indexOf('\\') >= 0) {
+            return null;
+        }
+        ObjStatements second = new ObjStatements(file);
+        second.next = middle;
+        limit = middle;
+        return second;
+    }
+
+    /** Takes the statements of the second half as well. */
+    void takeSecondHalf() {
+        limit = file.length();
+    }
+
+    /** How many lines were read. */
+    int linesRead() {
+        return linesRead;
     }
 
     /** Goes to the next statement, before its first word; false after the last one. */
@@ -91,7 +123,7 @@ final class ObjStatements {
 
     /** Goes to the next line, without its comment and the blanks at its end; false after the last one. */
     private boolean nextLine() {
-        if (next >= file.length()) {
+        if (next >= limit) {
             return false;
         }
         linesRead++;

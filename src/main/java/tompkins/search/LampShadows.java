@@ -1,5 +1,7 @@
 package tompkins.search;
 
+import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.joml.Vector3dc;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
@@ -15,19 +17,34 @@ import tompkins.ray.RayCounts;
  */
 public final class LampShadows {
 
+    /**
+     * From this number of primitives, more than a {@link LampTrack} passes, the tree answers first: to fill the cells
+     * takes at least as long as a shadow ray for each of them, and one picture may ask for less.
+     */
+    static final int MANY = 100_000;
+
     private final LightBufferProjection view;
+    private final ObjectTree objects;
     private final Primitive[] everywhere;
+
+    /** Null as long as they are not filled. */
     private final LightBuffer cells;
 
-    private LampShadows(LightBufferProjection view, Primitive[] everywhere, LightBuffer cells) {
+    private final AtomicInteger asked = new AtomicInteger();
+
+    /** The same with its cells, once another thread has filled them. */
+    private LampShadows filled;
+
+    private LampShadows(LightBufferProjection view, ObjectTree objects, LightBuffer cells) {
         this.view = view;
-        this.everywhere = everywhere;
+        this.objects = objects;
         this.cells = cells;
+        everywhere = objects.unbounded().toArray(Primitive[]::new);
     }
 
     /**
-     * The grid of a lamp, or null if none can be made: the lamp stands among the primitives, or they are so many or so
-     * long that the tree is faster, or there are none.
+     * The grid of a lamp, or null if none can be made: the lamp stands among the primitives, or they are so long that
+     * the tree is faster, or there are none.
      */
     public static LampShadows of(Vector3dc position, ObjectTree objects) {
         return of(position, position, objects);
@@ -40,8 +57,29 @@ public final class LampShadows {
             return null;
         }
         LightBufferProjection view = LightBufferProjection.of(from, to, all);
-        LightBuffer cells = view == null ? null : LightBuffer.of(view, objects.bounded());
-        return cells == null ? null : new LampShadows(view, objects.unbounded().toArray(Primitive[]::new), cells);
+        LampShadows empty = view == null ? null : new LampShadows(view, objects, null);
+        return empty == null || objects.size() >= MANY ? empty : empty.filled();
+    }
+
+    /** The same with its cells, or null if the tree is faster. */
+    private LampShadows filled() {
+        LightBuffer all = LightBuffer.of(view, objects.bounded());
+        return all == null ? null : new LampShadows(view, objects, all);
+    }
+
+    /**
+     * The grid for the next shadow ray, or null if the tree is to answer. Among very many primitives it does until so
+     * many rays have asked that another thread has filled the cells; the answers are the same.
+     */
+    public LampShadows orTree() {
+        if (cells != null) {
+            return this;
+        }
+        int enough = objects.size();
+        if (asked.get() < enough && asked.incrementAndGet() == enough) {
+            ForkJoinPool.commonPool().execute(() -> filled = filled());
+        }
+        return filled;
     }
 
     /**

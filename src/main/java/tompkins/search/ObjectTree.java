@@ -1,12 +1,10 @@
 package tompkins.search;
 
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
@@ -36,11 +34,12 @@ public final class ObjectTree {
     private final Primitive[] listed;
     private final TreeNode root;
     private final List<Primitive> bounded;
-    private final List<Primitive> unbounded;
+    private final List<Primitive> unbounded = new ArrayList<>();
+    private final Bounds bounds;
     private final boolean mostlyLong;
     private final int size;
     private final Set<Surface> surfaces = Collections.newSetFromMap(new IdentityHashMap<>());
-    private final List<RotatingGroup> rotating;
+    private final List<RotatingGroup> rotating = new ArrayList<>();
 
     /** Orders primitives that were numbered by a {@link PrimitiveCollector}. */
     public ObjectTree(List<Primitive> primitives) {
@@ -51,22 +50,32 @@ public final class ObjectTree {
     public ObjectTree(List<Primitive> primitives, int smallestTree) {
         List<Primitive> searched = RotatingGroup.gather(primitives);
         size = primitives.size();
-        primitives.forEach(primitive -> surfaces.add(primitive.surface()));
-        rotating = searched.stream()
-                .filter(RotatingGroup.class::isInstance)
-                .map(RotatingGroup.class::cast)
-                .toList();
-        Map<Boolean, List<Primitive>> byBounds =
-                searched.stream().collect(Collectors.partitioningBy(primitive -> primitive.bounds() != null));
-        Primitive[] ordered = byBounds.get(true).toArray(Primitive[]::new);
+        List<Primitive> withBounds = new ArrayList<>(searched.size());
+        Bounds box = null;
+        int rods = 0;
+        // one pass in one loop: a mesh has millions of triangles, which a cold start would go through in slow code
+        for (Primitive each : searched) {
+            Bounds own = each.bounds();
+            if (own == null) {
+                unbounded.add(each);
+            } else {
+                withBounds.add(each);
+                box = box == null ? own : box.with(own);
+                rods += each.longAxis() == null ? 0 : 1;
+            }
+            if (each instanceof RotatingGroup group) {
+                rotating.add(group);
+                group.members().forEach(member -> surfaces.add(member.surface()));
+            } else {
+                surfaces.add(each.surface());
+            }
+        }
+        bounds = box;
+        Primitive[] ordered = withBounds.toArray(Primitive[]::new);
         boolean tree = ordered.length > 0 && ordered.length >= smallestTree;
-        mostlyLong = Arrays.stream(ordered)
-                        .filter(primitive -> primitive.longAxis() != null)
-                        .count()
-                > ordered.length / 2;
+        mostlyLong = rods > ordered.length / 2;
         root = tree ? TreeBuilder.build(ordered, mostlyLong ? NODE_AMONG_RODS : NODE) : null;
         bounded = List.of(ordered);
-        unbounded = byBounds.get(false);
         listed = (tree ? unbounded : searched).toArray(Primitive[]::new);
     }
 
@@ -120,7 +129,7 @@ public final class ObjectTree {
 
     /** A box around the bounded primitives, or null if there are none. */
     Bounds bounds() {
-        return bounded.stream().map(Primitive::bounds).reduce(Bounds::with).orElse(null);
+        return bounds;
     }
 
     /** The primitives with bounds. */

@@ -89,7 +89,7 @@ final class RotatingGroup extends Primitive {
 
     /** The same primitives, those that turn together as one. */
     static List<Primitive> gather(List<Primitive> primitives) {
-        List<Primitive> all = new ArrayList<>();
+        List<Primitive> all = new ArrayList<>(primitives.size());
         for (int i = 0; i < primitives.size(); i++) {
             Rotation own = primitives.get(i).restFrame().rotation();
             int end = i + 1;

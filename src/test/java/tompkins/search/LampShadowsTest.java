@@ -34,7 +34,10 @@ class LampShadowsTest {
     void shadowsAreThoseOfTheTree(int count) {
         Random random = new Random(count);
         ObjectTree tree = new ObjectTree(primitives(mixed(count, random)));
-        LampShadows grid = LampShadows.of(LAMP, tree);
+        assertSameShadows(tree, LampShadows.of(LAMP, tree), random);
+    }
+
+    private static void assertSameShadows(ObjectTree tree, LampShadows grid, Random random) {
         RayCounts counts = new RayCounts();
         NearestHit scratch = new NearestHit(new RayCounts());
         int shadows = 0;
@@ -96,6 +99,26 @@ class LampShadowsTest {
 
     static List<Primitive> primitives(List<SceneObject> objects) {
         return PrimitiveCollector.primitivesOf(new Group("all", objects));
+    }
+
+    /** Many primitives: the tree answers as many rays as there are primitives, then the grid, which says the same. */
+    @Test
+    void gridOfVeryManyIsFilledWhenManyRaysHaveAsked() throws InterruptedException {
+        Random random = new Random(5);
+        ObjectTree tree = new ObjectTree(primitives(mixed(LampShadows.MANY, random)));
+        LampShadows empty = LampShadows.of(LAMP, tree);
+        for (int i = 1; i < tree.size(); i++) {
+            assertThat(empty.orTree()).isNull();
+        }
+
+        LampShadows grid = empty.orTree();
+        for (int wait = 0; grid == null && wait < 6_000; wait++) {
+            Thread.sleep(10);
+            grid = empty.orTree();
+        }
+
+        assertThat(grid).isNotNull();
+        assertSameShadows(tree, grid, random);
     }
 
     /** Each rod would stand in hundreds of cells. */
