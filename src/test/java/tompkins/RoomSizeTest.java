@@ -32,8 +32,8 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        27_291),
-                arguments("file, image", 4_530),
+                        27_346),
+                arguments("file, image", 4_535),
                 arguments("explain, lesson, measure, animation", 6_309),
                 arguments("io, app", 8_175),
                 arguments("study", 4_089),

@@ -40,7 +40,7 @@ final class AdaptiveSchedule implements Schedule {
     private static final double AIM = 0.95;
 
     private final Queue<Pass> waiting = new ArrayDeque<>();
-    private final int pixels;
+    private final Film film;
     private final double targetError;
     private final TimeBudget time;
     private boolean hasLooked;
@@ -52,14 +52,14 @@ final class AdaptiveSchedule implements Schedule {
     /**
      * A schedule for one picture.
      *
-     * @param pixels number of pixels of the picture
+     * @param film what gets the samples
      * @param severalFirst whether one sample per pixel says nothing about the error
      * @param coarseFirst whether the first pass is taken coarse to fine
      * @param targetError root mean square error of the exposed picture, or 0
      * @param time when to stop at the latest
      */
-    AdaptiveSchedule(int pixels, boolean severalFirst, boolean coarseFirst, double targetError, TimeBudget time) {
-        this.pixels = pixels;
+    AdaptiveSchedule(Film film, boolean severalFirst, boolean coarseFirst, double targetError, TimeBudget time) {
+        this.film = film;
         this.targetError = targetError;
         this.time = time;
         hasLooked = severalFirst;
@@ -71,12 +71,12 @@ final class AdaptiveSchedule implements Schedule {
     }
 
     @Override
-    public Pass next(Film film, BooleanSupplier stopped) {
+    public Pass next(BooleanSupplier stopped) {
         if (waiting.isEmpty() && !time.isOver()) {
             if (hasLooked) {
-                plan(film, stopped);
+                plan(stopped);
             } else {
-                look(film, stopped);
+                look(stopped);
             }
         }
         Pass pass = waiting.poll();
@@ -86,9 +86,9 @@ final class AdaptiveSchedule implements Schedule {
     }
 
     /** At the borders of the picture a centre has no neighbours outside, which could show an edge between them. */
-    private void look(Film film, BooleanSupplier stopped) {
+    private void look(BooleanSupplier stopped) {
         hasLooked = true;
-        BitSet looked = new BitSet(pixels);
+        BitSet looked = new BitSet(film.pixels());
         for (int row = 0; row < film.height(); row++) {
             PixelVariance.stopIf(stopped);
             for (int column = 0; column < film.width(); column++) {
@@ -104,7 +104,7 @@ final class AdaptiveSchedule implements Schedule {
         waiting.add(Pass.refining(0, FIRST_SAMPLES, looked, film.sampledPixels()));
     }
 
-    private void plan(Film film, BooleanSupplier stopped) {
+    private void plan(BooleanSupplier stopped) {
         PixelVariance roughness = new PixelVariance(film, stopped);
         // only at the end: by then lines and edges have been followed, and what still stands alone does
         expectsUnseen |= roughness.rootMeanSquare() <= targetError;
@@ -127,13 +127,14 @@ final class AdaptiveSchedule implements Schedule {
                 : allocation.thresholdForSamples(work * roughness.sampled() * (1 + time.left() / time.spent()));
         expectedWork = Math.max(work, allocation.samples(threshold) / roughness.sampled());
         Map<Integer, BitSet> chosen = new TreeMap<>();
-        for (int pixel = 0; pixel < pixels; pixel++) {
+        for (int pixel = 0; pixel < film.pixels(); pixel++) {
             if (allocation.gain(pixel) > threshold) {
                 int samples = film.samples(pixel);
                 if (samples == 1) {
                     film.restart(pixel);
                 }
-                chosen.computeIfAbsent(samples, count -> new BitSet(pixels)).set(pixel);
+                chosen.computeIfAbsent(samples, count -> new BitSet(film.pixels()))
+                        .set(pixel);
             }
         }
         chosen.forEach((samples, mask) -> {

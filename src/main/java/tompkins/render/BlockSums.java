@@ -12,7 +12,7 @@ import tompkins.trace.SampleSink;
  */
 final class BlockSums implements SampleSink {
 
-    private final Film film;
+    private final PixelBuffer buffer;
     private final BooleanSupplier stopped;
     private final double[] red = new double[RayPacket.MOST];
     private final double[] green = new double[RayPacket.MOST];
@@ -26,13 +26,16 @@ final class BlockSums implements SampleSink {
     /** Number of samples of each pixel. */
     private int taken;
 
+    /** So many of the first pixels have one sample more, because the block was cut short. */
+    private int more;
+
     /**
      * Sums for one film.
      *
      * @param stopped whether no sample is wanted any more
      */
-    BlockSums(Film film, BooleanSupplier stopped) {
-        this.film = film;
+    BlockSums(PixelBuffer buffer, BooleanSupplier stopped) {
+        this.buffer = buffer;
         this.stopped = stopped;
     }
 
@@ -43,7 +46,7 @@ final class BlockSums implements SampleSink {
 
     @Override
     public boolean wants(int column, int row) {
-        return pass.takes(column, row, film.pixel(column, row));
+        return pass.takes(column, row, buffer.pixel(column, row));
     }
 
     @Override
@@ -54,7 +57,8 @@ final class BlockSums implements SampleSink {
     @Override
     public void take(BlockSamples samples) {
         last = samples;
-        taken++;
+        taken += samples.isWhole() ? 1 : 0;
+        more = samples.isWhole() ? 0 : samples.count();
         for (int i = 0; i < samples.count(); i++) {
             red[i] += samples.red[i];
         }
@@ -71,13 +75,13 @@ final class BlockSums implements SampleSink {
 
     /** Gives the film what was summed up, and starts from 0 again. */
     void addToFilm() {
-        if (taken == 0) {
-            return;
-        }
-        for (int i = 0; i < last.count(); i++) {
-            film.add(film.pixel(last.column(i), last.row(i)), red[i], green[i], blue[i], squares[i], taken);
+        int pixels = taken == 0 ? more : last.pixels();
+        for (int i = 0; i < pixels; i++) {
+            int added = taken + (i < more ? 1 : 0);
+            buffer.add(buffer.pixel(last.column(i), last.row(i)), red[i], green[i], blue[i], squares[i], added);
         }
         taken = 0;
+        more = 0;
         Arrays.fill(red, 0);
         Arrays.fill(green, 0);
         Arrays.fill(blue, 0);

@@ -61,7 +61,7 @@ final class EdgeSchedule implements Schedule {
     }
 
     @Override
-    public Pass next(Film film, BooleanSupplier stopped) {
+    public Pass next(BooleanSupplier stopped) {
         int cell = stride;
         stride /= 2;
         if (stride == 0) {

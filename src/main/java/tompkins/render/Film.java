@@ -2,15 +2,13 @@ package tompkins.render;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
-import tompkins.image.FramePicture;
 import tompkins.image.LinearImage;
-import tompkins.image.ToneCurve;
 
 /**
  * The light that has been collected so far. Each pixel is written by one thread at a time, in the order of its samples,
  * so that the sums are the same whatever the number of threads.
  */
-class Film {
+final class Film extends PixelBuffer {
 
     /** Marks a pixel whose only sample is replaced by the next one. */
     private static final int REPLACED = -1;
@@ -18,9 +16,6 @@ class Film {
     /** Sums in single precision cannot tell a smaller variance from none, as a share of the square of the mean. */
     private static final double ROUNDING = 1e-6;
 
-    private final int width;
-    private final int height;
-    private final double exposure;
     private final float[] sums;
     private final int[] samples;
 
@@ -38,47 +33,17 @@ class Film {
      *     memory
      */
     Film(int width, int height, double exposure, boolean comparesSamples) {
-        this.width = width;
-        this.height = height;
-        this.exposure = exposure;
+        super(width, height, exposure);
         sums = new float[Math.multiplyExact(3, width * height)];
         samples = new int[width * height];
         halfSums = comparesSamples ? new float[sums.length] : null;
         squares = comparesSamples ? new float[samples.length] : null;
     }
 
-    /** A film that keeps something else than sums. */
-    Film(int width, int height, double exposure) {
-        this.width = width;
-        this.height = height;
-        this.exposure = exposure;
-        sums = null;
-        samples = null;
-        halfSums = null;
-        squares = null;
-    }
-
     /** The memory that a film takes. */
     static int bytesPerPixel(boolean comparesSamples) {
         int sums = 3 * Float.BYTES;
         return Integer.BYTES + sums + (comparesSamples ? sums + Float.BYTES : 0);
-    }
-
-    int width() {
-        return width;
-    }
-
-    int height() {
-        return height;
-    }
-
-    int pixels() {
-        return width * height;
-    }
-
-    /** The number of a pixel: row by row, from 0. */
-    int pixel(int column, int row) {
-        return row * width + column;
     }
 
     /**
@@ -89,16 +54,8 @@ class Film {
         return Integer.bitCount(samples) == 1;
     }
 
-    /** Adds a sample of a pixel, or several that are equal, by the sum of their light. */
-    void add(int pixel, double red, double green, double blue, int added) {
-        add(pixel, red, green, blue, squared(red, green, blue) / added, added);
-    }
-
-    /**
-     * Adds the sum of one or more samples of a pixel. They do not go beyond a {@link #isNewHalf new half}.
-     *
-     * @param squared the sum of their squares, as of {@link #squared}
-     */
+    /** As {@link PixelBuffer#add}; they do not go beyond a {@link #isNewHalf new half}. */
+    @Override
     void add(int pixel, double red, double green, double blue, double squared, int added) {
         int count = samples[pixel];
         if (count == REPLACED) {
@@ -134,18 +91,9 @@ class Film {
         samples[pixel] = REPLACED;
     }
 
-    /** Number of samples of a pixel. */
+    @Override
     int samples(int pixel) {
         return Math.abs(samples[pixel]);
-    }
-
-    /** Number of pixels that have samples. */
-    int sampledPixels() {
-        int sampled = 0;
-        for (int pixel = 0; pixel < pixels(); pixel++) {
-            sampled += samples(pixel) == 0 ? 0 : 1;
-        }
-        return sampled;
     }
 
     /**
@@ -153,11 +101,11 @@ class Film {
      * samples.
      */
     void means(int row, double[] into) {
-        for (int column = 0; column < width; column++) {
+        for (int column = 0; column < width(); column++) {
             int pixel = pixel(column, row);
             int count = samples(pixel);
             for (int channel = 0; channel < 3; channel++) {
-                into[3 * (column + 1) + channel] = exposure * sums[3 * pixel + channel] / count;
+                into[3 * (column + 1) + channel] = exposure() * sums[3 * pixel + channel] / count;
             }
         }
     }
@@ -175,7 +123,7 @@ class Film {
             double difference = half / first - (sums[3 * pixel + channel] - half) / (count - first);
             sum += difference * difference;
         }
-        return exposure * exposure * sum / 3 * first * (count - first) / ((double) count * count);
+        return exposure() * exposure() * sum / 3 * first * (count - first) / ((double) count * count);
     }
 
     /** The variance of single samples of a pixel that has two or more, averaged over the channels. */
@@ -183,26 +131,22 @@ class Film {
         int count = samples[pixel];
         double ofMean = squared(sums[3 * pixel], sums[3 * pixel + 1], sums[3 * pixel + 2]) / count;
         double variance = squares[pixel] - (1 + ROUNDING) * ofMean;
-        return exposure * exposure * Math.max(0, variance) / (3 * (count - 1));
+        return exposure() * exposure() * Math.max(0, variance) / (3 * (count - 1));
     }
 
     /**
      * The mean of the samples of each pixel. Between coarse pixels it is interpolated, which costs little and takes a
      * third of the error away (see the charts of previews in docs/speed-and-accuracy.md).
      */
+    @Override
     LinearImage image() {
         return interpolated(completeStride(), means());
-    }
-
-    /** The picture as the screen shows it. */
-    FramePicture levels(ToneCurve curve) {
-        return FramePicture.of(image(), curve);
     }
 
     /** The mean of the samples of each pixel, channel by channel; 0 where there are none. */
     float[] means() {
         float[] rgb = new float[sums.length];
-        IntStream.range(0, height).parallel().forEach(row -> {
+        IntStream.range(0, height()).parallel().forEach(row -> {
             for (int pixel = pixel(0, row); pixel < pixel(0, row + 1); pixel++) {
                 if (samples[pixel] != 0) {
                     put(pixel, rgb);
@@ -219,43 +163,23 @@ class Film {
                 interpolate(step, rgb);
             }
         }
-        return new LinearImage(width, height, rgb);
-    }
-
-    /** The smallest distance at which all pixels have samples; {@link Tile#SIZE} if there is none. */
-    int completeStride() {
-        int stride = 1;
-        while (stride < Tile.SIZE && !isComplete(stride)) {
-            stride *= 2;
-        }
-        return stride;
-    }
-
-    private boolean isComplete(int stride) {
-        for (int row = 0; row < height; row += stride) {
-            for (int column = 0; column < width; column += stride) {
-                if (samples(pixel(column, row)) == 0) {
-                    return false;
-                }
-            }
-        }
-        return true;
+        return new LinearImage(width(), height(), rgb);
     }
 
     /** Gives pixels without samples the mean of those beside or above and below them, at some distance. */
     private void interpolate(int step, float[] rgb) {
-        IntStream.rangeClosed(0, (height - 1) / (2 * step)).parallel().forEach(pair -> {
+        IntStream.rangeClosed(0, (height() - 1) / (2 * step)).parallel().forEach(pair -> {
             int row = 2 * step * pair;
-            for (int column = step; column < width; column += 2 * step) {
+            for (int column = step; column < width(); column += 2 * step) {
                 int left = pixel(column - step, row);
-                setMean(pixel(column, row), left, column + step < width ? left + 2 * step : left, rgb);
+                setMean(pixel(column, row), left, column + step < width() ? left + 2 * step : left, rgb);
             }
         });
-        IntStream.range(0, (height - 1 + step) / (2 * step)).parallel().forEach(pair -> {
+        IntStream.range(0, (height() - 1 + step) / (2 * step)).parallel().forEach(pair -> {
             int row = 2 * step * pair + step;
-            for (int column = 0; column < width; column += step) {
+            for (int column = 0; column < width(); column += step) {
                 int above = pixel(column, row - step);
-                setMean(pixel(column, row), above, row + step < height ? above + 2 * step * width : above, rgb);
+                setMean(pixel(column, row), above, row + step < height() ? above + 2 * step * width() : above, rgb);
             }
         });
     }
@@ -271,9 +195,9 @@ class Film {
     private void put(int pixel, float[] rgb) {
         int count = samples(pixel);
         // most pictures of a window have one sample, which needs no division
-        double scale = count == 1 ? exposure : exposure / count;
+        double scale = count == 1 ? exposure() : exposure() / count;
         for (int channel = 3 * pixel; channel < 3 * pixel + 3; channel++) {
-            // light is finite, but exposure may lift it above what a picture can hold
+            // light is finite, but exposure() may lift it above what a picture can hold
             rgb[channel] = (float) Math.min(Float.MAX_VALUE, sums[channel] * scale);
         }
     }

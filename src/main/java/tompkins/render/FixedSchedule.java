@@ -16,7 +16,7 @@ final class FixedSchedule implements Schedule {
     }
 
     @Override
-    public Pass next(Film film, BooleanSupplier stopped) {
+    public Pass next(BooleanSupplier stopped) {
         return passes.hasNext() ? passes.next() : null;
     }
 

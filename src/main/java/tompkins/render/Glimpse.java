@@ -7,10 +7,10 @@ import tompkins.image.LinearImage;
 import tompkins.image.ToneCurve;
 
 /**
- * The film of a picture that is seen for a moment: it keeps the levels of one sample of a pixel at most. That is a
- * quarter of the memory of other films, which takes more time to fetch than the work on it.
+ * A picture that is seen for a moment: it keeps the levels of one sample of a pixel at most. That is a quarter of the
+ * memory of a {@link Film}, which takes more time to fetch than the work on it.
  */
-final class Glimpse extends Film {
+final class Glimpse extends PixelBuffer {
 
     /** Marks a pixel that has a sample. */
     private static final int SAMPLED = 1 << 24;
@@ -21,14 +21,12 @@ final class Glimpse extends Film {
     /** Where half a level of one colour would get into the next. */
     private static final int HALF_LEVELS = 0x808080;
 
-    private final double exposure;
     private final LevelTable table;
     private final int[] levels;
 
-    /** A film whose light gets its levels by a tone curve. */
+    /** A picture whose light gets its levels by a tone curve. */
     Glimpse(int width, int height, double exposure, ToneCurve curve) {
         super(width, height, exposure);
-        this.exposure = exposure;
         table = LevelTable.of(curve);
         levels = new int[width * height];
     }
@@ -38,9 +36,9 @@ final class Glimpse extends Film {
         levels[pixel] = SAMPLED | table.levels(exposed(red), exposed(green), exposed(blue));
     }
 
-    /** As other films round it. */
+    /** Rounded as a {@link Film} does it. */
     private float exposed(double light) {
-        return (float) (exposure * (float) light);
+        return (float) (exposure() * (float) light);
     }
 
     @Override
@@ -48,10 +46,15 @@ final class Glimpse extends Film {
         return levels[pixel] / SAMPLED;
     }
 
-    /** It has no light, only {@link #levels}. */
+    /** The least light that has these levels. */
     @Override
     LinearImage image() {
-        throw new UnsupportedOperationException();
+        int[] filled = filled();
+        float[] rgb = new float[3 * filled.length];
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = table.light(filled[i / 3] >> 8 * (2 - i % 3) & 0xff);
+        }
+        return new LinearImage(width(), height(), rgb);
     }
 
     /**
@@ -82,9 +85,13 @@ final class Glimpse extends Film {
         return Math.max(Math.max(ofA, ofB), Math.max(ofC, ofD)) - Math.min(Math.min(ofA, ofB), Math.min(ofC, ofD));
     }
 
-    /** Interpolated as in other films, but between levels instead of light, which looks the same. */
-    @Override
-    FramePicture levels(ToneCurve curve) {
+    /** The picture as the screen shows it. */
+    FramePicture levels() {
+        return FramePicture.of(width(), height(), filled());
+    }
+
+    /** Interpolated as in a {@link Film}, but between levels instead of light, which looks the same. */
+    private int[] filled() {
         int side = Math.max(1, completeStride() % Tile.SIZE);
         int[] filled = new int[levels.length];
         int bands = (height() + side - 1) / side;
@@ -102,7 +109,7 @@ final class Glimpse extends Film {
                 }
             }
         });
-        return FramePicture.of(width(), height(), filled);
+        return filled;
     }
 
     private void copyRow(int row, int[] filled) {

@@ -35,7 +35,7 @@ public final class RenderJob {
     private final long pixels;
     private final RenderListener listener;
     private final Consumer<RenderJob> whenEnded;
-    private final Film film;
+    private final PixelBuffer buffer;
     private final int workers;
     private final long startTime = System.nanoTime();
 
@@ -55,20 +55,20 @@ public final class RenderJob {
     RenderJob(
             RenderPlan plan,
             Schedule schedule,
-            Film film,
+            PixelBuffer buffer,
             List<Tile> tiles,
             int workers,
             RenderListener listener,
             Consumer<RenderJob> whenEnded) {
         this.plan = plan;
         this.schedule = schedule;
-        this.film = film;
+        this.buffer = buffer;
         this.workers = workers;
         this.listener = listener;
         this.whenEnded = whenEnded;
         this.tiles = tiles;
         pixels = tiles.stream().mapToLong(Tile::pixels).sum();
-        passes.add(schedule.next(film, this::isStopped));
+        passes.add(schedule.next(this::isStopped));
     }
 
     /**
@@ -86,7 +86,7 @@ public final class RenderJob {
     }
 
     private void renderTiles(SampleTracer tracer, RayCounts mine) {
-        BlockSums sums = new BlockSums(film, this::isStopped);
+        BlockSums sums = new BlockSums(buffer, this::isStopped);
         int index = nextTile.getAndIncrement();
         for (Pass pass = passOf(index); pass != null; pass = passOf(index)) {
             Tile tile = tiles.get(index % tiles.size());
@@ -134,7 +134,7 @@ public final class RenderJob {
 
     private boolean isWanted(Pass pass, int left, int top, int width, int height) {
         for (int row = top; row < top + height; row += pass.stride()) {
-            if (pass.takesAny(film.pixel(left, row), width)) {
+            if (pass.takesAny(buffer.pixel(left, row), width)) {
                 return true;
             }
         }
@@ -149,7 +149,7 @@ public final class RenderJob {
             long start = System.nanoTime();
             Pass next;
             try {
-                next = schedule.next(film, this::isStopped);
+                next = schedule.next(this::isStopped);
             } catch (CancellationException stopped) {
                 return;
             } finally {
@@ -256,14 +256,16 @@ public final class RenderJob {
         return failure.get();
     }
 
-    /** The picture so far, in linear light, exposed; not that of a glimpse, which has only {@link #levels}. */
+    /** The picture so far, in linear light, exposed; that of a glimpse has the light of its levels. */
     public LinearImage image() {
-        return film.image();
+        return buffer.image();
     }
 
-    /** The picture so far as the screen shows it, also that of a glimpse. */
+    /** The picture so far as the screen shows it. */
     public FramePicture levels() {
-        return film.levels(plan.studio().settings().toneCurve());
+        return buffer instanceof Glimpse glimpse
+                ? glimpse.levels()
+                : FramePicture.of(image(), plan.studio().settings().toneCurve());
     }
 
     /**
@@ -272,9 +274,9 @@ public final class RenderJob {
      */
     public LinearImage preview(Quality aim) {
         boolean staysNoisy = aim instanceof Quality.Samples all
-                && all.samples() < Math.max(AdaptiveSchedule.FIRST_SAMPLES, film.samples(0) + 1);
-        boolean isNoisy = plan.blurs() && film.comparesSamples() && film.pixels() <= MOST_FILTERED;
-        return isNoisy && !staysNoisy ? NoiseFilter.image(film) : film.image();
+                && all.samples() < Math.max(AdaptiveSchedule.FIRST_SAMPLES, buffer.samples(0) + 1);
+        boolean isFiltered = plan.blurs() && !staysNoisy && buffer.pixels() <= MOST_FILTERED;
+        return isFiltered && buffer instanceof Film film && film.comparesSamples() ? NoiseFilter.image(film) : image();
     }
 
     /** The plan of the picture. */
@@ -288,8 +290,10 @@ public final class RenderJob {
      */
     public RenderReport report() {
         long until = end.getCount() == 0 ? endTime : System.nanoTime();
-        int sampledPixels = film.sampledPixels();
-        double error = PixelVariance.estimatedError(film, sampledPixels, plan, this::isCancelled);
+        int sampledPixels = buffer.sampledPixels();
+        double error = buffer instanceof Film film
+                ? PixelVariance.estimatedError(film, sampledPixels, plan, this::isCancelled)
+                : Double.NaN;
         Clipping clipping = clipping();
         RayCounts now = new RayCounts();
         synchronized (counts) {
@@ -315,6 +319,6 @@ public final class RenderJob {
         Studio studio = plan.studio();
         return !complete || studio.colours() == ColourLaw.UNCHANGED || plan.hasStars()
                 ? Clipping.NONE
-                : Clipping.of(film.image(), studio.settings().toneCurve());
+                : Clipping.of(image(), studio.settings().toneCurve());
     }
 }

@@ -72,20 +72,20 @@ public final class Renderer implements AutoCloseable {
     public RenderJob startGlimpse(RenderPlan plan, double seconds, RenderListener listener) {
         int width = plan.width();
         int height = plan.height();
-        Film film;
+        PixelBuffer buffer;
         Schedule schedule;
         if (plan.hasStars()) {
-            film = new Film(width, height, plan.exposure(), false);
+            buffer = new Film(width, height, plan.exposure(), false);
             schedule = new FixedSchedule(Pass.of(1, 1, false));
         } else {
             ToneCurve curve = plan.studio().settings().toneCurve();
             Glimpse glimpse = new Glimpse(width, height, plan.exposure(), curve);
-            film = glimpse;
+            buffer = glimpse;
             schedule = new EdgeSchedule(
                     glimpse, (first, taken) -> glimpseBudget.most(first, taken, seconds, width * height));
         }
         long start = System.nanoTime();
-        return start(plan, schedule, film, Tile.of(width, height), listener, job -> {
+        return start(plan, schedule, buffer, Tile.of(width, height), listener, job -> {
             if (job.isComplete()) {
                 glimpseBudget.ended((System.nanoTime() - start) * 1e-9, seconds);
             }
@@ -96,18 +96,18 @@ public final class Renderer implements AutoCloseable {
     RenderJob start(RenderPlan plan, Quality quality, boolean coarseFirst, List<Tile> tiles, RenderListener listener) {
         boolean comparesSamples = needsHalves(plan.studio().settings(), quality);
         Film film = new Film(plan.width(), plan.height(), plan.exposure(), comparesSamples);
-        return start(plan, schedule(plan, quality, coarseFirst), film, tiles, listener, job -> {});
+        return start(plan, schedule(plan, quality, coarseFirst, film), film, tiles, listener, job -> {});
     }
 
     /** Starts some tiles of a picture by a schedule; {@code afterwards} is called once the listener knows the end. */
     RenderJob start(
             RenderPlan plan,
             Schedule schedule,
-            Film film,
+            PixelBuffer buffer,
             List<Tile> tiles,
             RenderListener listener,
             Consumer<RenderJob> afterwards) {
-        RenderJob job = new RenderJob(plan, schedule, film, tiles, threads, listener, ended -> {
+        RenderJob job = new RenderJob(plan, schedule, buffer, tiles, threads, listener, ended -> {
             jobs.remove(ended);
             afterwards.accept(ended);
         });
@@ -144,17 +144,16 @@ public final class Renderer implements AutoCloseable {
         return settings.pixels() * (Film.bytesPerPixel(needsHalves(settings, quality)) + picture + levels);
     }
 
-    private static Schedule schedule(RenderPlan plan, Quality quality, boolean coarseFirst) {
+    private static Schedule schedule(RenderPlan plan, Quality quality, boolean coarseFirst, Film film) {
         if (quality instanceof Quality.Samples fixed) {
             return new FixedSchedule(Pass.of(fixed.samples(), fixed.samples(), coarseFirst));
         }
-        int pixels = plan.width() * plan.height();
         boolean severalFirst = PixelVariance.needsSeveralSamples(plan);
         if (quality instanceof Quality.TimeLimit limit) {
-            return new AdaptiveSchedule(pixels, severalFirst, true, 0, new TimeBudget(limit.seconds()));
+            return new AdaptiveSchedule(film, severalFirst, true, 0, new TimeBudget(limit.seconds()));
         }
         double error = ((Quality.TargetError) quality).rootMeanSquare();
-        return new AdaptiveSchedule(pixels, severalFirst, coarseFirst, error, new TimeBudget(Double.POSITIVE_INFINITY));
+        return new AdaptiveSchedule(film, severalFirst, coarseFirst, error, new TimeBudget(Double.POSITIVE_INFINITY));
     }
 
     /** Renders a picture, with as many samples as its scene says, and waits for it. */

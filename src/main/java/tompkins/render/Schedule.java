@@ -14,7 +14,7 @@ interface Schedule {
      * @param stopped whether the picture is no longer wanted
      * @throws java.util.concurrent.CancellationException if it is not
      */
-    Pass next(Film film, BooleanSupplier stopped);
+    Pass next(BooleanSupplier stopped);
 
     /** The root mean square error at which the picture is done, unless its samples end before; 0 if none is wanted. */
     default double wantedError() {

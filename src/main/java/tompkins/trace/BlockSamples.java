@@ -18,11 +18,22 @@ public final class BlockSamples {
 
     private final int[] columns = new int[RayPacket.MOST];
     private final int[] rows = new int[RayPacket.MOST];
+    private int pixels;
     private int count;
 
-    /** Number of samples. */
+    /** Number of samples: those of the first pixels, if the block was cut short. */
     public int count() {
         return count;
+    }
+
+    /** Number of pixels of the block of which samples are wanted. */
+    public int pixels() {
+        return pixels;
+    }
+
+    /** Whether all of them have a sample. */
+    public boolean isWhole() {
+        return count == pixels;
     }
 
     /** The column of the pixel of a sample. */
@@ -41,13 +52,18 @@ public final class BlockSamples {
     }
 
     void clear() {
-        count = 0;
+        pixels = 0;
     }
 
     void add(int column, int row) {
-        columns[count] = column;
-        rows[count] = row;
-        count++;
+        columns[pixels] = column;
+        rows[pixels] = row;
+        pixels++;
+    }
+
+    /** Says how many of the first samples are known. */
+    void setCount(int known) {
+        count = known;
     }
 
     void set(int sample, Colour colour) {

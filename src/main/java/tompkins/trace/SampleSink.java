@@ -14,6 +14,9 @@ public interface SampleSink {
         return false;
     }
 
-    /** Takes one sample of each pixel that is wanted; the memory is used again for the next ones of the block. */
+    /**
+     * Takes one sample of each pixel that is wanted, or of the first ones if it has stopped; the memory is used again
+     * for the next ones of the block.
+     */
     void take(BlockSamples samples);
 }

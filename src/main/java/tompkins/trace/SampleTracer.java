@@ -227,23 +227,27 @@ public final class SampleTracer {
      * few neighbours at a time, where they enter the tree. The colours are those of single samples.
      *
      * @param sample number of the sample of each pixel
-     * @param taker gets the colours, unless it stops before all are known
+     * @param taker gets the colours: of the first pixels alone if it stops before all are known
      */
     public void sampleBlock(int sample, SampleSink taker) {
         first = 0;
         for (EyeView next : eyes()) {
             turnTo(next);
             sampler.choose(places, sample);
-            trace(taker);
+            int known = trace(taker);
             if (pictureRays.layout().isAnaglyph()) {
-                combineWith(pictureRays.views().get(1), taker);
+                known = known < places.count()
+                        ? 0
+                        : combineWith(pictureRays.views().get(1), taker);
             }
-            first += places.count();
+            first += known;
+            if (known < places.count()) {
+                break;
+            }
         }
-        if (!taker.isStopped()) {
-            counts.samples += first;
-            taker.take(samples);
-        }
+        counts.samples += first;
+        samples.setCount(first);
+        taker.take(samples);
     }
 
     /** Begins a block, as above, and takes one sample of each of its pixels. */
@@ -253,41 +257,47 @@ public final class SampleTracer {
     }
 
     /** Follows the rays of another eye for the same places, and combines the colours of both. */
-    private void combineWith(EyeView right, SampleSink taker) {
+    private int combineWith(EyeView right, SampleSink taker) {
         for (int i = 0; i < places.count(); i++) {
             leftLight[i] = samples.colour(i);
         }
         eye = right;
-        trace(taker);
-        for (int i = 0; i < places.count(); i++) {
+        int known = trace(taker);
+        for (int i = 0; i < known; i++) {
             samples.set(i, pictureRays.layout().combined(leftLight[i], samples.colour(i)));
         }
+        return known;
     }
 
-    /** Follows the rays of all places, as far as the taker lets it. */
-    private void trace(SampleSink taker) {
+    /** Follows the rays of all places, as far as the taker lets it; returns how many of the first samples are known. */
+    private int trace(SampleSink taker) {
         start();
         boolean allGoOn = rays.count() == places.count() && cameraTracer == null;
         Colour behind = allGoOn ? sceneEntry.evenBackground() : null;
         // a sample without a ray is black
         samples.fill(first, first + places.count(), behind == null ? Colour.BLACK : behind);
-        if (cameraTracer != null) {
-            followInCameraFrame(taker);
+        if (cameraTracer != null && !followInCameraFrame(taker)) {
+            return 0;
         }
+        int followed = 0;
         if (rays.isInOneMedium()) {
-            followInScene(behind != null, taker);
+            followed = followInScene(behind != null, taker);
         } else {
-            for (int i = 0; i < rays.count() && goesTo(i, taker); i++) {
-                takeFromScene(i, sceneEntry.colour(rays.ray(i)));
+            for (; followed < rays.count() && goesTo(followed, taker); followed++) {
+                takeFromScene(followed, sceneEntry.colour(rays.ray(followed)));
             }
         }
+        return followed < rays.count() ? rays.sample(followed) : places.count();
     }
 
-    /** Keeps the rays that leave what moves with the camera. */
-    private void followInCameraFrame(SampleSink taker) {
+    /** Keeps the rays that leave what moves with the camera; false if the taker stops before all are followed. */
+    private boolean followInCameraFrame(SampleSink taker) {
         int leaving = 0;
         cameraTracer.begin(rays);
-        for (int i = 0; i < rays.count() && goesTo(i, taker); i++) {
+        for (int i = 0; i < rays.count(); i++) {
+            if (!goesTo(i, taker)) {
+                return false;
+            }
             TracedPath path = cameraTracer.follow(rays, i);
             if (path.escaped() == null) {
                 take(i, path.light());
@@ -299,14 +309,16 @@ public final class SampleTracer {
             }
         }
         rays.keep(leaving);
+        return true;
     }
 
     /**
      * Follows the rays through the scene.
      *
      * @param known whether the samples have the light of rays that meet nothing
+     * @return how many were followed before the taker stopped
      */
-    private void followInScene(boolean known, SampleSink taker) {
+    private int followInScene(boolean known, SampleSink taker) {
         RayTracer tracer = sceneEntry.sceneTracer();
         sceneEntry.enter(rays);
         tracer.begin(rays);
@@ -316,12 +328,13 @@ public final class SampleTracer {
                 continue;
             }
             if (!goesTo(i, taker)) {
-                return;
+                return i;
             }
             // light without a direction is at rest in the scene, and has come from nowhere
             Colour light = Double.isNaN(rays.dx[i]) ? Colour.BLACK : tracer.packetColour(rays, i);
             takeFromScene(i, sceneEntry.inCameraFrame(light, rays.frequency[i], rays.directionLength[i]));
         }
+        return rays.count();
     }
 
     private void addPixels(int left, int top, int width, int height, int stride, SampleSink taker) {

@@ -39,7 +39,7 @@ class FrameSelectionTest {
         assertThatThrownBy(() -> FrameSelection.parse(list, 100))
                 .isInstanceOf(InvalidPropertyException.class)
                 .hasMessage("frames must be numbers from 0 to 99 or ranges of them, such as 99, 0-99, 0-99x2 or 0,1-99,"
-                        + " was " + list);
+                        + " was " + (list.isEmpty() ? "\"\"" : list));
     }
 
     @ParameterizedTest

@@ -217,15 +217,15 @@ class AdaptiveRenderTest {
     void usesUpItsTime(double brightness) {
         AtomicLong clock = new AtomicLong();
         Film film = new Film(16, 16, 1, true);
-        AdaptiveSchedule schedule = new AdaptiveSchedule(16 * 16, true, true, 0, new TimeBudget(1e-3, clock::get));
+        AdaptiveSchedule schedule = new AdaptiveSchedule(film, true, true, 0, new TimeBudget(1e-3, clock::get));
         SplittableRandom random = new SplittableRandom(5);
-        for (Pass pass = schedule.next(film, () -> false); pass != null; pass = schedule.next(film, () -> false)) {
+        for (Pass pass = schedule.next(() -> false); pass != null; pass = schedule.next(() -> false)) {
             for (int pixel = 0; pixel < 16 * 16; pixel++) {
                 boolean wanted = pixel % 16 % pass.stride() == 0 && pixel / 16 % pass.stride() == 0;
                 if (wanted && pass.takes(pixel % 16, pixel / 16, pixel)) {
                     for (int sample = 0; sample < pass.samples(); sample++) {
                         double light = random.nextBoolean() ? brightness : 0;
-                        film.add(pixel, light, light, light, 1);
+                        Films.add(film, pixel, light, light, light, 1);
                         clock.incrementAndGet();
                     }
                 }
@@ -286,16 +286,16 @@ class AdaptiveRenderTest {
     void progressIsKnownOnceNothingMoreHelps() {
         Film film = new Film(16, 16, 1, true);
         TimeBudget unlimited = new TimeBudget(Double.POSITIVE_INFINITY);
-        AdaptiveSchedule schedule = new AdaptiveSchedule(16 * 16, true, false, 1e-5, unlimited);
+        AdaptiveSchedule schedule = new AdaptiveSchedule(film, true, false, 1e-5, unlimited);
         SplittableRandom random = new SplittableRandom(5);
         long samples = 0;
-        for (Pass pass = schedule.next(film, () -> false); pass != null; pass = schedule.next(film, () -> false)) {
+        for (Pass pass = schedule.next(() -> false); pass != null; pass = schedule.next(() -> false)) {
             assertThat(schedule.progress(1)).isBetween(1.0 / 65536, 1.0);
             for (int pixel = 0; pixel < 16 * 16; pixel++) {
                 if (pass.takes(pixel % 16, pixel / 16, pixel)) {
                     for (int sample = 0; sample < pass.samples(); sample++) {
                         double light = (pixel % 16 < 8 ? 1 : 1e-4) * random.nextInt(2);
-                        film.add(pixel, light, light, light, 1);
+                        Films.add(film, pixel, light, light, light, 1);
                         samples++;
                     }
                 }
@@ -306,12 +306,12 @@ class AdaptiveRenderTest {
 
     @Test
     void nobodyWaitsForALookThatIsNotWantedAnyMore() {
-        AdaptiveSchedule schedule =
-                new AdaptiveSchedule(64 * 48, false, false, 0.01, new TimeBudget(Double.POSITIVE_INFINITY));
         Film film = new Film(64, 48, 1, true);
-        assertThat(schedule.next(film, () -> false)).as("the centres").isNotNull();
+        AdaptiveSchedule schedule =
+                new AdaptiveSchedule(film, false, false, 0.01, new TimeBudget(Double.POSITIVE_INFINITY));
+        assertThat(schedule.next(() -> false)).as("the centres").isNotNull();
 
-        assertThatThrownBy(() -> schedule.next(film, () -> true)).isInstanceOf(CancellationException.class);
+        assertThatThrownBy(() -> schedule.next(() -> true)).isInstanceOf(CancellationException.class);
     }
 
     private static RenderJob render(Studio studio, Quality quality) throws InterruptedException {

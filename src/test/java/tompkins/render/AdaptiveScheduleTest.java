@@ -17,25 +17,25 @@ class AdaptiveScheduleTest {
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
     void theFirstPassIsNeverBrokenOff(boolean severalFirst) {
-        AdaptiveSchedule schedule = schedule(severalFirst, 0.01);
         Film film = new Film(4, 4, 1, true);
+        AdaptiveSchedule schedule = schedule(film, severalFirst, 0.01);
         now = 1_000_000_000;
 
-        Pass first = schedule.next(film, () -> false);
+        Pass first = schedule.next(() -> false);
 
         assertThat(first).isNotNull();
         assertThat(first.share()).as("of all pixels").isEqualTo(1);
         assertThat(schedule.isOver()).as("while the first pass is taken").isFalse();
-        schedule.next(film, () -> false);
+        schedule.next(() -> false);
         assertThat(schedule.isOver()).as("while the second pass is taken").isTrue();
     }
 
     @Test
     void laterPassesAreBrokenOffWhenTheTimeIsOver() {
-        AdaptiveSchedule schedule = schedule(true, 10);
         Film film = new Film(4, 4, 1, true);
-        schedule.next(film, () -> false);
-        schedule.next(film, () -> false);
+        AdaptiveSchedule schedule = schedule(film, true, 10);
+        schedule.next(() -> false);
+        schedule.next(() -> false);
 
         now = 9_999_999_999L;
         assertThat(schedule.isOver()).isFalse();
@@ -45,17 +45,17 @@ class AdaptiveScheduleTest {
 
     @Test
     void nothingIsPlannedWhenTheTimeIsOver() {
-        AdaptiveSchedule schedule = schedule(false, 10);
         Film film = new Film(4, 4, 1, true);
-        assertThat(schedule.next(film, () -> false)).isNotNull();
+        AdaptiveSchedule schedule = schedule(film, false, 10);
+        assertThat(schedule.next(() -> false)).isNotNull();
         now = 10_000_000_000L;
 
-        assertThat(schedule.next(film, () -> false)).isNull();
+        assertThat(schedule.next(() -> false)).isNull();
     }
 
     @Test
     void progressIsTheShareOfTheTime() {
-        AdaptiveSchedule schedule = schedule(false, 10);
+        AdaptiveSchedule schedule = schedule(new Film(4, 4, 1, true), false, 10);
 
         now = 2_500_000_000L;
 
@@ -66,13 +66,13 @@ class AdaptiveScheduleTest {
     /** The border, and of the rest one pixel of 17 in each row, five columns on from row to row. */
     @Test
     void oneOfSeventeenIsLookedAtAfterTheCentres() {
-        AdaptiveSchedule schedule = new AdaptiveSchedule(60 * 50, false, false, 0.01, endless());
         Film film = new Film(60, 50, 1, true);
-        schedule.next(film, () -> false);
+        AdaptiveSchedule schedule = new AdaptiveSchedule(film, false, false, 0.01, endless());
+        schedule.next(() -> false);
         fill(film, 1, 1);
-        film.add(film.pixel(34, 0), 1, 1, 1, 1);
+        Films.add(film, film.pixel(34, 0), 1, 1, 1, 1);
 
-        Pass look = schedule.next(film, () -> false);
+        Pass look = schedule.next(() -> false);
 
         int looked = 0;
         for (int row = 0; row < 50; row++) {
@@ -87,23 +87,23 @@ class AdaptiveScheduleTest {
         assertThat(look.firstSample()).isZero();
         assertThat(look.samples()).isEqualTo(16);
         assertThat(look.work()).isCloseTo(16.0 * looked / 3000, within(1e-12));
-        film.add(0, 5, 5, 5, 1);
+        Films.add(film, 0, 5, 5, 5, 1);
         assertThat(film.samples(0)).as("the first sample gives way").isEqualTo(1);
     }
 
     /** Left all is settled, right the halves differ: there the next samples go, and to the neighbours on the left. */
     @Test
     void roughPixelsGetTwiceAsManySamples() {
-        AdaptiveSchedule schedule = new AdaptiveSchedule(20 * 10, true, false, 0.05, endless());
         Film film = new Film(20, 10, 1, true);
-        schedule.next(film, () -> false);
+        AdaptiveSchedule schedule = new AdaptiveSchedule(film, true, false, 0.05, endless());
+        schedule.next(() -> false);
         fill(film, 1, 8);
         for (int pixel = 0; pixel < 200; pixel++) {
             double light = pixel % 20 >= 12 ? 16 : 8;
-            film.add(pixel, light, light, light, 8);
+            Films.add(film, pixel, light, light, light, 8);
         }
 
-        Pass next = schedule.next(film, () -> false);
+        Pass next = schedule.next(() -> false);
 
         assertThat(next.firstSample()).isEqualTo(16);
         assertThat(next.samples()).isEqualTo(16);
@@ -123,32 +123,31 @@ class AdaptiveScheduleTest {
 
     @Test
     void nothingIsTakenWhenTheErrorIsReached() {
-        AdaptiveSchedule schedule = new AdaptiveSchedule(16, true, false, 0.05, endless());
         Film film = new Film(4, 4, 1, true);
-        assertThat(schedule.next(film, () -> false).samples()).isEqualTo(16);
+        AdaptiveSchedule schedule = new AdaptiveSchedule(film, true, false, 0.05, endless());
+        assertThat(schedule.next(() -> false).samples()).isEqualTo(16);
         fill(film, 1, 8);
         fill(film, 1.01, 8);
 
-        assertThat(schedule.next(film, () -> false)).isNull();
+        assertThat(schedule.next(() -> false)).isNull();
     }
 
     @Test
     void whoIsStoppedPlansNoMore() {
-        AdaptiveSchedule schedule = new AdaptiveSchedule(16, false, false, 0.05, endless());
         Film film = new Film(4, 4, 1, true);
-        schedule.next(film, () -> false);
+        AdaptiveSchedule schedule = new AdaptiveSchedule(film, false, false, 0.05, endless());
+        schedule.next(() -> false);
         fill(film, 1, 1);
 
-        assertThatThrownBy(() -> schedule.next(film, () -> true)).isInstanceOf(CancellationException.class);
+        assertThatThrownBy(() -> schedule.next(() -> true)).isInstanceOf(CancellationException.class);
     }
 
     @Test
     void fixedSamplesAreWhatWasAskedFor() {
         FixedSchedule schedule = new FixedSchedule(Pass.of(4, 4, false));
-        Film film = new Film(4, 4, 1, false);
 
         int samples = 0;
-        for (Pass pass = schedule.next(film, () -> false); pass != null; pass = schedule.next(film, () -> false)) {
+        for (Pass pass = schedule.next(() -> false); pass != null; pass = schedule.next(() -> false)) {
             samples += pass.samples();
         }
 
@@ -177,11 +176,11 @@ class AdaptiveScheduleTest {
 
     private static void fill(Film film, double light, int samples) {
         for (int pixel = 0; pixel < film.width() * film.height(); pixel++) {
-            film.add(pixel, light * samples, light * samples, light * samples, samples);
+            Films.add(film, pixel, light * samples, light * samples, light * samples, samples);
         }
     }
 
-    private AdaptiveSchedule schedule(boolean severalFirst, double seconds) {
-        return new AdaptiveSchedule(16, severalFirst, false, 0, new TimeBudget(seconds, () -> now));
+    private AdaptiveSchedule schedule(Film film, boolean severalFirst, double seconds) {
+        return new AdaptiveSchedule(film, severalFirst, false, 0, new TimeBudget(seconds, () -> now));
     }
 }

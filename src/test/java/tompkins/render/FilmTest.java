@@ -108,7 +108,7 @@ class FilmTest {
         Film film = new Film(21, 12, 2, false);
         for (int row = 0; row < 12; row += 4) {
             for (int column = 0; column < 21; column += 4) {
-                film.add(film.pixel(column, row), column, row, column + 3 * row, 1);
+                Films.add(film, film.pixel(column, row), column, row, column + 3 * row, 1);
             }
         }
 
@@ -129,9 +129,9 @@ class FilmTest {
     @Test
     void meansOfARowStandBehindItsBorder() {
         Film film = new Film(2, 3, 2, false);
-        film.add(film.pixel(0, 2), 3, 6, 9, 1);
-        film.add(film.pixel(0, 2), 1, 0, 3, 1);
-        film.add(film.pixel(1, 2), 30, 60, 90, 3);
+        Films.add(film, film.pixel(0, 2), 3, 6, 9, 1);
+        Films.add(film, film.pixel(0, 2), 1, 0, 3, 1);
+        Films.add(film, film.pixel(1, 2), 30, 60, 90, 3);
         double[] means = new double[12];
 
         film.means(2, means);
@@ -158,10 +158,10 @@ class FilmTest {
     @Test
     void varianceOfSamplesIsThatOfTheirValues() {
         Film film = new Film(1, 1, 2, true);
-        film.add(0, 9, 9, 9, 1);
+        Films.add(film, 0, 9, 9, 9, 1);
         film.restart(0);
         for (int sample = 0; sample < 8; sample++) {
-            film.add(0, sample / 10.0, sample / 10.0, sample / 10.0, 1);
+            Films.add(film, 0, sample / 10.0, sample / 10.0, sample / 10.0, 1);
         }
         assertThat(film.sampleVariance(0)).isEqualTo(4 * 0.06, within(1e-6));
 
@@ -175,12 +175,12 @@ class FilmTest {
     void equalSamplesHaveNoVariance() {
         Film film = new Film(1, 1, 1, true);
         for (int sample = 0; sample < 1000; sample++) {
-            film.add(0, 0.7, 0.1, 0.3, 1);
+            Films.add(film, 0, 0.7, 0.1, 0.3, 1);
         }
         assertThat(film.sampleVariance(0)).isZero();
     }
 
     private static void add(Film film, int column, int row, Colour colour) {
-        film.add(film.pixel(column, row), colour.red(), colour.green(), colour.blue(), 1);
+        Films.add(film, film.pixel(column, row), colour.red(), colour.green(), colour.blue(), 1);
     }
 }

@@ -13,6 +13,7 @@ import java.util.Map;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import tompkins.animation.RideFilm;
+import tompkins.image.FramePicture;
 import tompkins.image.PictureDifference;
 import tompkins.image.ToneCurve;
 import tompkins.io.StudioReader;
@@ -155,13 +156,13 @@ class GlimpseTest {
                 boolean isFine = column > 6 && column < 13 && (column + row) % 3 == 0;
                 if (row % 8 == 0 && column % 8 == 0 || isFine) {
                     double light = (column + 2 * row) / 32.0;
-                    glimpse.add(glimpse.pixel(column, row), light, 1, 2 - light, 1);
-                    film.add(film.pixel(column, row), light, 1, 2 - light, 1);
+                    Films.add(glimpse, glimpse.pixel(column, row), light, 1, 2 - light, 1);
+                    Films.add(film, film.pixel(column, row), light, 1, 2 - light, 1);
                 }
             }
         }
-        BufferedImage seen = glimpse.levels(ToneCurve.LINEAR).image();
-        BufferedImage exact = film.levels(ToneCurve.LINEAR).image();
+        BufferedImage seen = glimpse.levels().image();
+        BufferedImage exact = FramePicture.of(film.image(), ToneCurve.LINEAR).image();
         for (int row = 0; row < 12; row++) {
             for (int column = 0; column < 21; column++) {
                 for (int channel = 0; channel < 3; channel++) {
@@ -172,6 +173,12 @@ class GlimpseTest {
             }
         }
         assertThat(glimpse.sampledPixels()).isEqualTo(film.sampledPixels());
+        // in light no more is lost than a level
+        float[] light = film.image().rgb();
+        float[] ofLevels = glimpse.image().rgb();
+        for (int i = 0; i < light.length; i++) {
+            assertThat(ofLevels[i]).isCloseTo(Math.min(1, light[i]), within(2 / 255f));
+        }
     }
 
     /** With 0.165 samples of a pixel it can be looked at, if the rays take no longer than a picture may. */

@@ -76,8 +76,8 @@ class NoiseFilterTest {
                 samples[channel] = first;
                 samples[3 + channel] = second;
             }
-            film.add(pixel, samples[0], samples[1], samples[2], 1);
-            film.add(pixel, samples[3], samples[4], samples[5], 1);
+            Films.add(film, pixel, samples[0], samples[1], samples[2], 1);
+            Films.add(film, pixel, samples[3], samples[4], samples[5], 1);
         }
         LinearImage filtered = NoiseFilter.image(film);
         for (int row = 6; row < 34; row++) {
@@ -130,8 +130,8 @@ class NoiseFilterTest {
         Film film = new Film(40, 30, 1, true);
         for (int pixel = 0; pixel < film.pixels(); pixel++) {
             double light = pixel == 500 ? 0.5 : pixel % 40 < 17 ? 0.2 : 0.8;
-            film.add(pixel, light, light, light, 1);
-            film.add(pixel, light, light, light, 1);
+            Films.add(film, pixel, light, light, light, 1);
+            Films.add(film, pixel, light, light, light, 1);
         }
         LinearImage filtered = NoiseFilter.image(film);
         LinearImage image = film.image();
@@ -145,8 +145,8 @@ class NoiseFilterTest {
     void lightBeyondAllMeasureStaysANumber() {
         Film film = new Film(10, 10, 1, true);
         for (int pixel = 0; pixel < film.pixels(); pixel++) {
-            film.add(pixel, pixel % 2 == 0 ? 1.5e19 : 0, 0, 0, 1);
-            film.add(pixel, pixel % 2 == 0 ? 0 : 1.5e19, 0, 0, 1);
+            Films.add(film, pixel, pixel % 2 == 0 ? 1.5e19 : 0, 0, 0, 1);
+            Films.add(film, pixel, pixel % 2 == 0 ? 0 : 1.5e19, 0, 0, 1);
         }
         LinearImage filtered = NoiseFilter.image(film);
         for (int i = 0; i < filtered.rgb().length; i += 3) {

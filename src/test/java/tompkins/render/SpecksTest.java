@@ -158,6 +158,6 @@ class SpecksTest {
     }
 
     private static void add(Film film, int pixel, int samples, double light) {
-        film.add(pixel, samples * light, samples * light, samples * light, samples);
+        Films.add(film, pixel, samples * light, samples * light, samples * light, samples);
     }
 }

@@ -79,18 +79,27 @@ class SampleTracerTest {
 
     /** In this scene nothing moves with the camera: what may meet something is asked for once. */
     @Test
-    void samplesOfABlockThatAStopCutShortAreNotCounted() {
+    void aBlockThatIsCutShortGivesItsFirstSamples() {
         RayCounts counts = new RayCounts();
         SampleTracer tracer = RenderPlan.of(PaperStudios.fig1a()).tracer(counts);
-        StoppingTaker stopping = new StoppingTaker(7);
+        SampleTracer simple = RenderPlan.of(PaperStudios.fig1a()).tracer(new RayCounts());
+        StoppingTaker stopping = new StoppingTaker(7) {
+            @Override
+            public void take(BlockSamples samples) {
+                super.take(samples);
+                assertThat(samples.isWhole()).isFalse();
+                for (int i = 0; i < samples.count(); i++) {
+                    assertThat(samples.colour(i)).isEqualTo(simple.sample(samples.column(i), samples.row(i), 0));
+                }
+            }
+        };
         tracer.sampleBlock(0, 0, RayPacket.SIDE, RayPacket.SIDE, 1, 0, stopping);
 
-        assertThat(counts.rays).isBetween(7L, 16 * 16 - 1L);
-        assertThat(stopping.taken).isZero();
-        assertThat(counts.samples).isZero();
+        assertThat(stopping.taken).isBetween(7, 16 * 16 - 1);
+        assertThat(counts.samples).isEqualTo(stopping.taken);
 
         tracer.sampleBlock(0, 0, RayPacket.SIDE, RayPacket.SIDE, 1, 0, new StoppingTaker(Integer.MAX_VALUE));
-        assertThat(counts.samples).isEqualTo(16 * 16);
+        assertThat(counts.samples).isEqualTo(stopping.taken + 16 * 16);
     }
 
     /** A few of many scenes: rays without focus, pixels behind windows and filters, motion, and parts of the tree. */
