@@ -1,8 +1,8 @@
 package tompkins.ui.photograph;
 
 import com.formdev.flatlaf.FlatClientProperties;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
+import com.formdev.flatlaf.ui.FlatUIUtils;
+import java.awt.Graphics;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JLabel;
@@ -33,7 +33,7 @@ public final class StatusBar extends Part {
     /** How long a message about what has happened stays: enough to read a long path. */
     private static final int MESSAGE_MILLISECONDS = 8000;
 
-    private final JLabel what = new JLabel();
+    private final JLabel what = new Line();
     private final JLabel where = new JLabel(" ");
     private final JLabel picture = new JLabel(" ");
     private final JProgressBar progress = new JProgressBar(0, STEPS);
@@ -44,9 +44,6 @@ public final class StatusBar extends Part {
 
     /** What is under the mouse; null if nothing is. */
     private PixelReading read;
-
-    /** What the line says, as far as it has room. */
-    private String said = "";
 
     /** The hint for the picture if there is nothing else to say; empty if there is none. */
     private String pictureHint = "";
@@ -82,12 +79,6 @@ public final class StatusBar extends Part {
         panel.add(picture, "wrap, alignx right");
         panel.add(where, "wmin 0, span 2, split 2, growx, pushx");
         panel.add(progress, "w 120!, h 6!, aligny center, alignx right");
-        what.addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent event) {
-                fit();
-            }
-        });
         showIdle();
         timer = new Timer(200, event -> {
             boolean busy = controller.isBusy();
@@ -125,14 +116,8 @@ public final class StatusBar extends Part {
     /** Sets the line; if it is too long for the window, its tooltip shows the rest. */
     private void setWhat(String text) {
         fading.stop();
-        said = text;
-        fit();
+        what.setText(text);
         Naming.tip(what, text);
-    }
-
-    private void fit() {
-        int room = what.getWidth();
-        what.setText(room == 0 ? said : PictureLabel.shortened(said, what.getFontMetrics(what.getFont()), room));
     }
 
     /** Says why there is no picture of the scene, until there is one. */
@@ -241,7 +226,7 @@ public final class StatusBar extends Part {
     }
 
     private void showHint(Picture now) {
-        boolean shown = said.equals(hint());
+        boolean shown = what.getText().equals(hint());
         pictureHint = hint(now);
         if (shown) {
             showIdle();
@@ -289,5 +274,21 @@ public final class StatusBar extends Part {
     public void report(String message) {
         say(message);
         fading.restart();
+    }
+
+    /** A line that leaves out its last parts where it has no room, and is not cut in a word. */
+    @SuppressWarnings("serial") // never written to a stream
+    private static final class Line extends JLabel {
+
+        @Override
+        protected void paintComponent(Graphics g) {
+            String fitting = PictureLabel.shortened(getText(), g.getFontMetrics(getFont()), getWidth());
+            if (fitting.equals(getText())) {
+                super.paintComponent(g);
+            } else {
+                g.setColor(getForeground());
+                FlatUIUtils.drawString(this, g, fitting, 0, getBaseline(getWidth(), getHeight()));
+            }
+        }
     }
 }

@@ -3,6 +3,7 @@ package tompkins.ui.photograph;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.geom.Point2D;
+import java.awt.image.BufferedImage;
 import java.lang.reflect.InvocationTargetException;
 import java.time.Duration;
 import java.util.List;
@@ -12,6 +13,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
+import tompkins.image.PictureLabel;
 import tompkins.property.Descriptions;
 import tompkins.studio.PanoramaBackground;
 import tompkins.studio.Studio;
@@ -90,25 +92,26 @@ class StatusBarTest {
                 .doesNotContain("?");
     }
 
-    /** In a narrow line it gives up what a click does; the whole text comes back with the room. */
+    /** In a narrow line it gives up its end, as a label with fewer words. */
     @Test
     void theHintIsNotCutInAWord() throws InterruptedException, InvocationTargetException {
         String hint = Texts.get("status.idle.PIN");
-        for (int width : new int[] {150, 600}) {
-            SwingUtilities.invokeAndWait(() -> what.setSize(width, 20));
-            SwingUtilities.invokeAndWait(() -> status.show((PixelReading) null));
-            if (what.getFontMetrics(what.getFont()).stringWidth(hint) > width) {
-                assertThat(what.getText()).endsWith("\u2026");
-                assertThat(hint + " ").startsWith(what.getText().replace("\u2026", " "));
-            } else {
-                assertThat(what.getText()).isEqualTo(hint);
+        SwingUtilities.invokeAndWait(() -> {
+            int all = what.getFontMetrics(what.getFont()).stringWidth(hint);
+            for (int width : new int[] {all / 4, all / 2, all + 2}) {
+                String fitting = PictureLabel.shortened(hint, what.getFontMetrics(what.getFont()), width);
+                assertThat(fitting.equals(hint)).isEqualTo(width > all);
+                assertThat(painted(what, width)).isEqualTo(painted(new JLabel(fitting), width));
             }
-            assertThat(what.getToolTipText().replace('\n', ' ')).isEqualTo(hint);
-        }
-        status.show(picture(Studio.DEFAULT));
-        assertThat(what.getText())
-                .as("another hint is still told from a message")
-                .isEqualTo(Texts.get("status.empty"));
+        });
+        assertThat(what.getText()).isEqualTo(hint);
+    }
+
+    private static int[] painted(JLabel label, int width) {
+        label.setSize(width, 20);
+        BufferedImage image = new BufferedImage(width, 20, BufferedImage.TYPE_INT_RGB);
+        label.paint(image.getGraphics());
+        return image.getRGB(0, 0, width, 20, null, 0, width);
     }
 
     @Test
