@@ -175,7 +175,9 @@ class MeasureToolTest {
                 driver.find(ChartPanel.class, "Profile").getChart().getXYPlot().getDataset();
         assertThat(curves.getSeriesCount()).as("red, green, blue").isEqualTo(3);
         assertThat(curves.getItemCount(0)).isGreaterThan(200);
-        assertThat(text.getWidth()).as("beside the chart").isBetween(panel().getWidth() / 4, panel().getWidth() / 2);
+        WindowDriver.await(
+                "the room beside the chart",
+                () -> text.getWidth() >= panel().getWidth() / 4 && text.getWidth() <= panel().getWidth() / 2);
         if (TestRun.THOROUGH) {
             assertThat(copied())
                     .startsWith("pixel_x [pixels],pixel_y [pixels],")
