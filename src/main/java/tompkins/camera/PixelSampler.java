@@ -1,6 +1,7 @@
 package tompkins.camera;
 
 import java.util.Arrays;
+import tompkins.ray.Padded;
 import tompkins.ray.RayPacket;
 
 /**
@@ -16,7 +17,7 @@ import tompkins.ray.RayPacket;
  * which the compiler makes instructions for several pixels at once; this takes two thirds of the time of one pixel
  * after the other.
  */
-public final class PixelSampler implements Sampler {
+public final class PixelSampler extends Padded implements Sampler {
 
     /**
      * The number of the sample in the centre of the pixel and of the lens, in the middle of the exposure time: the one

@@ -1,10 +1,12 @@
 package tompkins.camera;
 
+import tompkins.ray.Padded;
+
 /**
  * The samples of a block: their pixels, and where they lie in the picture, on the lens and in the exposure time. One
  * for each thread, filled again for each block.
  */
-public final class SamplePositions {
+public final class SamplePositions extends Padded {
 
     /** The moment in the middle of the exposure time. */
     public static final double MIDDLE = 0.5;

@@ -3,13 +3,14 @@ package tompkins.light;
 import java.util.List;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
+import tompkins.ray.Padded;
 import tompkins.ray.Ray;
 
 /**
  * The light sources, and the sum of what a surface sends back of their light. One for each thread, whose memory is used
  * again for every point: a colour for each source would be most of what a picture allocates.
  */
-public final class Illumination {
+public final class Illumination extends Padded {
 
     private final List<RestingLight> sources;
     private final Lighting lighting;

@@ -1,7 +1,9 @@
 package tompkins.light;
 
+import tompkins.ray.Padded;
+
 /** The way from a point of a surface to a lamp, as light has come along it. Memory that is used again. */
-public final class Sightline {
+public final class Sightline extends Padded {
 
     /** From the point to where the lamp was when the light left it, in the frame of the surface. */
     public double x;

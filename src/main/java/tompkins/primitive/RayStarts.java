@@ -1,9 +1,10 @@
 package tompkins.primitive;
 
+import tompkins.ray.Padded;
 import tompkins.ray.RayPacket;
 
 /** Where rays start. One for each thread, measured again for every packet. */
-public final class RayStarts {
+public final class RayStarts extends Padded {
 
     private boolean one;
     private double farthest;

@@ -3,7 +3,7 @@ package tompkins.ray;
 /**
  * Counts what happened to the rays of one thread. What goes wrong leaves no mark in the picture; it is counted here.
  */
-public final class RayCounts {
+public final class RayCounts extends Padded {
 
     private static final double PARTS = 0x1p32;
 

@@ -7,7 +7,7 @@ import java.util.Arrays;
  * into instructions for several rays at once. The rays start on no object. One for each thread, filled again for each
  * packet.
  */
-public final class RayPacket {
+public final class RayPacket extends Padded {
 
     /** Largest width and height of a block of the picture. */
     public static final int SIDE = 16;

@@ -2,6 +2,7 @@ package tompkins.render;
 
 import java.util.Arrays;
 import java.util.function.BooleanSupplier;
+import tompkins.ray.Padded;
 import tompkins.ray.RayPacket;
 import tompkins.trace.BlockSamples;
 import tompkins.trace.SampleSink;
@@ -10,7 +11,7 @@ import tompkins.trace.SampleSink;
  * Adds up the samples that a pass takes of a block of pixels, in double precision, and then gives the film their sums.
  * The film has single precision, and would lose the last digits of each of many samples. One for each thread.
  */
-final class BlockSums implements SampleSink {
+final class BlockSums extends Padded implements SampleSink {
 
     private final PixelBuffer buffer;
     private final BooleanSupplier stopped;

@@ -13,6 +13,7 @@ import java.util.function.Consumer;
 import tompkins.image.FramePicture;
 import tompkins.image.LinearImage;
 import tompkins.light.ColourLaw;
+import tompkins.ray.Padded;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
 import tompkins.studio.Studio;
@@ -23,7 +24,7 @@ import tompkins.trace.SampleTracer;
  * One picture that is being rendered. The threads of the renderer take tiles from one counter, pass by pass; a thread
  * that finds the pass used up waits for the others, so that each pass is complete before the next begins.
  */
-public final class RenderJob {
+public final class RenderJob extends Padded {
 
     /** Larger pictures are shown with their noise: to filter takes 44 bytes a pixel for a moment. */
     private static final int MOST_FILTERED = 4_000_000;
@@ -47,7 +48,10 @@ public final class RenderJob {
     private final AtomicReference<RenderFailedException> failure = new AtomicReference<>();
     private final Object passLock = new Object();
     private final RayCounts counts = new RayCounts();
-    private volatile boolean cancelled;
+
+    /** Whether the job was cancelled or has failed; one value, since it is asked for each ray. */
+    private volatile boolean stopped;
+
     private volatile boolean complete;
     private volatile long endTime;
     private final LongAdder planningTime = new LongAdder();
@@ -79,7 +83,7 @@ public final class RenderJob {
         try {
             renderTiles(plan.tracer(mine), mine);
         } catch (RuntimeException | Error error) {
-            failure.compareAndSet(null, new RenderFailedException(error));
+            fail(new RenderFailedException(error));
         } finally {
             workerEnded(mine);
         }
@@ -119,9 +123,7 @@ public final class RenderJob {
                     try {
                         tracer.sampleBlock(sample, sums);
                     } catch (RuntimeException | Error error) {
-                        failure.compareAndSet(
-                                null,
-                                new RenderFailedException(tracer.column(), tracer.row(), Math.max(0, sample), error));
+                        fail(new RenderFailedException(tracer.column(), tracer.row(), Math.max(0, sample), error));
                     }
                     if (Film.isNewHalf(sample + 1)) {
                         sums.addToFilm();
@@ -174,7 +176,7 @@ public final class RenderJob {
                 try {
                     passLock.wait(10);
                 } catch (InterruptedException closing) {
-                    cancelled = true;
+                    stopped = true;
                     Thread.currentThread().interrupt();
                 }
             }
@@ -197,18 +199,23 @@ public final class RenderJob {
         }
     }
 
+    private void fail(RenderFailedException why) {
+        failure.compareAndSet(null, why);
+        stopped = true;
+    }
+
     private boolean isStopped() {
-        return cancelled || failure.get() != null;
+        return stopped;
     }
 
     /** Ends the job soon: within one sample of each thread. */
     public void cancel() {
-        cancelled = true;
+        stopped = true;
     }
 
     /** Whether the job was cancelled before it was complete. */
     public boolean isCancelled() {
-        return cancelled && !complete;
+        return stopped && failure.get() == null && !complete;
     }
 
     /** Whether all samples were taken. */

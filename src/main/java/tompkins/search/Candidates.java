@@ -2,6 +2,7 @@ package tompkins.search;
 
 import java.util.Arrays;
 import tompkins.primitive.Primitive;
+import tompkins.ray.Padded;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 
@@ -9,7 +10,7 @@ import tompkins.ray.RayPacket;
  * A few primitives that the rays of a packet may meet, the nearest first, with a note for each ray which of them it may
  * meet. One for each thread, filled again and again.
  */
-final class Candidates {
+final class Candidates extends Padded {
 
     /** Most primitives: this many bits of a double add up without rounding. */
     static final int MOST = 48;

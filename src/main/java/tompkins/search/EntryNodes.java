@@ -1,6 +1,7 @@
 package tompkins.search;
 
 import java.util.List;
+import tompkins.ray.Padded;
 import tompkins.ray.RayPacket;
 
 /**
@@ -8,7 +9,7 @@ import tompkins.ray.RayPacket;
  * only once for all of them. Each ray gets the same result as in a search of its own. One for each thread, used again
  * for every few rays.
  */
-final class EntryNodes {
+final class EntryNodes extends Padded {
 
     /** The number of rays that is fastest; any other gives the same results. */
     static final int RAYS = 32;

@@ -2,6 +2,7 @@ package tompkins.search;
 
 import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
+import tompkins.ray.Padded;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 
@@ -9,7 +10,7 @@ import tompkins.ray.RayCounts;
  * The result of a search for the nearest primitive, with the memory that the search needs. One for each thread, used
  * again for every ray.
  */
-public final class NearestHit {
+public final class NearestHit extends Padded {
 
     /** Below this depth a tree is cut into halves of equal number, so that it ends at most 40 levels deeper. */
     static final int DEEPEST_CUT = 80;

@@ -2,6 +2,7 @@ package tompkins.search;
 
 import tompkins.primitive.Primitive;
 import tompkins.primitive.RayStarts;
+import tompkins.ray.Padded;
 import tompkins.ray.RayPacket;
 
 /**
@@ -11,7 +12,7 @@ import tompkins.ray.RayPacket;
  * <p>A plane is kept as a normal n and a bound: no point of any ray has n.x above the bound. A primitive whose least
  * n.x lies above it cannot be hit.
  */
-final class PacketFrustum {
+final class PacketFrustum extends Padded {
 
     private static final int PLANES = 5;
 

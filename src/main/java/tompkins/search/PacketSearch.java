@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import tompkins.primitive.Primitive;
+import tompkins.ray.Padded;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 
@@ -16,7 +17,7 @@ import tompkins.ray.RayPacket;
  * searched for each ray, from where a few neighbours enter it ({@link EntryNodes}). One for each thread, used again for
  * every packet.
  */
-public final class PacketSearch {
+public final class PacketSearch extends Padded {
 
     /** If the rays meet more parts of the tree than this at once, they also meet too many primitives in them. */
     private static final int MOST_WAITING = 64;

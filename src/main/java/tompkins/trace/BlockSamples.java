@@ -2,13 +2,14 @@ package tompkins.trace;
 
 import java.util.Arrays;
 import tompkins.ray.Colour;
+import tompkins.ray.Padded;
 import tompkins.ray.RayPacket;
 
 /**
  * One sample of each of some pixels of a block, as arrays of numbers, which short loops add up. One for each thread,
  * filled again and again.
  */
-public final class BlockSamples {
+public final class BlockSamples extends Padded {
 
     /** The light of each sample, before exposure. */
     public final double[] red = new double[RayPacket.MOST];

@@ -8,6 +8,7 @@ import tompkins.primitive.Primitive;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Medium;
+import tompkins.ray.Padded;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
@@ -19,7 +20,7 @@ import tompkins.world.FrameRoutes;
  * Follows rays among what surrounds them: the nearest hit decides, and what leaves the objects has escaped. One for
  * each thread.
  */
-final class RayTracer implements Tracer {
+final class RayTracer extends Padded implements Tracer {
 
     private final Frame place;
     private final Surroundings surroundings;

@@ -5,6 +5,7 @@ import tompkins.light.Sightline;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
+import tompkins.ray.Padded;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
@@ -16,7 +17,7 @@ import tompkins.spacetime.TransformationLaw;
 import tompkins.world.Lamp;
 
 /** The objects and lamps of one frame, in which nothing moves. */
-final class RestingSurroundings implements Surroundings {
+final class RestingSurroundings extends Padded implements Surroundings {
 
     private final ObjectTree objects;
     private final List<Lamp> lamps;

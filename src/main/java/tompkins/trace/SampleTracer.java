@@ -8,12 +8,13 @@ import tompkins.camera.SamplePositions;
 import tompkins.camera.Sampler;
 import tompkins.ray.Colour;
 import tompkins.ray.Medium;
+import tompkins.ray.Padded;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
 
 /** Takes samples of a picture. One for each thread. */
-public final class SampleTracer {
+public final class SampleTracer extends Padded {
 
     /**
      * Columns of the places on Morton's way through the block, on which those that follow each other are neighbours;

@@ -6,6 +6,7 @@ import java.util.function.Function;
 import tompkins.camera.EyeView;
 import tompkins.camera.SamplePositions;
 import tompkins.ray.Colour;
+import tompkins.ray.Padded;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 import tompkins.trace.NearbyRays.Leaving;
@@ -17,7 +18,7 @@ import tompkins.trace.NearbyRays.Leaving;
  * with real rays, and the star is drawn there as one that is seen directly. So its light depends neither on where in
  * the pixel samples lie, nor on where in a pixel the star stands, however the surfaces are curved.
  */
-final class StarTracer implements EscapedLight, StarMap.Visitor {
+final class StarTracer extends Padded implements EscapedLight, StarMap.Visitor {
 
     /** The largest angle in which a star is sought, in radians. */
     private static final double WIDEST = 1;

@@ -2,6 +2,7 @@ package tompkins.world;
 
 import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
+import tompkins.ray.Padded;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 import tompkins.search.NearestHit;
@@ -12,7 +13,7 @@ import tompkins.search.PacketSearch;
  * The search for the nearest hit in several frames. A ray is taken into each of them; its distances there are given in
  * units of the direction that it had at the camera, which are the same in all frames. One for each thread.
  */
-public final class WorldSearch {
+public final class WorldSearch extends Padded {
 
     private final ObjectTree[] trees;
     private final int[] filled;
