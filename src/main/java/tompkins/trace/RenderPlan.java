@@ -1,6 +1,7 @@
 package tompkins.trace;
 
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
@@ -71,7 +72,7 @@ public final class RenderPlan {
     /** As if the lamps stood at the coordinates in the camera frame that they have at time 0. */
     private final List<RestingLight> cameraLights;
 
-    private RenderPlan(Studio studio, RenderPlan previous, boolean plain) {
+    private RenderPlan(Studio studio, RenderPlan previous, boolean plain, BooleanSupplier unwanted) {
         this.studio = studio;
         sceneFromCamera = studio.sceneFromCamera();
         pictureRays = new PictureRays(
@@ -96,7 +97,7 @@ public final class RenderPlan {
         // last, because it follows a ray by this plan
         shift = studio.shiftsColours() ? LightShift.metered(this) : null;
         stars = studio.background() instanceof StarSky sky
-                ? new StarField(sky, studio, pictureRays, around == null, shift)
+                ? new StarField(sky, studio, pictureRays, around == null, shift, unwanted)
                 : null;
     }
 
@@ -106,7 +107,7 @@ public final class RenderPlan {
      * @throws tompkins.property.InvalidPropertyException if an object is too large or too small to work with
      */
     public static RenderPlan of(Studio studio) {
-        return new RenderPlan(studio, null, false);
+        return of(studio, null);
     }
 
     /**
@@ -114,7 +115,7 @@ public final class RenderPlan {
      * equal.
      */
     static RenderPlan plain(Studio studio) {
-        return new RenderPlan(studio, null, true);
+        return new RenderPlan(studio, null, true, () -> false);
     }
 
     /**
@@ -124,7 +125,17 @@ public final class RenderPlan {
      * @param previous the earlier plan, or null
      */
     public static RenderPlan of(Studio studio, RenderPlan previous) {
-        return new RenderPlan(studio, previous, false);
+        return of(studio, previous, () -> false);
+    }
+
+    /**
+     * The plan for a studio's picture, as {@link #of(Studio, RenderPlan)}, for somebody who may change his mind.
+     *
+     * @param unwanted whether the plan is no longer wanted; asked by what may take seconds, the stars out of focus
+     * @throws java.util.concurrent.CancellationException if it is not
+     */
+    public static RenderPlan of(Studio studio, RenderPlan previous, BooleanSupplier unwanted) {
+        return new RenderPlan(studio, previous, false, unwanted);
     }
 
     /** The event at which light for the middle of the picture crosses the centre of the lens; time 0 if none does. */

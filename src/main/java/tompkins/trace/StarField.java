@@ -2,6 +2,7 @@ package tompkins.trace;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import org.joml.Vector3d;
 import tompkins.camera.EyeView;
 import tompkins.camera.PictureRays;
@@ -39,8 +40,16 @@ final class StarField {
      *
      * @param isDirect whether rays that meet nothing come straight from the sky: in vacuum
      * @param shift what becomes of the light, or null if it stays as it is
+     * @param unwanted whether the picture is no longer wanted
+     * @throws java.util.concurrent.CancellationException if it is not
      */
-    StarField(StarSky sky, Studio studio, PictureRays pictures, boolean isDirect, LightShift shift) {
+    StarField(
+            StarSky sky,
+            Studio studio,
+            PictureRays pictures,
+            boolean isDirect,
+            LightShift shift,
+            BooleanSupplier unwanted) {
         this.sky = sky;
         this.pictures = pictures;
         this.shift = shift;
@@ -52,10 +61,10 @@ final class StarField {
                 .toArray(Colour[]::new);
         List<Vector3d> directions = stars.stream().map(sky::direction).toList();
         map = new StarMap(directions);
-        points = isDirect ? points(studio, directions) : null;
+        points = isDirect ? points(studio, directions, unwanted) : null;
     }
 
-    private List<StarPoints> points(Studio studio, List<Vector3d> directions) {
+    private List<StarPoints> points(Studio studio, List<Vector3d> directions, BooleanSupplier unwanted) {
         SeenFrame scene = new SeenFrame(studio, null);
         List<Vector3d> looks = new ArrayList<>();
         List<Colour> lights = new ArrayList<>();
@@ -73,7 +82,8 @@ final class StarField {
                         eye.height(),
                         studio.camera().hasWideAperture(),
                         looks,
-                        lights))
+                        lights,
+                        unwanted))
                 .toList();
     }
 

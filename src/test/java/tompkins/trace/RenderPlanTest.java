@@ -1,27 +1,34 @@
 package tompkins.trace;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.joml.Vector2i;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.Camera;
+import tompkins.camera.Cameras;
 import tompkins.camera.FieldOfView;
 import tompkins.explain.Explanation;
 import tompkins.light.ColourLaw;
 import tompkins.primitive.Bounds;
+import tompkins.property.Descriptions;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.ImagePointGrid;
+import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.Sphere;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.RollingShutter;
 import tompkins.shutter.SweepDirection;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
 
@@ -47,6 +54,28 @@ class RenderPlanTest {
                         .world()
                         .frames())
                 .isNotSameAs(before.world().frames());
+    }
+
+    /** Each place of a star out of focus may take microseconds, and there are up to two million. */
+    @Test
+    void planOfBlurredStarsCanBeStopped() {
+        Vector3d ahead = new Vector3d(0, 0, 1);
+        Plane focus = new Plane("focus", new Vector3d(0, 0, 4), ahead, ColouredSurface.DEFAULT);
+        Studio stars = Descriptions.with(MOVING, "background", StarSky.DEFAULT)
+                .withCamera(Cameras.lens(
+                        new Vector3d(),
+                        ahead,
+                        new Vector3d(0, 1, 0),
+                        90,
+                        0,
+                        0.5,
+                        focus,
+                        0,
+                        AperturePlaneShutter.DEFAULT));
+        AtomicInteger asked = new AtomicInteger();
+        assertThatExceptionOfType(CancellationException.class)
+                .isThrownBy(() -> RenderPlan.of(stars, null, () -> asked.incrementAndGet() == 20_000));
+        assertThat(asked).hasValue(20_000);
     }
 
     /**

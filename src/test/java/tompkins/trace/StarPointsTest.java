@@ -32,7 +32,7 @@ class StarPointsTest {
         List<Vector3dc> stars = new ArrayList<>(Collections.nCopies(8000, new Vector3d(1, 0, 0)));
         stars.add(ahead);
         List<Colour> lights = Collections.nCopies(stars.size(), Colour.grey(1));
-        StarPoints points = new StarPoints(camera, SIDE, SIDE, true, stars, lights);
+        StarPoints points = new StarPoints(camera, SIDE, SIDE, true, stars, lights, () -> false);
 
         double even = 1 / (Math.PI * 25 * 25);
         for (int row = 0; row < SIDE; row++) {

@@ -130,7 +130,7 @@ public final class RenderController implements AutoCloseable {
             return;
         }
         // while only the camera changes, the prepared scene is used again
-        RenderPlan plan = RenderPlan.of(request.inSize(), lastPlan);
+        RenderPlan plan = RenderPlan.of(request.inSize(), lastPlan, () -> wanted.get() != request);
         lastPlan = plan;
         if (wanted.get() != request) {
             return;
@@ -146,7 +146,7 @@ public final class RenderController implements AutoCloseable {
         }
     }
 
-    /** Tells why there is no picture, unless it is no longer wanted. */
+    /** Tells why there is no picture, unless it is no longer wanted: a plan that was stopped tells nothing. */
     private void fail(Request request, Throwable error) {
         if (wanted.compareAndSet(request, null)) {
             failures.accept(error);
