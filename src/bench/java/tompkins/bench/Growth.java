@@ -26,6 +26,9 @@ import tompkins.trace.RenderPlan;
  */
 final class Growth {
 
+    /** Among a million primitives the tree answers for the lamps for three seconds, until their cells are filled. */
+    private static final double SECONDS = 7;
+
     private static final int FEWEST = 100;
     private static final int MOST = 1_000_000;
     private static final int MIDDLE = 10_000;
@@ -67,7 +70,7 @@ final class Growth {
             build = Math.min(build, (System.nanoTime() - start) / 1e6);
         }
         double bytes = (double) (usedMemory() - before) / size;
-        System.out.println(OwnProcess.nanosecondsPerRay(plan) + " " + build + " " + bytes);
+        System.out.println(OwnProcess.nanosecondsPerRay(plan, SECONDS) + " " + build + " " + bytes);
     }
 
     private static SceneObject scene(String name, int size) {

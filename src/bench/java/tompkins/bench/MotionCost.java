@@ -30,6 +30,7 @@ import tompkins.trace.RenderPlan;
  */
 final class MotionCost {
 
+    private static final double SECONDS = 2;
     private static final int DICE = 1000;
     private static final double EDGE = 0.1;
     private static final double SPEED = 0.5;
@@ -57,14 +58,15 @@ final class MotionCost {
     /** Measures one scene in this process, and prints the nanoseconds per ray. */
     public static void main(String[] arguments) throws InterruptedException {
         if (arguments[0].equals(GLASS)) {
-            System.out.println(OwnProcess.nanosecondsPerRay(RenderPlan.of(glass(Double.parseDouble(arguments[1])))));
+            System.out.println(
+                    OwnProcess.nanosecondsPerRay(RenderPlan.of(glass(Double.parseDouble(arguments[1]))), SECONDS));
             return;
         }
         Studio studio = studio(Motion.valueOf(arguments[0]));
         List<LightSource> lights =
                 Boolean.parseBoolean(arguments[1]) ? studio.lights() : List.of(new AmbientLight(Colour.WHITE));
         RenderPlan plan = RenderPlan.of(Descriptions.with(studio, "lights", lights));
-        System.out.println(OwnProcess.nanosecondsPerRay(plan));
+        System.out.println(OwnProcess.nanosecondsPerRay(plan, SECONDS));
     }
 
     /** Measures all in turns. */

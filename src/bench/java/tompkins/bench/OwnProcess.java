@@ -18,9 +18,6 @@ final class OwnProcess {
 
     private static final int FEWEST_PICTURES = 10;
 
-    /** Among a million primitives the tree answers for the lamps for three seconds, until their cells are filled. */
-    private static final long SHORTEST_NANOSECONDS = 7_000_000_000L;
-
     private OwnProcess() {}
 
     /** The numbers that the {@code main} method of a class prints in a process of its own. */
@@ -44,12 +41,16 @@ final class OwnProcess {
         return Arrays.stream(output.split(" ")).mapToDouble(Double::parseDouble).toArray();
     }
 
-    /** The median of the second half of the pictures: the compiler has settled then, and so have lamps. */
-    static double nanosecondsPerRay(RenderPlan plan) throws InterruptedException {
+    /**
+     * The median of the second half of the pictures: the compiler has settled then.
+     *
+     * @param seconds how long to take pictures at least
+     */
+    static double nanosecondsPerRay(RenderPlan plan, double seconds) throws InterruptedException {
         List<Double> nanoseconds = new ArrayList<>();
         try (Renderer renderer = new Renderer()) {
             long start = System.nanoTime();
-            while (nanoseconds.size() < FEWEST_PICTURES || System.nanoTime() - start < SHORTEST_NANOSECONDS) {
+            while (nanoseconds.size() < FEWEST_PICTURES || System.nanoTime() - start < seconds * 1e9) {
                 RenderReport report = renderer.render(plan).report();
                 nanoseconds.add(report.time().toNanos() / (double) (report.counts().rays + report.counts().shadowRays));
             }
