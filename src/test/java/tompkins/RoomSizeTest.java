@@ -32,11 +32,11 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        27_425),
+                        27_430),
                 arguments("file, image", 4_535),
                 arguments("explain, lesson, measure, animation", 6_309),
                 arguments("io, app", 8_175),
-                arguments("study", 4_089),
+                arguments("study", 4_084),
                 arguments("ui", 20_879));
     }
 

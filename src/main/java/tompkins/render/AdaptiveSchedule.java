@@ -7,6 +7,7 @@ import java.util.Queue;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
+import tompkins.trace.Cancellation;
 
 /**
  * Takes samples where they are needed. It begins with the centre of each pixel, and then takes {@link #FIRST_SAMPLES}
@@ -90,7 +91,7 @@ final class AdaptiveSchedule implements Schedule {
         hasLooked = true;
         BitSet looked = new BitSet(film.pixels());
         for (int row = 0; row < film.height(); row++) {
-            PixelVariance.stopIf(stopped);
+            Cancellation.stopIf(stopped);
             for (int column = 0; column < film.width(); column++) {
                 int pixel = film.pixel(column, row);
                 boolean isBorder = row == 0 || column == 0 || row == film.height() - 1 || column == film.width() - 1;

@@ -1,6 +1,7 @@
 package tompkins.render;
 
 import java.util.function.BooleanSupplier;
+import tompkins.trace.Cancellation;
 
 /**
  * Shares samples among pixels so that their number is least for a given variance. With the variance {@code r n^-p} of a
@@ -40,7 +41,7 @@ final class Allocation {
         gains = new float[film.width() * film.height()];
         double highest = 0;
         for (int row = 0; row < film.height(); row++) {
-            PixelVariance.stopIf(stopped);
+            Cancellation.stopIf(stopped);
             for (int pixel = film.pixel(0, row); pixel < film.pixel(0, row + 1); pixel++) {
                 int count = Math.max(1, film.samples(pixel));
                 gains[pixel] = count >= mostSamples ? 0 : (float) (roughness.variance(pixel) / count);
@@ -49,7 +50,7 @@ final class Allocation {
         }
         largest = highest;
         for (int row = 0; row < film.height(); row++) {
-            PixelVariance.stopIf(stopped);
+            Cancellation.stopIf(stopped);
             for (int pixel = film.pixel(0, row); pixel < film.pixel(0, row + 1); pixel++) {
                 int step = step(gains[pixel]);
                 variances[step] += roughness.variance(pixel);

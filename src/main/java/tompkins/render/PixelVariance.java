@@ -3,6 +3,7 @@ package tompkins.render;
 import java.util.Arrays;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
+import tompkins.trace.Cancellation;
 import tompkins.trace.RenderPlan;
 
 /**
@@ -100,7 +101,7 @@ final class PixelVariance {
         double[] below = unknownRow();
         film.means(0, here);
         for (int row = 0; row < height; row++) {
-            stopIf(stopped);
+            Cancellation.stopIf(stopped);
             if (row + 1 < height) {
                 film.means(row + 1, below);
             } else {
@@ -136,7 +137,7 @@ final class PixelVariance {
             return;
         }
         for (int row = 0; row < height; row++) {
-            stopIf(stopped);
+            Cancellation.stopIf(stopped);
             for (int column = 0; column < width; column++) {
                 if (specks.isAt(column, row)) {
                     int place = bordered(row, column);
@@ -148,7 +149,7 @@ final class PixelVariance {
         }
         shared = withNeighbours(own);
         for (int row = 0; row < height; row++) {
-            stopIf(stopped);
+            Cancellation.stopIf(stopped);
             for (int column = 0; column < width; column++) {
                 int pixel = film.pixel(column, row);
                 if (film.samples(pixel) > 0) {
@@ -211,7 +212,7 @@ final class PixelVariance {
     private float[] withNeighbours(float[] own) {
         float[] mean = new float[width * height];
         for (int row = 0; row < height; row++) {
-            stopIf(stopped);
+            Cancellation.stopIf(stopped);
             for (int column = 0; column < width; column++) {
                 if (!Float.isNaN(own[bordered(row, column)])) {
                     mean[film.pixel(column, row)] = meanAround(own, row, column);
@@ -236,17 +237,6 @@ final class PixelVariance {
             }
         }
         return (float) (sum / count);
-    }
-
-    /**
-     * Ends work that is no longer wanted, so that whoever cancelled it need not wait.
-     *
-     * @throws CancellationException if {@code stopped} says so
-     */
-    static void stopIf(BooleanSupplier stopped) {
-        if (stopped.getAsBoolean()) {
-            throw new CancellationException();
-        }
     }
 
     /** The roughness of a pixel, shared with its neighbours. */

@@ -1,6 +1,6 @@
 package tompkins.render;
 
-import java.util.concurrent.CancellationException;
+import tompkins.trace.Cancellation;
 
 /** Lets work in the background report how far it is, and ask whether it is still wanted. */
 public interface Progress {
@@ -14,11 +14,9 @@ public interface Progress {
     /**
      * Ends work that should end early.
      *
-     * @throws CancellationException if it should
+     * @throws java.util.concurrent.CancellationException if it should
      */
     default void requireWanted() {
-        if (isCancelled()) {
-            throw new CancellationException();
-        }
+        Cancellation.stopIf(this::isCancelled);
     }
 }

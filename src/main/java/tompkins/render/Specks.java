@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import tompkins.trace.Cancellation;
 
 /**
  * Small spots of light, or of darkness, that stand alone: stars, far lamps, glints. Most samples miss them. Along an
@@ -83,7 +84,7 @@ final class Specks {
                 .toList();
         Tally all = new Tally();
         for (int row = 0; row < film.height(); row++) {
-            PixelVariance.stopIf(stopped);
+            Cancellation.stopIf(stopped);
             for (int column = 0; column < film.width(); column++) {
                 if (mayHold(column, row) && isTested(column, row)) {
                     found.set(film.pixel(column, row));
@@ -92,7 +93,7 @@ final class Specks {
             }
         }
         for (int row = 0; row < film.height() && !found.isEmpty(); row++) {
-            PixelVariance.stopIf(stopped);
+            Cancellation.stopIf(stopped);
             for (int column = 0; column < film.width(); column++) {
                 count(column, row, all.usualVariance());
             }

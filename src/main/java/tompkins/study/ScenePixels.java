@@ -15,6 +15,7 @@ import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderReport;
 import tompkins.studio.Studio;
+import tompkins.trace.Cancellation;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleSink;
 import tompkins.trace.SampleTracer;
@@ -57,7 +58,7 @@ final class ScenePixels {
      * @param cancelled asked now and then whether to stop
      */
     ScenePixels(Studio studio, int most, int referenceSamples, double wantedError, BooleanSupplier cancelled) {
-        plan = RenderPlan.of(studio);
+        plan = RenderPlan.of(studio, null, cancelled);
         this.referenceSamples = referenceSamples;
         this.wantedError = wantedError;
         this.cancelled = cancelled;
@@ -102,19 +103,13 @@ final class ScenePixels {
         double[] right = reference();
         List<Figures> runs = new ArrayList<>();
         for (Studio studio : studios) {
-            stopIfCancelled();
-            RenderJob job = Photographs.taken(RenderPlan.of(studio), quality, cancelled);
+            Cancellation.stopIf(cancelled);
+            RenderJob job = Photographs.taken(RenderPlan.of(studio, null, cancelled), quality, cancelled);
             RenderReport report = job.report();
             ErrorNorm norm = ErrorNorm.of(light(blocks.stream(), block -> light(block, job.image())), right);
             runs.add(Figures.of(report.counts().samples, report.time().toNanos() / 1e9, norm, floor));
         }
         return Figures.of(runs);
-    }
-
-    private void stopIfCancelled() {
-        if (cancelled.getAsBoolean()) {
-            throw new CancellationException();
-        }
     }
 
     /** The light of some pixels, three channels each, from what each block shows. */
@@ -172,7 +167,7 @@ final class ScenePixels {
     private double[] half(long seed) {
         int samples = Math.max(1, referenceSamples / 2);
         return light(blocks.parallelStream(), block -> {
-            stopIfCancelled();
+            Cancellation.stopIf(cancelled);
             return light(block, new SamplePattern(seed, SamplePatterns.lattice(samples)), samples);
         });
     }

@@ -2,7 +2,6 @@ package tompkins.trace;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
@@ -58,7 +57,7 @@ final class StarPoints {
      * @param directions unit vectors in the camera frame; null for a star that is not seen
      * @param lights for each star, its light: radiance of white times solid angle
      * @param unwanted whether the picture is no longer wanted; asked for each spot, whose place may take microseconds
-     * @throws CancellationException if it is not
+     * @throws java.util.concurrent.CancellationException if it is not
      */
     StarPoints(
             CameraRays camera,
@@ -89,7 +88,7 @@ final class StarPoints {
             int side = Math.max(1, (int) (fewer * sides[star]));
             Colour colour = lights.get(star).times(1.0 / (side * side));
             for (int i = 0; i < side * side; i++) {
-                stopIf(unwanted);
+                Cancellation.stopIf(unwanted);
                 double radius = ConcentricMap.radius((i % side + 0.5) / side, (i / side + 0.5) / side);
                 double angle = ConcentricMap.angle((i % side + 0.5) / side, (i / side + 0.5) / side);
                 for (Vector2dc place :
@@ -107,18 +106,12 @@ final class StarPoints {
         near = new CellLists(cellsAcross * cellsDown, x.length, this::forEachCell);
     }
 
-    private static void stopIf(BooleanSupplier unwanted) {
-        if (unwanted.getAsBoolean()) {
-            throw new CancellationException();
-        }
-    }
-
     /**
      * So many spots in a row, across the disc of a star out of focus, look smooth: they are half a pixel apart in a
      * small disc, and a pixel in a large one. 0 if the disc is not in the picture.
      */
     private int lensSide(Vector3dc direction, BooleanSupplier unwanted) {
-        stopIf(unwanted);
+        Cancellation.stopIf(unwanted);
         List<Vector2dc> left = camera.positions(direction, -1, 0);
         List<Vector2dc> right = camera.positions(direction, 1, 0);
         double blur = left.size() == 1 && right.size() == 1 ? left.get(0).distance(right.get(0)) : Double.NaN;

@@ -13,23 +13,20 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.Camera;
-import tompkins.camera.Cameras;
 import tompkins.camera.FieldOfView;
 import tompkins.explain.Explanation;
 import tompkins.light.ColourLaw;
 import tompkins.primitive.Bounds;
-import tompkins.property.Descriptions;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.ImagePointGrid;
-import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.Sphere;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.RollingShutter;
 import tompkins.shutter.SweepDirection;
 import tompkins.spacetime.Velocity;
-import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
+import tompkins.studio.Studios;
 import tompkins.surface.ColouredSurface;
 
 /** What a plan takes from its studio, and what it takes over from another plan. */
@@ -59,19 +56,7 @@ class RenderPlanTest {
     /** Each place of a star out of focus may take microseconds, and there are up to two million. */
     @Test
     void planOfBlurredStarsCanBeStopped() {
-        Vector3d ahead = new Vector3d(0, 0, 1);
-        Plane focus = new Plane("focus", new Vector3d(0, 0, 4), ahead, ColouredSurface.DEFAULT);
-        Studio stars = Descriptions.with(MOVING, "background", StarSky.DEFAULT)
-                .withCamera(Cameras.lens(
-                        new Vector3d(),
-                        ahead,
-                        new Vector3d(0, 1, 0),
-                        90,
-                        0,
-                        0.5,
-                        focus,
-                        0,
-                        AperturePlaneShutter.DEFAULT));
+        Studio stars = Studios.blurredStars();
         AtomicInteger asked = new AtomicInteger();
         assertThatExceptionOfType(CancellationException.class)
                 .isThrownBy(() -> RenderPlan.of(stars, null, () -> asked.incrementAndGet() == 20_000));

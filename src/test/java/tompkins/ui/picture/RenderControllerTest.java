@@ -16,17 +16,13 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import tompkins.Waiting;
-import tompkins.camera.Cameras;
 import tompkins.image.ToneCurve;
-import tompkins.property.Descriptions;
 import tompkins.render.Renderer;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
-import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.RenderSettings;
-import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.surface.Mirror;
@@ -241,20 +237,7 @@ class RenderControllerTest {
     /** The places of a million spots of stars behind a ball in focus, near the lens, take some four seconds. */
     @Test
     void aSlowPlanEndsSoonWhenItIsStopped() throws InterruptedException {
-        Vector3d ahead = new Vector3d(0, 0, 1);
-        Sphere focus = new Sphere("focus", ahead, 0.6, Sphere.DEFAULT.surface());
-        Studio stars = Descriptions.with(Studio.DEFAULT, "background", StarSky.DEFAULT)
-                .withCamera(Cameras.lens(
-                        new Vector3d(),
-                        ahead,
-                        new Vector3d(0, 1, 0),
-                        90,
-                        0,
-                        0.5,
-                        focus,
-                        0,
-                        AperturePlaneShutter.DEFAULT));
-        controller.show(stars, new Dimension(640, 480), Pace.HAND);
+        controller.show(Studios.blurredStars(), new Dimension(640, 480), Pace.HAND);
         await(RenderControllerTest::isPlanning);
         Thread.sleep(200);
         assertThat(isPlanning()).isTrue();
