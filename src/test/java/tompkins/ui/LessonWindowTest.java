@@ -147,7 +147,7 @@ class LessonWindowTest {
     }
 
     @Test
-    void enterLeadsFromPageToPage() throws InterruptedException {
+    void enterLeadsFromPageToPage() {
         begin();
         awaitKeys();
         driver.key(KeyEvent.VK_ENTER);
@@ -162,15 +162,8 @@ class LessonWindowTest {
         enter("MEASURE");
     }
 
-    /** Enter leads to a page; once more, a little later, where the screen takes the focus while the key is down. */
-    private void enter(String page) throws InterruptedException {
+    private void enter(String page) {
         driver.key(KeyEvent.VK_ENTER);
-        for (int i = 0; i < 5 && !step(page).isSelected(); i++) {
-            Thread.sleep(200);
-            if (!step(page).isSelected()) {
-                driver.key(KeyEvent.VK_ENTER);
-            }
-        }
         assertThat(step(page).isSelected()).as(page).isTrue();
     }
 

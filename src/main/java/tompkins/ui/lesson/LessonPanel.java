@@ -232,9 +232,11 @@ public final class LessonPanel extends Part {
         cards = new CardPanel();
         Keys.bindEnter(cards.component(), () -> {
             if (next.isEnabled()) {
-                // before the component with the focus is hidden with its page
-                next.requestFocusInWindow();
                 next.doClick();
+            }
+            if (next.isEnabled()) {
+                // what had the keys was hidden with its page; before that, a wish could be lost
+                next.requestFocusInWindow();
             }
         });
         cards.add(LessonQuestionPage.class, question.component());
