@@ -3,6 +3,7 @@ package tompkins.render;
 import java.util.Arrays;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
 import tompkins.trace.Cancellation;
 import tompkins.trace.RenderPlan;
 
@@ -24,6 +25,9 @@ final class PixelVariance {
 
     private static final double SHARE_OF_SECOND_DIFFERENCE = 1.0 / 24;
 
+    /** Rows that one thread takes at a time, so that each region of specks is asked by one thread alone. */
+    private static final int BAND = Specks.SIDE;
+
     private final int width;
     private final int height;
     private final Film film;
@@ -37,9 +41,7 @@ final class PixelVariance {
     private float[] shared;
     private final BooleanSupplier stopped;
     private final int sampled;
-    private int lastSamples;
-    private double lastExponent;
-    private double lastPower;
+    private final Power falling = new Power(-POWER);
 
     /**
      * Whether one sample in each pixel says nothing about their errors: it shows no blur of a wide aperture or a long
@@ -96,24 +98,24 @@ final class PixelVariance {
     private void measure() {
         Arrays.fill(own, Float.NaN);
         Arrays.fill(differences, Float.NaN);
-        double[] above = unknownRow();
-        double[] here = unknownRow();
+        bands().forEach(this::measureBand);
+    }
+
+    private void measureBand(int first) {
+        Power growing = new Power(POWER);
+        double[] above = means(first - 1, unknownRow());
+        double[] here = means(first, unknownRow());
         double[] below = unknownRow();
-        film.means(0, here);
-        for (int row = 0; row < height; row++) {
+        for (int row = first; row < Math.min(height, first + BAND); row++) {
             Cancellation.stopIf(stopped);
-            if (row + 1 < height) {
-                film.means(row + 1, below);
-            } else {
-                Arrays.fill(below, Double.NaN);
-            }
+            means(row + 1, below);
             for (int column = 0; column < width; column++) {
                 int pixel = film.pixel(column, row);
                 int samples = film.samples(pixel);
                 if (samples > 0) {
                     double difference = secondDifferences(above, here, below, 3 * column);
                     double roughness = samples > 1
-                            ? film.halvesVariance(pixel) * power(samples, POWER)
+                            ? film.halvesVariance(pixel) * growing.of(samples)
                             : difference * SHARE_OF_SECOND_DIFFERENCE;
                     differences[bordered(row, column)] = (float) Math.min(Float.MAX_VALUE, difference);
                     own[bordered(row, column)] = (float) Math.min(Float.MAX_VALUE, roughness);
@@ -126,6 +128,21 @@ final class PixelVariance {
         }
     }
 
+    /** The first rows of bands that may be worked on side by side. */
+    private IntStream bands() {
+        return IntStream.range(0, (height + BAND - 1) / BAND).parallel().map(band -> band * BAND);
+    }
+
+    /** Fills a row with a border; unknown outside of the picture. */
+    private double[] means(int row, double[] into) {
+        if (row >= 0 && row < height) {
+            film.means(row, into);
+        } else {
+            Arrays.fill(into, Double.NaN);
+        }
+        return into;
+    }
+
     /**
      * Counts the light that samples may have missed, too: what specks add to the pixels in which they were found is
      * shared with those in which they may have been missed.
@@ -136,25 +153,31 @@ final class PixelVariance {
         if (specks.isEmpty()) {
             return;
         }
+        Power growing = new Power(POWER);
         for (int row = 0; row < height; row++) {
             Cancellation.stopIf(stopped);
             for (int column = 0; column < width; column++) {
                 if (specks.isAt(column, row)) {
                     int place = bordered(row, column);
-                    double growth = power(film.samples(film.pixel(column, row)), POWER);
+                    double growth = growing.of(film.samples(film.pixel(column, row)));
                     double roughness = Math.max(own[place], specks.varianceOfMean(column, row) * growth);
                     own[place] = (float) (roughness * (1 - specks.missed(column, row)));
                 }
             }
         }
         shared = withNeighbours(own);
-        for (int row = 0; row < height; row++) {
+        bands().forEach(first -> addUnseen(specks, first));
+    }
+
+    private void addUnseen(Specks specks, int first) {
+        Power growing = new Power(POWER);
+        for (int row = first; row < Math.min(height, first + BAND); row++) {
             Cancellation.stopIf(stopped);
             for (int column = 0; column < width; column++) {
                 int pixel = film.pixel(column, row);
-                if (film.samples(pixel) > 0) {
-                    shared[pixel] =
-                            (float) (shared[pixel] + specks.unseen(column, row) * power(film.samples(pixel), POWER));
+                int samples = film.samples(pixel);
+                if (samples > 0) {
+                    shared[pixel] = (float) (shared[pixel] + specks.unseen(column, row) * growing.of(samples));
                 }
             }
         }
@@ -211,14 +234,14 @@ final class PixelVariance {
 
     private float[] withNeighbours(float[] own) {
         float[] mean = new float[width * height];
-        for (int row = 0; row < height; row++) {
+        IntStream.range(0, height).parallel().forEach(row -> {
             Cancellation.stopIf(stopped);
             for (int column = 0; column < width; column++) {
                 if (!Float.isNaN(own[bordered(row, column)])) {
                     mean[film.pixel(column, row)] = meanAround(own, row, column);
                 }
             }
-        }
+        });
         return mean;
     }
 
@@ -247,17 +270,7 @@ final class PixelVariance {
     /** The variance that the mean of a pixel has. */
     double variance(int pixel) {
         int samples = film.samples(pixel);
-        return samples <= 1 ? shared[pixel] : shared[pixel] * power(samples, -POWER);
-    }
-
-    /** A power, kept for the next pixel, which usually has the same number of samples. */
-    private double power(int samples, double exponent) {
-        if (samples != lastSamples || exponent != lastExponent) {
-            lastSamples = samples;
-            lastExponent = exponent;
-            lastPower = Math.pow(samples, exponent);
-        }
-        return lastPower;
+        return samples <= 1 ? shared[pixel] : shared[pixel] * falling.of(samples);
     }
 
     /** Number of pixels that have samples. */
@@ -272,5 +285,25 @@ final class PixelVariance {
             sum += variance(pixel);
         }
         return Math.sqrt(sum / Math.max(1, sampled));
+    }
+
+    /** A power of numbers of samples, kept for the next pixel, which usually has as many. */
+    private static final class Power {
+
+        private final double exponent;
+        private int samples = 1;
+        private double power = 1;
+
+        Power(double exponent) {
+            this.exponent = exponent;
+        }
+
+        double of(int number) {
+            if (number != samples) {
+                samples = number;
+                power = Math.pow(number, exponent);
+            }
+            return power;
+        }
     }
 }

@@ -26,7 +26,7 @@ final class Specks {
     private static final double SIMILAR = 0.05;
 
     /** Width and height of the smallest regions in pixels. */
-    private static final int SIDE = 8;
+    static final int SIDE = 8;
 
     /** Width in pixels of what is around the picture in {@link #variances}. */
     private static final int BORDER = 2;
@@ -92,11 +92,16 @@ final class Specks {
                 }
             }
         }
-        for (int row = 0; row < film.height() && !found.isEmpty(); row++) {
-            Cancellation.stopIf(stopped);
-            for (int column = 0; column < film.width(); column++) {
-                count(column, row, all.usualVariance());
-            }
+        if (!found.isEmpty()) {
+            double usual = all.usualVariance();
+            IntStream.range(0, counts.get(0).rows()).parallel().forEach(regions -> {
+                Cancellation.stopIf(stopped);
+                for (int row = regions * SIDE; row < Math.min(film.height(), (regions + 1) * SIDE); row++) {
+                    for (int column = 0; column < film.width(); column++) {
+                        count(column, row, usual);
+                    }
+                }
+            });
         }
         counts.forEach(Regions::lean);
     }
@@ -227,16 +232,12 @@ final class Specks {
 
     /** The probability that some of the specks around a pixel would be missed by as many samples as it has. */
     double missed(int column, int row) {
-        double met =
-                film.samples(film.pixel(column, row)) * telling(column, row).coverage();
-        return 1 - Math.pow(1 - Math.exp(-met), ALL_OF);
+        return telling(column, row).missed(film.samples(film.pixel(column, row)));
     }
 
     /** The variance of the mean of a pixel by specks that may have been missed. */
     double unseen(int column, int row) {
-        Tally region = telling(column, row);
-        double perPixel = region.variance / Math.max(1, region.pixels);
-        return missed(column, row) * ofMean(perPixel, region.coverage(), film.samples(film.pixel(column, row)));
+        return telling(column, row).unseen(film.samples(film.pixel(column, row)));
     }
 
     /** As samples are spread evenly, the variance of their mean falls faster once several of them meet each speck. */
@@ -253,12 +254,16 @@ final class Specks {
                     Stream.generate(Tally::new).limit((long) columns * rows).toList());
         }
 
+        int rows() {
+            return tallies.size() / columns;
+        }
+
         /** Lets each region lean on the one around it, which is twice as wide and high, from the whole picture down. */
         void lean() {
             if (tallies.size() == 1) {
                 return;
             }
-            Regions wider = of((columns + 1) / 2, (tallies.size() / columns + 1) / 2);
+            Regions wider = of((columns + 1) / 2, (rows() + 1) / 2);
             for (int i = 0; i < tallies.size(); i++) {
                 around(i, wider).add(tallies.get(i), 1);
             }
@@ -286,6 +291,11 @@ final class Specks {
         private double squaredVariance;
         private double contrast;
 
+        /** What {@link #unseen} gave last: neighbours usually have as many samples. */
+        private double unseen;
+
+        private int samplesOfUnseen;
+
         void count(double ofVariance, double ofContrast) {
             variance += ofVariance;
             squaredVariance += ofVariance * ofVariance;
@@ -312,6 +322,20 @@ final class Specks {
         /** The share of a pixel that a speck covers: the square of its mean over that of its light. */
         double coverage() {
             return variance > 0 ? contrast / variance : Double.POSITIVE_INFINITY;
+        }
+
+        /** The probability that some of these specks would be missed by so many samples. */
+        double missed(int samples) {
+            return 1 - Math.pow(1 - Math.exp(-(samples * coverage())), ALL_OF);
+        }
+
+        /** The variance of the mean of a pixel with so many samples by specks that may have been missed. */
+        double unseen(int samples) {
+            if (samples != samplesOfUnseen) {
+                samplesOfUnseen = samples;
+                unseen = missed(samples) * ofMean(variance / Math.max(1, pixels), coverage(), samples);
+            }
+            return unseen;
         }
     }
 }
