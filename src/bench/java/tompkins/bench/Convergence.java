@@ -81,14 +81,17 @@ final class Convergence {
     private static double firstLook(Renderer renderer, RenderPlan plan, LinearImage whole) throws InterruptedException {
         Quality aim = new Quality.Samples(RANDOM_SAMPLES);
         AtomicLong seen = new AtomicLong();
+        // the window does not compare
+        AtomicLong comparing = new AtomicLong();
         long start = System.nanoTime();
         RenderListener looks = RenderListener.afterEachPass(job -> {
             LinearImage preview = job.preview(aim);
             long now = System.nanoTime();
             if (seen.get() == 0 && PictureDifference.ofLight(preview, whole) <= FIRST_LOOK) {
-                seen.set(now - start);
+                seen.set(now - start - comparing.get());
                 job.cancel();
             }
+            comparing.addAndGet(System.nanoTime() - now);
         });
         renderer.startCoarse(plan, aim, looks).await();
         return seen.get() == 0 ? Double.POSITIVE_INFINITY : seen.get() / 1e6;

@@ -27,6 +27,9 @@ public final class Main {
         if (TompkinsCommand.isNamedBy(arguments)) {
             // no command shows anything, and a display that is set but dead would be an error
             System.setProperty("java.awt.headless", "true");
+            if (TompkinsCommand.takesPhotograph(arguments)) {
+                Rehearsal.begin();
+            }
         } else if (TompkinsCommand.opensWindow(arguments) && Displays.usable()) {
             TompkinsWindow.prepare();
             if (opensAtOnce(arguments)) {

@@ -8,6 +8,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.ForkJoinTask;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import picocli.CommandLine;
@@ -138,6 +140,8 @@ final class Photographer implements AutoCloseable {
         RenderJob job = traced(plan, order.quality);
         progress.clear();
         ToneCurve curve = studio.settings().toneCurve();
+        // the other processors have nothing to do while the file is written
+        ForkJoinTask<RenderReport> reported = ForkJoinPool.commonPool().submit(job::report);
         if (isPiped) {
             OutputOption.toPipe(out -> PhotographFile.encode(out, job.image(), order.format, curve, info));
         }
@@ -145,7 +149,7 @@ final class Photographer implements AutoCloseable {
                 ? target
                 : PhotographFile.write(target, job.image(), order.format, curve, info, mayReplace.getAsBoolean());
         new Explanation(plan).warnings().forEach(warning -> err.println("warning: " + warning));
-        RenderReport report = job.report();
+        RenderReport report = reported.join();
         report(place, report, studio.view());
         tell(PictureState.DONE, place, report);
         tellFilesToKeep(studio, err);

@@ -31,11 +31,13 @@ final class TompkinsCommand extends ProgramCommand {
     /** The name of the command that shows the help of another one. */
     static final String HELP = "help";
 
+    private static final String RENDER = "render";
+
     /** The commands by name, in the order in which the help lists them before itself. */
     private static final Map<String, Class<?>> COMMANDS = new LinkedHashMap<>();
 
     static {
-        COMMANDS.put("render", RenderCommand.class);
+        COMMANDS.put(RENDER, RenderCommand.class);
         COMMANDS.put("animate", AnimateCommand.class);
         COMMANDS.put("check", CheckCommand.class);
         COMMANDS.put("explain", ExplainCommand.class);
@@ -78,6 +80,11 @@ final class TompkinsCommand extends ProgramCommand {
     /** Whether some arguments call one of the commands, none of which opens a window. */
     static boolean isNamedBy(String... arguments) {
         return arguments.length > 0 && COMMANDS.containsKey(arguments[0]);
+    }
+
+    /** Whether some arguments ask for a photograph of a scene as it is. */
+    static boolean takesPhotograph(String... arguments) {
+        return arguments.length > 0 && arguments[0].equals(RENDER);
     }
 
     /** Whether some arguments ask for a window, provided that there is nothing wrong with them; quickly decided. */

@@ -1,0 +1,48 @@
+package tompkins.app;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Path;
+import tompkins.image.PhotographFile;
+import tompkins.image.PictureFormat;
+import tompkins.io.SelfDescription;
+import tompkins.io.StudioReader;
+import tompkins.render.RenderJob;
+import tompkins.render.Renderer;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+
+/**
+ * Takes a tiny photograph while the command line is read, and throws it away: Java has loaded then what the real one
+ * needs. It takes a tenth of the time of a start.
+ */
+final class Rehearsal {
+
+    private static final String SCENE =
+            "{\"scene\": [{\"type\": \"Sphere\"}], \"settings\": {\"width\": 32, \"height\": 32, \"samples\": 1}}";
+
+    private Rehearsal() {}
+
+    /** Begins it on a thread of its own. */
+    static void begin() {
+        Thread thread = new Thread(Rehearsal::takePhotograph, "tompkins-rehearsal");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private static void takePhotograph() {
+        Studio studio = StudioReader.read(SCENE, "rehearsal", Path.of("."));
+        try (Renderer renderer = new Renderer(1)) {
+            RenderJob job = renderer.render(RenderPlan.of(studio));
+            PhotographFile.encode(
+                    OutputStream.nullOutputStream(),
+                    job.image(),
+                    PictureFormat.PNG,
+                    studio.settings().toneCurve(),
+                    SelfDescription.of(studio));
+            job.report();
+        } catch (IOException | InterruptedException | OutOfMemoryError failure) {
+            // the photograph itself will tell
+        }
+    }
+}
