@@ -32,10 +32,10 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        27_487),
+                        27_498),
                 arguments("file, image", 4_535),
                 arguments("explain, lesson, measure, animation", 6_309),
-                arguments("io, app", 8_237),
+                arguments("io, app", 8_295),
                 arguments("study", 4_084),
                 arguments("ui", 20_881));
     }

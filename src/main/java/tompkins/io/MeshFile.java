@@ -47,8 +47,8 @@ public final class MeshFile {
      */
     static MeshData read(byte[] file, String name, FileKind.Files others) throws FileException {
         MeshFaces faces = new MeshFaces(name, others);
-        ObjStatements statements = new ObjStatements(file);
         try {
+            ObjStatements statements = new ObjStatements(file);
             ObjStatements second = file.length < LARGE_FILE ? null : statements.secondHalf();
             CompletableFuture<MeshFaces> reading = second == null
                     ? CompletableFuture.completedFuture(null)

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import tompkins.image.PictureFile;
+import tompkins.io.ObjStatements.ObjMistake;
 import tompkins.property.NumberText;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshMaterial;
@@ -41,7 +42,7 @@ final class ObjMaterials {
         List<String> words = List.of(names.split("\\s+"));
         try {
             read(name, new ObjStatements(files.bytes(name, "a file of materials")));
-        } catch (IOException missing) {
+        } catch (IOException | ObjMistake missing) {
             if (words.size() > 1 && words.stream().allMatch(ObjMaterials::endsAsUsual)) {
                 words.forEach(word -> read(mesh, word));
             } else {

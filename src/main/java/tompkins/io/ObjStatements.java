@@ -57,8 +57,16 @@ final class ObjStatements {
     /** What of the word was read as numbers ends here. */
     private int at;
 
+    /**
+     * The statements of a file.
+     *
+     * @throws ObjMistake if its text is in another encoding
+     */
     ObjStatements(byte[] file) {
         this(new String(file, StandardCharsets.UTF_8));
+        if (SceneText.isUtf16(file)) {
+            throw new ObjMistake(1, SceneText.NOT_UTF16);
+        }
         next = this.file.startsWith(BYTE_ORDER_MARK) ? 1 : 0;
     }
 

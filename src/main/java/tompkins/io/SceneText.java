@@ -24,7 +24,13 @@ final class SceneText {
     /** The largest scene file, in bytes. */
     static final int LARGEST = 64 << 20;
 
+    /** What is wrong with a file whose text {@link #isUtf16}. */
+    static final String NOT_UTF16 = "must be text in the encoding UTF-8, is in UTF-16; save it again as UTF-8";
+
     private static final int BYTE_ORDER_MARK = 0xfeff;
+
+    /** With its bytes in the other order. */
+    private static final int BYTE_ORDER_MARK_TURNED = 0xfffe;
 
     private final Path file;
     private final Problems problems;
@@ -99,7 +105,19 @@ final class SceneText {
         return content;
     }
 
+    /** Whether a text is in the encoding UTF-16, which some editors call Unicode: marked so, or with zeros in it. */
+    static boolean isUtf16(byte[] content) {
+        if (content.length < 2) {
+            return false;
+        }
+        int first = (content[0] & 0xff) << Byte.SIZE | content[1] & 0xff;
+        return first == BYTE_ORDER_MARK || first == BYTE_ORDER_MARK_TURNED || content[0] == 0 ^ content[1] == 0;
+    }
+
     private String decoded(byte[] content) throws CharacterCodingException {
+        if (isUtf16(content)) {
+            throw problems.wholeFile(NOT_UTF16);
+        }
         CharsetDecoder decoder = StandardCharsets.UTF_8
                 .newDecoder()
                 .onMalformedInput(CodingErrorAction.REPORT)

@@ -3,7 +3,9 @@ package tompkins.io;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
 
 /** Finds the word that may have been meant. */
@@ -14,11 +16,34 @@ public final class Spelling {
     /** Shorter words are parts of too many others. */
     private static final int SHORTEST_PART = 4;
 
+    /** What other programs, and people, call what has another name here. */
+    private static final Map<String, Set<String>> OTHER_NAMES = Map.ofEntries(
+            Map.entry("Box", Set.of("cube", "cuboid", "block")),
+            Map.entry("Sphere", Set.of("ball")),
+            Map.entry("Disc", Set.of("circle")),
+            Map.entry("Cylinder", Set.of("rod", "tube", "pipe")),
+            Map.entry("Parallelogram", Set.of("square", "rectangle", "quad")),
+            Map.entry("Plane", Set.of("floor", "ground")),
+            Map.entry("ThinLensCamera", Set.of("pinhole", "pinholecamera", "perspective")),
+            Map.entry("PointLight", Set.of("lamp", "sun")),
+            Map.entry("SkyBackground", Set.of("sky")),
+            Map.entry("Refractive", Set.of("glass", "water")),
+            Map.entry("Tiling", Set.of("checkerboard", "chequerboard", "chessboard")),
+            Map.entry("ColouredSurface", Set.of("matte", "diffuse")),
+            Map.entry("LuminousSurface", Set.of("emissive", "glowing")),
+            Map.entry("scene", Set.of("objects")),
+            Map.entry("velocity", Set.of("speed")),
+            Map.entry("centre", Set.of("position", "location", "middle")),
+            Map.entry("position", Set.of("location", "place")),
+            Map.entry("viewDirection", Set.of("direction", "lookat", "target")),
+            Map.entry("topDirection", Set.of("up", "updirection")),
+            Map.entry("horizontalAngleDegrees", Set.of("fov", "fieldofview", "angleofview")));
+
     private Spelling() {}
 
     /**
-     * The end of a message, {@code ; did you mean "..."?} with the most similar of the known words; empty if none is
-     * similar.
+     * The end of a message, {@code ; did you mean "..."?} with the known word that means the same elsewhere, or else
+     * the most similar one; empty if there is none.
      */
     public static String hint(String word, Collection<String> known) {
         if (word.length() > LONGEST) {
@@ -36,7 +61,9 @@ public final class Spelling {
                 fewest = changes;
             }
         }
-        return Optional.ofNullable(best)
+        Optional<String> similar = Optional.ofNullable(best);
+        return only(known, candidate -> isOtherName(word, candidate))
+                .or(() -> similar)
                 .or(() -> only(known, candidate -> isPart(word, candidate)))
                 .or(() -> only(known, candidate -> beginsLike(word, candidate)))
                 .map(meant -> "; did you mean \"" + meant + "\"?")
@@ -47,6 +74,10 @@ public final class Spelling {
     private static Optional<String> only(Collection<String> known, Predicate<String> isLike) {
         List<String> like = known.stream().filter(isLike).toList();
         return like.size() == 1 ? Optional.of(like.get(0)) : Optional.empty();
+    }
+
+    private static boolean isOtherName(String word, String candidate) {
+        return OTHER_NAMES.getOrDefault(candidate, Set.of()).contains(plain(word));
     }
 
     private static boolean isPart(String part, String candidate) {

@@ -143,7 +143,7 @@ final class SyntaxMistake {
         }
         Matcher character = WRONG_CHARACTER.matcher(message);
         boolean shows = character.lookingAt() && !character.group(1).isBlank();
-        String found = shows ? ", found " + character.group(1) : "";
+        String found = shows ? ", found " + Problems.shortened(character.group(1)) : "";
         for (Map.Entry<String, String> meaning : MEANINGS) {
             if (message.contains(meaning.getKey())) {
                 return NOT_JSON + meaning.getValue() + found;

@@ -1,5 +1,6 @@
 package tompkins.property;
 
+import java.util.Locale;
 import java.util.regex.Pattern;
 
 /**
@@ -12,6 +13,9 @@ public final class OneLine {
     private static final Pattern CONTROLS =
             Pattern.compile("[\\p{Cc}\\u2028\\u2029\\u061c\\u200e\\u200f\\u202a-\\u202e\\u2066-\\u2069]+");
 
+    /** What takes room but shows nothing, but for the space, or takes none. */
+    private static final Pattern INVISIBLE = Pattern.compile("(?! )[\\p{Zs}\\p{Cf}]");
+
     private OneLine() {}
 
     /** The text with a space for each run of such characters. */
@@ -19,10 +23,17 @@ public final class OneLine {
         return CONTROLS.matcher(text).replaceAll(" ");
     }
 
-    /** As above; a text of more than {@code longest} characters is cut there, and its length is added. */
+    /**
+     * As above, for a text that may be wrong by a character that nobody sees: its number is shown. A text of more than
+     * {@code longest} characters is cut there, and its length is added.
+     */
     public static String shortened(String text, int longest) {
         boolean tooLong = text.length() > longest;
-        String start = tooLong ? text.substring(0, longest - 10) : text;
-        return of(start) + (tooLong ? "... (" + text.length() + " characters)" : "");
+        String start = of(tooLong ? text.substring(0, longest - 10) : text);
+        String seen = INVISIBLE
+                .matcher(start)
+                .replaceAll(found ->
+                        String.format(Locale.ROOT, "<U+%04X>", found.group().codePointAt(0)));
+        return seen + (tooLong ? "... (" + text.length() + " characters)" : "");
     }
 }

@@ -59,6 +59,34 @@ class SceneMistakesTest {
         assertThat(messageOf(object.replace("KEY", "turnsAround"))).endsWith("phaseDegrees, objects");
     }
 
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '~', textBlock = """
+            {"scene": [{"type": "Cube"}]}              | Box
+            {"scene": [{"type": "ball"}]}              | Sphere
+            {"scene": [{"type": "Sphere", "position": [0, 0, 3]}]} | centre
+            {"scene": [{"type": "Sphere", "surface": {"type": "Glass"}}]} | Refractive
+            {"objects": []}                            | scene
+            {"lights": [{"type": "Sun"}]}              | PointLight
+            {"background": {"type": "Sky"}}            | SkyBackground
+            {"camera": {"type": "Pinhole"}}            | ThinLensCamera
+            {"camera": {"fov": 40}}                    | horizontalAngleDegrees
+            {"camera": {"field-of-view": 40}}          | horizontalAngleDegrees
+            {"camera": {"direction": [0, 0, 1]}}       | viewDirection
+            {"camera": {"lookAt": [0, 0, 1]}}          | viewDirection
+            {"camera": {"location": [0, 0, 1]}}        | position
+            """)
+    void namesOfOtherProgramsAreTranslated(String scene, String name) {
+        assertThat(messageOf(scene)).endsWith("; did you mean \"" + name + "\"?");
+    }
+
+    @Test
+    void whatNobodySeesIsShownByItsNumber() {
+        assertThat(messageOf("{\"camera\":\u00a0{}}")).endsWith("found <U+00A0>");
+        assertThat(messageOf("{\"came\u200bra\": {}}"))
+                .startsWith("f:1:2: unknown key \"came<U+200B>ra\";")
+                .endsWith("did you mean \"camera\"?");
+    }
+
     private String messageOf(String text) {
         return catchThrowableOfType(MistakeException.class, () -> read(text)).getMessage();
     }

@@ -2,9 +2,11 @@ package tompkins.io;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.io.IOException;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -114,6 +116,25 @@ class SceneSourcesTest {
                 .withMessage(file + ":2:13: must be text in the encoding UTF-8, has here the byte 0xfc");
         Path marked = Files.writeString(folder.resolve("marked.json"), "\ufeff{\"title\": \"\u00fc\"}");
         assertThat(StudioReader.read(marked).title()).isEqualTo("\u00fc");
+    }
+
+    /** What some editors call Unicode; in a scene, in a mesh and in its materials. */
+    @ParameterizedTest
+    @ValueSource(strings = {"UTF-16", "UTF-16BE", "UTF-16LE"})
+    void textOfTwoBytesForEachLetterIsNamed(String encoding) throws IOException {
+        String message = "must be text in the encoding UTF-8, is in UTF-16; save it again as UTF-8";
+        Charset charset = Charset.forName(encoding);
+        Path scene = folder.resolve("wide.json");
+        Files.write(scene, "{}".getBytes(charset));
+        assertFileRefused(scene, message);
+        String triangle = "mtllib wide.mtl\nv 0 0 4\nv 1 0 4\nv 0 1 4\nf 1 2 3\n";
+        Path mesh = folder.resolve("wide.obj");
+        Files.write(mesh, triangle.getBytes(charset));
+        assertThatThrownBy(() -> MeshFile.read(mesh)).hasMessage("wide.obj:1: " + message);
+        Files.writeString(mesh, triangle);
+        Files.write(folder.resolve("wide.mtl"), "newmtl red\n".getBytes(charset));
+        assertThat(MeshFile.read(mesh).detail().notes())
+                .containsExactly("wide.mtl: its materials are not shown: " + message);
     }
 
     @ParameterizedTest

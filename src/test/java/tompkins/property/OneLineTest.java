@@ -22,6 +22,11 @@ class OneLineTest {
     }
 
     @Test
+    void whatShowsNothingIsShownByItsNumber() {
+        assertThat(OneLine.shortened("a b\u00a0c\u200bd\ufeff", 60)).isEqualTo("a b<U+00A0>c<U+200B>d<U+FEFF>");
+    }
+
+    @Test
     void longTextsAreCutAndSaySo() {
         assertThat(OneLine.shortened("x".repeat(60), 60)).isEqualTo("x".repeat(60));
         assertThat(OneLine.shortened("x".repeat(61), 60)).isEqualTo("x".repeat(50) + "... (61 characters)");
