@@ -37,7 +37,7 @@ class RoomSizeTest {
                 arguments("explain, lesson, measure, animation", 6_309),
                 arguments("io, app", 8_295),
                 arguments("study", 4_084),
-                arguments("ui", 20_881));
+                arguments("ui", 20_897));
     }
 
     @ParameterizedTest

@@ -28,6 +28,9 @@ public final class RenderController implements AutoCloseable {
      */
     private static final Duration LONGEST_WAIT = Duration.ofMillis(80);
 
+    /** Who has changed something waits no longer for the plan of what was there before. */
+    private static final Duration LONGEST_OVERTAKEN = Duration.ofSeconds(1);
+
     /** A picture that takes less time tells its error only when it is complete: nobody would read it before. */
     private static final Duration READABLE = Duration.ofMillis(500);
 
@@ -129,10 +132,11 @@ public final class RenderController implements AutoCloseable {
         if (wanted.get() != request) {
             return;
         }
+        long begun = System.nanoTime();
         // while only the camera changes, the prepared scene is used again
-        RenderPlan plan = RenderPlan.of(request.inSize(), lastPlan, () -> wanted.get() != request);
+        RenderPlan plan = RenderPlan.of(request.inSize(), lastPlan, () -> isGivenUp(request, begun));
         lastPlan = plan;
-        if (wanted.get() != request) {
+        if (isGivenUp(request, begun)) {
             return;
         }
         Run next = new Run(request);
@@ -144,6 +148,18 @@ public final class RenderController implements AutoCloseable {
             // it may have been stopped too early for the run to be seen
             next.job.cancel();
         }
+    }
+
+    /**
+     * Whether a picture is given up whose plan was begun at some time. A hand asks for the next one within
+     * milliseconds: to give up at once would leave it without any where the plan takes longer than that.
+     */
+    private boolean isGivenUp(Request request, long begun) {
+        Request newest = wanted.get();
+        if (newest == null || newest == request) {
+            return newest == null;
+        }
+        return request.pace.isGlimpse() || System.nanoTime() - begun > LONGEST_OVERTAKEN.toNanos();
     }
 
     /** Tells why there is no picture, unless it is no longer wanted: a plan that was stopped tells nothing. */

@@ -3,6 +3,7 @@ package tompkins.ui.picture;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Dimension;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -246,6 +247,31 @@ class RenderControllerTest {
         await(() -> !isPlanning());
         assertThat((System.nanoTime() - stopped) / 1e9).isLessThan(1);
         assertThat(failures).isEmpty();
+    }
+
+    /** A hand moves one of many balls: each move comes before the one before it has been planned. */
+    @Test
+    void aHandSeesPicturesThatTakeLongToPlan() throws InterruptedException {
+        List<SceneObject> balls = new ArrayList<>(Collections.nCopies(50_000, Sphere.DEFAULT));
+        long start = System.nanoTime();
+        for (int move = 0; pictures.size() < 3; move++) {
+            balls.set(0, new Sphere("moved", new Vector3d(0, 0, 1e-3 * move), 1, Sphere.DEFAULT.surface()));
+            show(controller, Studios.sphere().withScene(List.copyOf(balls)), Pace.HAND);
+            Thread.sleep(5);
+            assertThat((System.nanoTime() - start) / 1e9).isLessThan(30);
+        }
+    }
+
+    /** The plan of the first takes four seconds. */
+    @Test
+    void aPlanThatTakesTooLongGivesWay() throws InterruptedException {
+        controller.show(Studios.blurredStars(), new Dimension(640, 480), Pace.HAND);
+        await(RenderControllerTest::isPlanning);
+        long changed = System.nanoTime();
+        show(controller, Studios.sphere(), Pace.HAND);
+        await(() -> !pictures.isEmpty());
+        assertThat((System.nanoTime() - changed) / 1e9).isLessThan(2.5);
+        assertThat(last().studio()).isEqualTo(Studios.sphere());
     }
 
     private static boolean isPlanning() {
