@@ -62,6 +62,9 @@ final class Photographer implements AutoCloseable {
     /** Who waits longer for the first tile of a picture is told what the whole will take. */
     private static final double PATIENCE = 1;
 
+    /** Larger pictures are safe on the disk before the estimate of their error takes memory. */
+    private static final long MOST_REPORTED_EARLY = 1 << 19;
+
     private final PrintWriter out;
     private final PrintWriter err;
     private final ProgressReport progress;
@@ -141,7 +144,9 @@ final class Photographer implements AutoCloseable {
         progress.clear();
         ToneCurve curve = studio.settings().toneCurve();
         // the other processors have nothing to do while the file is written
-        ForkJoinTask<RenderReport> reported = ForkJoinPool.commonPool().submit(job::report);
+        ForkJoinTask<RenderReport> early = studio.settings().pixels() <= MOST_REPORTED_EARLY
+                ? ForkJoinPool.commonPool().submit(job::report)
+                : null;
         if (isPiped) {
             OutputOption.toPipe(out -> PhotographFile.encode(out, job.image(), order.format, curve, info));
         }
@@ -149,7 +154,7 @@ final class Photographer implements AutoCloseable {
                 ? target
                 : PhotographFile.write(target, job.image(), order.format, curve, info, mayReplace.getAsBoolean());
         new Explanation(plan).warnings().forEach(warning -> err.println("warning: " + warning));
-        RenderReport report = reported.join();
+        RenderReport report = early == null ? job.report() : early.join();
         report(place, report, studio.view());
         tell(PictureState.DONE, place, report);
         tellFilesToKeep(studio, err);

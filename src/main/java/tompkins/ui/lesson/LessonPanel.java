@@ -235,7 +235,7 @@ public final class LessonPanel extends Part {
                 next.doClick();
             }
             if (next.isEnabled()) {
-                // what had the keys was hidden with its page; before that, a wish could be lost
+                // the page with the keys is hidden now; a request before that could be lost
                 next.requestFocusInWindow();
             }
         });
