@@ -32,7 +32,7 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        27_498),
+                        27_501),
                 arguments("file, image", 4_535),
                 arguments("explain, lesson, measure, animation", 6_309),
                 arguments("io, app", 8_300),

@@ -8,6 +8,9 @@ package tompkins.ray;
  */
 @SuppressWarnings("unused") // only the room that they take counts
 public abstract class Padded {
+    // in the gap behind the header, where Java would put a short field of a subclass
+    private int room0;
+
     private long room1;
     private long room2;
     private long room3;

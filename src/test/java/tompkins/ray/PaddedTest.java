@@ -20,12 +20,23 @@ class PaddedTest {
         Field instance = unsafe.getDeclaredField("theUnsafe");
         instance.setAccessible(true);
         Method offset = unsafe.getMethod("objectFieldOffset", Field.class);
-        for (Field field : RayCounts.class.getDeclaredFields()) {
-            if (!Modifier.isStatic(field.getModifiers())) {
-                assertThat((long) offset.invoke(instance.get(null), field))
-                        .as(field.getName())
-                        .isGreaterThanOrEqualTo(LINE);
+        for (Class<?> padded : new Class<?>[] {RayCounts.class, RayPacket.class, Small.class}) {
+            for (Field field : padded.getDeclaredFields()) {
+                if (!Modifier.isStatic(field.getModifiers())) {
+                    assertThat((long) offset.invoke(instance.get(null), field))
+                            .as(field.toString())
+                            .isGreaterThanOrEqualTo(LINE);
+                }
             }
         }
+    }
+
+    /** Has fields of all lengths that might fill a gap. */
+    @SuppressWarnings("unused") // only their places count
+    private static final class Small extends Padded {
+        private boolean flag;
+        private short number;
+        private int count;
+        private Object other;
     }
 }
