@@ -7,14 +7,15 @@ import tompkins.image.PhotographFile;
 import tompkins.image.PictureFormat;
 import tompkins.io.SelfDescription;
 import tompkins.io.StudioReader;
+import tompkins.render.RenderFailedException;
 import tompkins.render.RenderJob;
 import tompkins.render.Renderer;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
 /**
- * Takes a tiny photograph while the command line is read, and throws it away: Java has loaded then what the real one
- * needs. It takes a tenth of the time of a start.
+ * Takes a tiny photograph while the command line is read, and throws it away: by then Java has loaded what the real one
+ * needs. This saves a tenth of the time of a start.
  */
 final class Rehearsal {
 
@@ -30,7 +31,8 @@ final class Rehearsal {
         thread.start();
     }
 
-    private static void takePhotograph() {
+    /** Does what the real photograph does, as far as it is the same for all. */
+    static void takePhotograph() {
         Studio studio = StudioReader.read(SCENE, "rehearsal", Path.of("."));
         try (Renderer renderer = new Renderer(1)) {
             RenderJob job = renderer.render(RenderPlan.of(studio));
@@ -41,7 +43,7 @@ final class Rehearsal {
                     studio.settings().toneCurve(),
                     SelfDescription.of(studio));
             job.report();
-        } catch (IOException | InterruptedException | OutOfMemoryError failure) {
+        } catch (IOException | InterruptedException | RenderFailedException | OutOfMemoryError failure) {
             // the photograph itself will tell
         }
     }

@@ -4,7 +4,9 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import picocli.CommandLine;
@@ -82,9 +84,11 @@ final class TompkinsCommand extends ProgramCommand {
         return arguments.length > 0 && COMMANDS.containsKey(arguments[0]);
     }
 
-    /** Whether some arguments ask for a photograph of a scene as it is. */
+    /** Whether some arguments ask for photographs of scenes, and not for help. */
     static boolean takesPhotograph(String... arguments) {
-        return arguments.length > 0 && arguments[0].equals(RENDER);
+        return arguments.length > 1
+                && arguments[0].equals(RENDER)
+                && Collections.disjoint(List.of(arguments), List.of("-h", "--help"));
     }
 
     /** Whether some arguments ask for a window, provided that there is nothing wrong with them; quickly decided. */

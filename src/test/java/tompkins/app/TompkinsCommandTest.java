@@ -1,6 +1,7 @@
 package tompkins.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 import static tompkins.app.ProgramRun.FIG1B;
 
@@ -127,6 +128,17 @@ class TompkinsCommandTest {
                 .startsWith("Usage: tompkins " + command + " ")
                 .isEqualTo(ProgramRun.of(command, "--help").out());
         assertThat(amongOthers.code()).isZero();
+    }
+
+    @Test
+    void onlyPhotographsAreRehearsed() {
+        assertThat(TompkinsCommand.takesPhotograph("render", "a.json", "--force"))
+                .isTrue();
+        assertThat(TompkinsCommand.takesPhotograph("render")).isFalse();
+        assertThat(TompkinsCommand.takesPhotograph("render", "--help")).isFalse();
+        assertThat(TompkinsCommand.takesPhotograph("check", "a.json")).isFalse();
+        assertThat(TompkinsCommand.takesPhotograph("a.json", "render")).isFalse();
+        assertThatCode(Rehearsal::takePhotograph).doesNotThrowAnyException();
     }
 
     @Test
