@@ -21,7 +21,7 @@ final class SyntaxMistake {
     private static final String NUMBERS = "a number must be written like 0.5, -2 or 1e-9";
 
     private static final Pattern WRONG_BRACKET = Pattern.compile("Unexpected close marker '(.)': expected '(.)'");
-    private static final Pattern WRONG_CHARACTER = Pattern.compile("Unexpected character \\('(.)' ");
+    private static final Pattern WRONG_CHARACTER = Pattern.compile("Unexpected character \\('([^\\r\\n])' ");
 
     /** Messages of the library that name what it found, and what they mean. */
     private static final List<Map.Entry<Pattern, Function<String, String>>> WITH_FOUND = List.of(
@@ -141,9 +141,9 @@ final class SyntaxMistake {
                 return NOT_JSON + each.getValue().apply(matcher.group(1));
             }
         }
-        Matcher character = WRONG_CHARACTER.matcher(message);
-        boolean shows = character.lookingAt() && !character.group(1).isBlank();
-        String found = shows ? ", found " + Problems.shortened(character.group(1)) : "";
+        Matcher wrong = WRONG_CHARACTER.matcher(message);
+        String character = wrong.lookingAt() ? Problems.shortened(wrong.group(1)) : "";
+        String found = character.isBlank() ? "" : ", found " + character;
         for (Map.Entry<String, String> meaning : MEANINGS) {
             if (message.contains(meaning.getKey())) {
                 return NOT_JSON + meaning.getValue() + found;

@@ -13,8 +13,8 @@ public final class OneLine {
     private static final Pattern CONTROLS =
             Pattern.compile("[\\p{Cc}\\u2028\\u2029\\u061c\\u200e\\u200f\\u202a-\\u202e\\u2066-\\u2069]+");
 
-    /** What takes room but shows nothing, but for the space, or takes none. */
-    private static final Pattern INVISIBLE = Pattern.compile("(?! )[\\p{Zs}\\p{Cf}]");
+    /** What shows nothing, except for spaces, tabs and the ends of lines. */
+    private static final Pattern INVISIBLE = Pattern.compile("[\\p{Z}\\p{Cf}\\p{Cc}&&[^ \\t\\r\\n]]");
 
     private OneLine() {}
 
@@ -24,16 +24,16 @@ public final class OneLine {
     }
 
     /**
-     * As above, for a text that may be wrong by a character that nobody sees: its number is shown. A text of more than
-     * {@code longest} characters is cut there, and its length is added.
+     * As above, for a text that may be wrong because of a character that nobody sees: its number is shown. A text of
+     * more than {@code longest} characters is cut, and its length is added.
      */
     public static String shortened(String text, int longest) {
         boolean tooLong = text.length() > longest;
-        String start = of(tooLong ? text.substring(0, longest - 10) : text);
+        String start = tooLong ? text.substring(0, longest - 10) : text;
         String seen = INVISIBLE
                 .matcher(start)
                 .replaceAll(found ->
                         String.format(Locale.ROOT, "<U+%04X>", found.group().codePointAt(0)));
-        return seen + (tooLong ? "... (" + text.length() + " characters)" : "");
+        return of(seen) + (tooLong ? "... (" + text.length() + " characters)" : "");
     }
 }

@@ -65,6 +65,14 @@ class SceneMistakesTest {
             {"scene": [{"type": "ball"}]}              | Sphere
             {"scene": [{"type": "Sphere", "position": [0, 0, 3]}]} | centre
             {"scene": [{"type": "Sphere", "surface": {"type": "Glass"}}]} | Refractive
+            {"scene": [{"type": "Sphere", "surface": {"type": "Reflective"}}]} | Mirror
+            {"scene": [{"type": "Sphere", "surface": {"type": "Texture"}}]} | PictureSurface
+            {"scene": [{"type": "Sphere", "surface": {"type": "ColouredSurface", "color": 1}}]} | diffuse
+            {"scene": [{"type": "Sphere", "color": 1}]} | surface
+            {"scene": [{"type": "Sphere", "name": "a"}]} | description
+            {"scene": [{"type": "TriangleMesh", "file": "a.obj"}]} | mesh
+            {"name": "a"}                              | title
+            {"lights": [{"type": "PointLight", "color": 1}]} | colour
             {"objects": []}                            | scene
             {"lights": [{"type": "Sun"}]}              | PointLight
             {"background": {"type": "Sky"}}            | SkyBackground
@@ -82,6 +90,7 @@ class SceneMistakesTest {
     @Test
     void whatNobodySeesIsShownByItsNumber() {
         assertThat(messageOf("{\"camera\":\u00a0{}}")).endsWith("found <U+00A0>");
+        assertThat(messageOf("{\"scene\": [],\u2028}")).endsWith("found <U+2028>");
         assertThat(messageOf("{\"came\u200bra\": {}}"))
                 .startsWith("f:1:2: unknown key \"came<U+200B>ra\";")
                 .endsWith("did you mean \"camera\"?");
@@ -464,7 +473,7 @@ class SceneMistakesTest {
     @Test
     void longAndStrangeValuesAreShortened() {
         String message = messageOf("{\"transformation\": \"a\\n\\u001b" + "b".repeat(100_000) + "\"}");
-        assertThat(message).hasSizeLessThan(200).contains("\"a bbb").contains("... (100003 characters)");
+        assertThat(message).hasSizeLessThan(200).contains("\"a <U+001B>bbb").contains("... (100003 characters)");
         assertThat(message.lines()).hasSize(1);
         assertThat(messageOf("{\"" + "k".repeat(100_000) + "\": 1}")).hasSizeLessThan(200);
     }

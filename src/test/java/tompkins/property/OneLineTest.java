@@ -24,6 +24,7 @@ class OneLineTest {
     @Test
     void whatShowsNothingIsShownByItsNumber() {
         assertThat(OneLine.shortened("a b\u00a0c\u200bd\ufeff", 60)).isEqualTo("a b<U+00A0>c<U+200B>d<U+FEFF>");
+        assertThat(OneLine.shortened("a\n\u0000\t\u202e\u2028b", 60)).isEqualTo("a <U+0000> <U+202E><U+2028>b");
     }
 
     @Test
