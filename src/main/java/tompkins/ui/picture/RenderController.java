@@ -28,7 +28,7 @@ public final class RenderController implements AutoCloseable {
      */
     private static final Duration LONGEST_WAIT = Duration.ofMillis(80);
 
-    /** Who has changed something waits no longer for the plan of what was there before. */
+    /** Nobody waits longer for the plan of what has been changed since. */
     private static final Duration LONGEST_OVERTAKEN = Duration.ofSeconds(1);
 
     /** A picture that takes less time tells its error only when it is complete: nobody would read it before. */
@@ -151,8 +151,8 @@ public final class RenderController implements AutoCloseable {
     }
 
     /**
-     * Whether a picture is given up whose plan was begun at some time. A hand asks for the next one within
-     * milliseconds: to give up at once would leave it without any where the plan takes longer than that.
+     * Whether a picture is given up whose plan was begun at a time. A dragging hand asks for the next one within
+     * milliseconds: if each gave way at once, a scene that takes long to plan would show none until the hand rests.
      */
     private boolean isGivenUp(Request request, long begun) {
         Request newest = wanted.get();
