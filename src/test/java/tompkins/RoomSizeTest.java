@@ -37,7 +37,7 @@ class RoomSizeTest {
                 arguments("explain, lesson, measure, animation", 6_309),
                 arguments("io, app", 8_315),
                 arguments("study", 4_084),
-                arguments("ui", 20_897));
+                arguments("ui", 20_900));
     }
 
     @ParameterizedTest

@@ -135,6 +135,16 @@ class EditorWindowTest {
         assertThat(StudioReader.read(file)).isEqualTo(driver.studio());
     }
 
+    /** A split pane would take this key to go from the tree to the form. */
+    @Test
+    void rideBeginsAndPausesFromTheEditor() {
+        for (boolean riding : new boolean[] {true, false}) {
+            driver.key(KeyEvent.VK_F6);
+            WindowDriver.await(
+                    "riding: " + riding, () -> driver.window().motion().pilot().isRiding() == riding);
+        }
+    }
+
     /** A field that still has the focus is no reason to leave its value out of the file. */
     @Test
     void typedWithoutEnterIsSavedOrRefusedAloud() {

@@ -7,6 +7,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
+import javax.swing.KeyStroke;
 import javax.swing.ScrollPaneConstants;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
@@ -40,6 +41,8 @@ final class TreeAndForm {
         split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, trees, forms);
         split.setResizeWeight(0.4);
         split.getAccessibleContext().setAccessibleName(Texts.get("tree.split"));
+        // it would go from the tree to the form, and not begin a ride
+        split.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("F6"), "none");
         fitToLook(false);
         tree.addComponentListener(new ComponentAdapter() {
             @Override
