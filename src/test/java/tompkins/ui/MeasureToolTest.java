@@ -105,7 +105,7 @@ class MeasureToolTest {
 
     @Test
     void clicksTellAnglesThatFollowTheSpeedAndAreCopied() throws Exception {
-        assertThat(results()).isEqualTo("Click at two points in the picture.");
+        assertThat(results()).isEqualTo("Click on two points in the picture.");
         click(0, 0);
         click(0.5, 0);
         WindowDriver.await("the angle", () -> results().startsWith("angle: "));

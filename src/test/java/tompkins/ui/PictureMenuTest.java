@@ -147,7 +147,7 @@ class PictureMenuTest {
     void measuringBeginsAtThePoint() {
         choose("measureFrom");
         JTextArea results = driver.find(JTextArea.class, "measure.results");
-        assertThat(results.getText()).isEqualTo("Click at two points in the picture.");
+        assertThat(results.getText()).isEqualTo("Click on two points in the picture.");
         WindowDriver.onEventThread(() -> press(MouseEvent.BUTTON1, right()));
         WindowDriver.await("the angle", () -> results.getText().startsWith("angle: "));
     }
