@@ -72,6 +72,11 @@ final class SceneText {
         if (Files.exists(file) && !Files.isRegularFile(file)) {
             throw problems.wholeFile("is not a file");
         }
+        String name = file.getFileName().toString();
+        if (name.toLowerCase(Locale.ROOT).endsWith(".obj")) {
+            throw problems.wholeFile("is a mesh, not a scene; an object of a scene shows it:"
+                    + " { \"type\": \"TriangleMesh\", \"mesh\": " + Problems.quoted(name) + " }");
+        }
     }
 
     private String piped() throws IOException {

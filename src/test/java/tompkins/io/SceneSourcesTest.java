@@ -118,6 +118,14 @@ class SceneSourcesTest {
         assertThat(StudioReader.read(marked).title()).isEqualTo("\u00fc");
     }
 
+    @Test
+    void aMeshIsToldItsPlaceInAScene() throws IOException {
+        assertFileRefused(
+                Files.writeString(folder.resolve("knot.OBJ"), "f 1 2 3"),
+                "is a mesh, not a scene; an object of a scene shows it:"
+                        + " { \"type\": \"TriangleMesh\", \"mesh\": \"knot.OBJ\" }");
+    }
+
     /** What some editors call Unicode; in a scene, in a mesh and in its materials. */
     @ParameterizedTest
     @ValueSource(strings = {"UTF-16", "UTF-16BE", "UTF-16LE"})
