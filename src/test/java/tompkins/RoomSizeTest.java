@@ -35,7 +35,7 @@ class RoomSizeTest {
                         27_501),
                 arguments("file, image", 4_535),
                 arguments("explain, lesson, measure, animation", 6_309),
-                arguments("io, app", 8_320),
+                arguments("io, app", 8_326),
                 arguments("study", 4_084),
                 arguments("ui", 20_900));
     }

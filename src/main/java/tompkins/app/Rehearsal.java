@@ -22,10 +22,16 @@ final class Rehearsal {
     private static final String SCENE =
             "{\"scene\": [{\"type\": \"Sphere\"}], \"settings\": {\"width\": 32, \"height\": 32, \"samples\": 1}}";
 
+    /** With less memory, in bytes, the scene may need what the rehearsal takes. */
+    private static final long LEAST_MEMORY = 200L << 20;
+
     private Rehearsal() {}
 
-    /** Begins it on a thread of its own. */
+    /** Begins it on a thread of its own, if there is memory for both. */
     static void begin() {
+        if (Runtime.getRuntime().maxMemory() < LEAST_MEMORY) {
+            return;
+        }
         Thread thread = new Thread(Rehearsal::takePhotograph, "tompkins-rehearsal");
         thread.setDaemon(true);
         thread.start();
