@@ -132,7 +132,7 @@ public final class RenderPlan {
      * The plan for a studio's picture, as {@link #of(Studio, RenderPlan)}, for somebody who may change his mind.
      *
      * @param unwanted whether the plan is no longer wanted; asked by what may take seconds, the stars out of focus
-     * @throws java.util.concurrent.CancellationException if it is not
+     * @throws java.util.concurrent.CancellationException if {@code unwanted} says so
      */
     public static RenderPlan of(Studio studio, RenderPlan previous, BooleanSupplier unwanted) {
         return new RenderPlan(studio, previous, false, unwanted);

@@ -41,7 +41,7 @@ final class StarField {
      * @param isDirect whether rays that meet nothing come straight from the sky: in vacuum
      * @param shift what becomes of the light, or null if it stays as it is
      * @param unwanted whether the picture is no longer wanted
-     * @throws java.util.concurrent.CancellationException if it is not
+     * @throws java.util.concurrent.CancellationException if {@code unwanted} says so
      */
     StarField(
             StarSky sky,

@@ -57,7 +57,7 @@ final class StarPoints {
      * @param directions unit vectors in the camera frame; null for a star that is not seen
      * @param lights for each star, its light: radiance of white times solid angle
      * @param unwanted whether the picture is no longer wanted; asked for each spot, whose place may take microseconds
-     * @throws java.util.concurrent.CancellationException if it is not
+     * @throws java.util.concurrent.CancellationException if {@code unwanted} says so
      */
     StarPoints(
             CameraRays camera,
