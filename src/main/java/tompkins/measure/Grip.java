@@ -9,7 +9,9 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.light.PointLight;
 import tompkins.math.Vectors;
+import tompkins.property.Descriptions;
 import tompkins.sceneobject.ImagePointGrid;
+import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.Event;
@@ -17,6 +19,7 @@ import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.FrameRoute;
 import tompkins.spacetime.FrameTree;
 import tompkins.studio.ObjectShift;
+import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.trace.Frame;
 import tompkins.trace.RayLife;
@@ -89,7 +92,7 @@ public final class Grip {
      * @param plan the picture
      * @param seen what is seen there
      * @param chosen the way to the object that is to be moved, if what is seen is a part of it; otherwise that moves
-     *     alone
+     *     alone. If it has no place of its own, and is {@link Placed}, its place is changed
      * @return empty if nothing is there, if it is not seen directly, or if the camera says where it is
      */
     public static Optional<Grip> of(RenderPlan plan, Sighting seen, StudioPath chosen) {
@@ -104,12 +107,20 @@ public final class Grip {
         for (RayLife.Encounter hit : first) {
             Optional<StudioPath> part = way(plan, hit);
             if (part.isPresent() && part.get().isWithin(chosen) && chosen.get(plan.studio()) instanceof SceneObject) {
-                return of(plan, seen, hit, chosen, part.get());
+                return of(plan, seen, hit, placing(plan.studio(), chosen), part.get());
             }
         }
         return Optional.ofNullable(seen.hit())
                 .filter(first::contains)
-                .flatMap(hit -> way(plan, hit).flatMap(part -> of(plan, seen, hit, part, part)));
+                .flatMap(hit ->
+                        way(plan, hit).flatMap(part -> of(plan, seen, hit, placing(plan.studio(), part), part)));
+    }
+
+    /** The way to what says where an object is: a mesh has no place of its own, and what places it is moved. */
+    private static StudioPath placing(Studio studio, StudioPath object) {
+        boolean placed = object.parent().get(studio) instanceof Placed
+                && Descriptions.places(object.get(studio).getClass()).isEmpty();
+        return placed ? object.parent() : object;
     }
 
     /** Holds a lamp; empty if what moves with the camera hides it. */

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.PanoramicCamera;
 import tompkins.light.AmbientLight;
 import tompkins.light.LightSource;
@@ -29,6 +30,7 @@ import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.Rotating;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
+import tompkins.sceneobject.TriangleMesh;
 import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.RollingShutter;
 import tompkins.shutter.SweepDirection;
@@ -261,6 +263,23 @@ class GripTest {
         double v = paint[1] - held[1];
         double determinant = uRight * vDown - uDown * vRight;
         return Math.hypot(u * vDown - uDown * v, uRight * v - u * vRight) < 0.5 * Math.abs(determinant);
+    }
+
+    /** A mesh that is placed has its place there, and not in a second placement around it. */
+    @ParameterizedTest
+    @ValueSource(strings = {"scene[0]", "scene[0].object", "scene[1]"})
+    void aPlacedMeshChangesItsPlace(String chosen) {
+        Placed placed =
+                new Placed("placed", TriangleMesh.DEFAULT, 2, new Vector3d(0, 0, 1), 30, new Vector3d(0, 0, 10));
+        Grip grip = grip(studio(Velocity.REST, placed, Sphere.DEFAULT), 321, 241, path(chosen));
+        assertThat(grip.path()).hasToString("scene[0]");
+        Placed moved = (Placed) grip.at(401, 201).orElseThrow();
+        assertThat(moved.object()).isEqualTo(TriangleMesh.DEFAULT);
+        // the tip of the octahedron is 8 before the pinhole
+        double pixel = 8 * Math.tan(Math.toRadians(Studio.DEFAULT.camera().horizontalAngleDegrees() / 2)) / 320;
+        assertThat(moved.translation().x()).isCloseTo(80 * pixel, within(pixel));
+        assertThat(moved.translation().y()).isCloseTo(40 * pixel, within(pixel));
+        assertThat(moved.translation().z()).isCloseTo(10, within(pixel));
     }
 
     @Test
