@@ -129,6 +129,9 @@ final class RideKeys {
             case KeyEvent.KEY_PRESSED -> {
                 if (isOfRide(event)) {
                     press(event);
+                } else if (event.getModifiersEx() == 0 && event.getKeyCode() == KeyEvent.VK_HOME) {
+                    // a ride that is paused begins anew, too, and a replay ends
+                    pilot.home();
                 } else if (event.getModifiersEx() == 0 && pilot.keyboard().command(letter(event)) >= 0) {
                     pilot.tellThatItPauses();
                 }

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
@@ -166,11 +167,13 @@ class RideKeysTest {
         assertThat(pilot.isBraking()).isTrue();
     }
 
-    @Test
-    void homeIsWhereTheRideBegan() {
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void homeIsWhereTheRideBegan(boolean paused) {
         Studio start = model.studio();
         press(KeyEvent.VK_W, 'w', 0);
         direction();
+        WindowDriver.onEventThread(() -> pilot.setRiding(!paused));
         press(KeyEvent.VK_HOME, KeyEvent.CHAR_UNDEFINED, 0);
         WindowDriver.onEventThread(() -> pilot.setRiding(false));
         assertThat(model.studio().velocity()).isEqualTo(Velocity.REST);
