@@ -7,6 +7,7 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import javax.swing.UIManager;
 import org.joml.Vector2d;
@@ -56,8 +57,10 @@ public final class VelocityArrow implements Overlay {
         Vector3dc ahead = studio.velocity().direction();
         List<Vector2dc> heads = places(picture, ahead, bounds, visible);
         List<Vector2dc> tails = places(picture, new Vector3d().sub(ahead), bounds, visible);
-        heads.forEach(head -> paintHead(g, head, visible));
-        tails.forEach(tail -> paintTail(g, tail, visible));
+        heads.forEach(head -> paintHead(g, head));
+        tails.forEach(tail -> paintTail(g, tail));
+        labels(g, Texts.get("arrow.ahead"), heads, visible);
+        labels(g, Texts.get("arrow.back"), tails, visible);
         if (heads.isEmpty() && tails.isEmpty()) {
             paintArrow(g, sideways(studio.camera(), ahead), visible);
         }
@@ -84,33 +87,41 @@ public final class VelocityArrow implements Overlay {
         return sideways.length() < 1e-9 ? new Vector2d(0, -1) : sideways.normalize();
     }
 
-    private static void paintHead(Graphics2D g, Vector2dc place, Rectangle visible) {
+    private static void paintHead(Graphics2D g, Vector2dc place) {
         Path2D mark = ring(place);
         mark.append(Drawing.circle(place.x(), place.y(), 1.5), false);
         Mark.paint(g, mark);
-        label(g, Texts.get("arrow.ahead"), place, visible);
     }
 
-    private static void paintTail(Graphics2D g, Vector2dc place, Rectangle visible) {
+    private static void paintTail(Graphics2D g, Vector2dc place) {
         double arm = RADIUS * Math.sqrt(0.5);
         Path2D mark = ring(place);
         mark.append(new Line2D.Double(place.x() - arm, place.y() - arm, place.x() + arm, place.y() + arm), false);
         mark.append(new Line2D.Double(place.x() - arm, place.y() + arm, place.x() + arm, place.y() - arm), false);
         Mark.paint(g, mark);
-        label(g, Texts.get("arrow.back"), place, visible);
     }
 
     private static Path2D ring(Vector2dc place) {
         return new Path2D.Double(Drawing.circle(place.x(), place.y(), RADIUS));
     }
 
-    /** Writes below the ring, because what is measured has its name above; to the left where the right has no room. */
-    private static void label(Graphics2D g, String text, Vector2dc place, Rectangle visible) {
+    /**
+     * Writes below the rings, because what is measured has its name above; to the left where the right has no room.
+     * Where the eyes look into one picture, their rings lie side by side and share a text.
+     */
+    private static void labels(Graphics2D g, String text, List<Vector2dc> places, Rectangle visible) {
         Font font = UIManager.getFont("small.font");
         int width = g.getFontMetrics(font).stringWidth(text);
-        double right = place.x() + RADIUS;
-        double x = right + width + EDGE < visible.getMaxX() ? right : place.x() - RADIUS - width;
-        Mark.paintText(g, font, text, x, place.y() + RADIUS + font.getSize2D() / 2);
+        List<Vector2dc> ordered =
+                places.stream().sorted(Comparator.comparingDouble(Vector2dc::x)).toList();
+        for (int i = 0; i < ordered.size(); i++) {
+            Vector2dc place = ordered.get(i);
+            if (i == ordered.size() - 1 || place.distance(ordered.get(i + 1)) > width + 2 * RADIUS) {
+                double right = place.x() + RADIUS;
+                double x = right + width + EDGE < visible.getMaxX() ? right : place.x() - RADIUS - width;
+                Mark.paintText(g, font, text, x, place.y() + RADIUS + font.getSize2D() / 2);
+            }
+        }
     }
 
     private static void paintArrow(Graphics2D g, Vector2d sideways, Rectangle bounds) {

@@ -22,6 +22,8 @@ import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import tompkins.camera.Stereo;
+import tompkins.camera.StereoLayout;
 import tompkins.image.LinearImage;
 import tompkins.light.PointLight;
 import tompkins.light.Pulse;
@@ -187,6 +189,23 @@ class OverlayTest {
                         .filter(i -> i % WIDTH > 320 + 14 && isMarked(tail, i) && isMarked(name, i))
                         .count())
                 .isZero();
+    }
+
+    /** In an anaglyph both eyes see a ring, 9 pixels apart: twice the words would be illegible. */
+    @Test
+    void ringsSideBySideShareTheirWords() {
+        Studio one = flying(0, 0, 0.5);
+        Stereo eyes = new Stereo(StereoLayout.ANAGLYPH, 0.05, 10);
+        BufferedImage both = painted(arrow(), one.withCamera(Descriptions.with(one.camera(), "stereo", eyes)));
+        assertThat(marked(both).x).as("the left ring").isLessThan(marked(painted(arrow(), one)).x);
+        // 38 more if both had words; these lie half a pixel further
+        assertThat(belowTheRing(both)).isCloseTo(belowTheRing(painted(arrow(), one)), within(10L));
+    }
+
+    private static long belowTheRing(BufferedImage canvas) {
+        return IntStream.range((240 + 13) * WIDTH, HEIGHT * WIDTH)
+                .filter(i -> isMarked(canvas, i))
+                .count();
     }
 
     private static boolean isMarked(BufferedImage canvas, int pixel) {
