@@ -132,9 +132,9 @@ final class MeshFaces {
         } else if (statement.wordIs("f")) {
             addFace(statement);
         } else if (statement.wordIs("vt")) {
-            addNumbers(statement, textureCoordinates, 2, "texture coordinates (vt) cannot be read");
+            addNumbers(statement, textureCoordinates, 2, "texture coordinates (vt) must be two numbers");
         } else if (statement.wordIs("vn")) {
-            addNumbers(statement, normals, 3, "a normal (vn) cannot be read");
+            addNumbers(statement, normals, 3, "a normal (vn) must be three numbers");
         } else if (statement.wordIs("mtllib")) {
             library.read(name, statement.rest());
         } else if (statement.wordIs("usemtl")) {
@@ -187,7 +187,7 @@ final class MeshFaces {
             sum += numbers.getElement(numbers.getNumElements() - 1);
         }
         if (Double.isNaN(sum)) {
-            notes.add(name, problem);
+            notes.add(name, statement.firstLine(), problem, statement.statement());
         }
     }
 

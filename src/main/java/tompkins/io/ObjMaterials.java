@@ -21,6 +21,9 @@ final class ObjMaterials {
 
     private static final Colour USUAL = Colour.grey(0.8);
 
+    /** What stands behind a key, in a line counted from 1. */
+    private record Property(int line, String text) {}
+
     private final FileKind.Files files;
     private final ObjNotes notes;
     private final Map<String, MeshMaterial> materials = new HashMap<>();
@@ -39,7 +42,7 @@ final class ObjMaterials {
     /** Reads one file of materials whose name may have blanks, or several, named as seen from the mesh. */
     void read(String mesh, String names) {
         String name = beside(mesh, names);
-        List<String> words = List.of(names.split("\\s+"));
+        List<String> words = ObjStatements.words(names);
         try {
             read(name, new ObjStatements(files.bytes(name, "a file of materials")));
         } catch (IOException | ObjMistake missing) {
@@ -56,7 +59,7 @@ final class ObjMaterials {
     }
 
     private void read(String file, ObjStatements statements) {
-        Map<String, String> properties = new LinkedHashMap<>();
+        Map<String, Property> properties = new LinkedHashMap<>();
         String material = null;
         while (statements.next()) {
             if (!statements.nextWord()) {
@@ -67,20 +70,20 @@ final class ObjMaterials {
                 add(file, material, properties);
                 material = statements.rest();
             } else {
-                properties.put(key, statements.rest());
+                properties.put(key, new Property(statements.firstLine(), statements.rest()));
             }
         }
         add(file, material, properties);
     }
 
-    private void add(String file, String material, Map<String, String> properties) {
+    private void add(String file, String material, Map<String, Property> properties) {
         if (material != null) {
             Colour diffuse = colour(file, properties, "Kd", USUAL);
             Colour specular = colour(file, properties, "Ks", Colour.BLACK);
-            String dissolved = properties.remove("d");
-            double opacity = dissolved == null ? 1 : number(dissolved);
+            Property dissolved = properties.remove("d");
+            double opacity = dissolved == null ? 1 : number(dissolved.text);
             if (!(opacity >= 0 && opacity <= 1)) {
-                notes.add(file, "\"d\" must be a number from 0 to 1");
+                notes.add(file, dissolved.line, "\"d\" must be a number from 0 to 1", dissolved.text);
                 opacity = 1;
             }
             PixelPicture picture = picture(file, properties.remove("map_Kd"));
@@ -101,19 +104,19 @@ final class ObjMaterials {
     }
 
     /** Three numbers, or one for all channels. */
-    private Colour colour(String file, Map<String, String> properties, String key, Colour otherwise) {
-        String text = properties.remove(key);
-        if (text == null) {
+    private Colour colour(String file, Map<String, Property> properties, String key, Colour otherwise) {
+        Property property = properties.remove(key);
+        if (property == null) {
             return otherwise;
         }
-        String[] words = text.split("\\s+");
-        double red = number(words[0]);
-        double green = words.length < 3 ? red : number(words[1]);
-        double blue = words.length < 3 ? red : number(words[2]);
+        List<String> words = ObjStatements.words(property.text);
+        double red = number(words.get(0));
+        double green = words.size() < 3 ? red : number(words.get(1));
+        double blue = words.size() < 3 ? red : number(words.get(2));
         if (red >= 0 && green >= 0 && blue >= 0 && Math.max(red, Math.max(green, blue)) <= 1) {
             return new Colour(red, green, blue);
         }
-        notes.add(file, Problems.quoted(key) + " must be three numbers from 0 to 1");
+        notes.add(file, property.line, Problems.quoted(key) + " must be three numbers from 0 to 1", property.text);
         return otherwise;
     }
 
@@ -125,13 +128,14 @@ final class ObjMaterials {
         }
     }
 
-    private PixelPicture picture(String file, String text) {
-        if (text == null) {
+    private PixelPicture picture(String file, Property property) {
+        if (property == null) {
             return null;
         }
+        String text = property.text;
         if (text.startsWith("-")) {
-            notes.add(
-                    file, "\"map_Kd\" with options such as " + Problems.quoted(text.split("\\s+")[0]) + " is not read");
+            String option = ObjStatements.words(text).get(0);
+            notes.add(file, "\"map_Kd\" with options such as " + Problems.quoted(option) + " is not read");
             return null;
         }
         String name = beside(file, text);

@@ -1,6 +1,7 @@
 package tompkins.io;
 
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import tompkins.math.Precise;
 
 /**
@@ -182,7 +183,20 @@ final class ObjStatements {
 
     /** What follows the word, without the blanks around it. */
     String rest() {
-        return text.substring(wordEnd, end).strip();
+        int from = wordEnd;
+        int to = end;
+        while (from < to && isBlank(text.charAt(from))) {
+            from++;
+        }
+        while (from < to && isBlank(text.charAt(to - 1))) {
+            to--;
+        }
+        return text.substring(from, to);
+    }
+
+    /** The words of a {@linkplain #rest rest}. */
+    static List<String> words(String rest) {
+        return List.of(rest.split("[\\s\\u0085\\p{Z}]+"));
     }
 
     /** Whether the word is a given one, in small or capital letters. */
@@ -258,9 +272,14 @@ final class ObjStatements {
         return new ObjMistake(firstLine, message);
     }
 
+    /** All of the statement. */
+    String statement() {
+        return text.substring(start, end).strip();
+    }
+
     /** The statement cannot be understood at all. */
     ObjMistake unclear() {
-        return mistake(Problems.quoted(text.substring(start, end).strip())
+        return mistake(Problems.quoted(statement())
                 + " cannot be understood; a vertex is written like \"v 0 1.5 -2\","
                 + " a face like \"f 1 2 3\" with vertices counted from 1");
     }

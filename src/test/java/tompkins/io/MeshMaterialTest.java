@@ -87,7 +87,8 @@ class MeshMaterialTest {
     @Test
     void eachFaceHasItsMaterial() throws Exception {
         picture("p.png", 0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff);
-        materials("newmtl plain\nKd 0.5 0 0\nKs 0.1 0.2 0.3\n\nnewmtl dim\nKd 0 0.5 0\nmap_Kd p.png\n"
+        // blanks of typesetters part words, as in the mesh
+        materials("newmtl plain\nKd 0.5\u00a00\u20030\u00a0\nKs 0.1 0.2 0.3\n\nnewmtl dim\nKd 0 0.5 0\nmap_Kd p.png\n"
                 + "newmtl thin\nKd 1 0 0\nd 0.25\n");
         String obj = "mtllib model.mtl\nvt 0 0\nv -1 -1 -5\nv 0 -1 -5\nv 0 1 -5\nv -1 1 -5\nv 1 -1 -5\nv 1 0 -5\n"
                 + "v 0 0 -5\nv 1 1 -5\n";
@@ -177,11 +178,13 @@ class MeshMaterialTest {
                 "usemtl gold | model.obj: there is no material \"gold\"",
                 "mtllib lost.mtl | lost.mtl: its materials are not shown: there is no such file in ",
                 "mtllib ../up.mtl | ../up.mtl: its materials are not shown: must be the name of a file of materials in",
-                "vt 0,5 1 | model.obj: texture coordinates (vt) cannot be read",
+                "vt 0,5 1 | model.obj:5: texture coordinates (vt) must be two numbers, was \"vt 0,5 1\"",
+                "vn 0 1 | model.obj:5: a normal (vn) must be three numbers, was \"vn 0 1\"",
                 "f 1/7 2/7 3/7 | model.obj: faces name a \"vt\" that is missing or not finite (3 times)",
                 "mtllib model.mtl | model.mtl: \"illum\" is not read (2 times)",
                 "mtllib model.mtl | model.mtl: \"Ns\" is not read",
-                "mtllib model.mtl | model.mtl: \"Kd\" must be three numbers from 0 to 1 (2 times)",
+                "mtllib model.mtl | model.mtl:4: \"Kd\" must be three numbers from 0 to 1, was \"2 0 0\" (first of 2)",
+                "mtllib model.mtl | model.mtl:12: \"d\" must be a number from 0 to 1, was \"7\"",
                 "mtllib model.mtl | model.mtl: a picture is not shown: there is no such file in ",
                 "mtllib model.mtl | model.mtl: a picture is not shown: bad.png: not a picture that can be read; ",
                 "mtllib model.mtl | model.mtl: \"map_Kd\" with options such as \"-s\" is not read"
@@ -190,7 +193,7 @@ class MeshMaterialTest {
         Files.writeString(folder.resolve("bad.png"), "no picture");
         materials(
                 "newmtl a\nillum 2\nNs 10\nKd 2 0 0\nmap_Kd lost.png\nnewmtl b\nKd 0x1p-1 0 0\nillum 1\nmap_Kd bad.png\n"
-                        + "newmtl c\nmap_Kd -s 2 2 2 tiles.png\n");
+                        + "newmtl c\nmap_Kd -s 2 2 2 tiles.png\nd 7\n");
         List<String> notes = StudioWriter.notes(studio(SQUARE + line + "\nf 1 2 3 4\n"));
         assertThat(notes).filteredOn(each -> each.startsWith(note)).hasSize(1);
     }
