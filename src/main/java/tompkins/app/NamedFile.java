@@ -3,6 +3,8 @@ package tompkins.app;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
 import tompkins.file.FileException;
 import tompkins.file.FileFailure;
 import tompkins.property.MistakeException;
@@ -59,6 +61,19 @@ final class NamedFile {
             return use.make();
         } catch (FileException wrongPlace) {
             throw new MistakeException(wrongPlace.getMessage());
+        }
+    }
+
+    /**
+     * Refuses a name for a file to be written that others would take for a file of another kind.
+     *
+     * @param what what the file is
+     * @param endings those that its name may have, in small or capital letters; the usual one first
+     */
+    static void requireEnding(Path file, String what, String... endings) {
+        String name = file.toString().toLowerCase(Locale.ROOT);
+        if (Arrays.stream(endings).noneMatch(name::endsWith)) {
+            throw new MistakeException(file + ": the name of a " + what + " must end in " + endings[0]);
         }
     }
 

@@ -6,7 +6,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -20,7 +19,6 @@ import tompkins.io.LessonSheet;
 import tompkins.io.StudioReader;
 import tompkins.measure.LessonResult;
 import tompkins.measure.LessonStudio;
-import tompkins.property.MistakeException;
 import tompkins.render.PhotographTaker;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
@@ -55,7 +53,7 @@ final class SheetCommand extends ProgramCommand {
     @Override
     public Integer call() throws IOException, InterruptedException {
         Studio studio = options.read(scene, List.of());
-        requireName();
+        NamedFile.requireEnding(output, "sheet", ".html", ".htm");
         ScenePlan.of(studio, scene);
         Photographer.requirePlace(output, force);
         Photographer.requireMemory(studio.settings(), Quality.of(studio));
@@ -63,12 +61,6 @@ final class SheetCommand extends ProgramCommand {
         Path place = PendingFile.save(output, force, out -> out.write(page));
         out().println(place.toRealPath(LinkOption.NOFOLLOW_LINKS));
         return 0;
-    }
-
-    private void requireName() {
-        if (!output.toString().toLowerCase(Locale.ROOT).matches("(?s).*\\.html?")) {
-            throw new MistakeException(output + ": the name of a sheet must end in .html");
-        }
     }
 
     private LessonSheet sheet(Studio studio) throws IOException, InterruptedException {

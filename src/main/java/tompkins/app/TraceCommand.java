@@ -114,6 +114,7 @@ final class TraceCommand extends ProgramCommand {
         }
         output.check();
         if (drawn != null) {
+            NamedFile.requireEnding(drawn, "scene", ".json");
             output.check(drawn);
         }
         RenderPlan plan = ScenePlan.of(studio, scene);

@@ -376,6 +376,11 @@ class TraceCommandTest {
         for (int i = 0; i < balls.size(); i++) {
             assertThat(balls.get(i)).isEqualTo(numbers(hits[i + 1], "position"));
         }
+        Path picture = folder.resolve("drawn.png");
+        ProgramRun wrong = ProgramRun.of("trace", scene, "--pixel", "11,8", "--draw", picture);
+        assertThat(wrong.code()).isEqualTo(2);
+        assertThat(wrong.err()).contains("drawn.png: the name of a scene must end in .json");
+        assertThat(picture).doesNotExist();
         ProgramRun again = ProgramRun.of("trace", scene, "--pixel", "11,8", "--draw", drawn);
         assertThat(again.code()).isEqualTo(2);
         assertThat(again.err()).contains("there is a file of this name already; --force replaces it");
