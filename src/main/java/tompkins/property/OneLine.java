@@ -29,7 +29,11 @@ public final class OneLine {
      */
     public static String shortened(String text, int longest) {
         boolean tooLong = text.length() > longest;
-        String start = tooLong ? text.substring(0, longest - 10) : text;
+        int cut = longest - 10;
+        String start = !tooLong
+                ? text
+                // never between the two halves of one character
+                : text.substring(0, Character.isHighSurrogate(text.charAt(cut - 1)) ? cut - 1 : cut);
         String seen = INVISIBLE
                 .matcher(start)
                 .replaceAll(found ->

@@ -31,5 +31,8 @@ class OneLineTest {
     void longTextsAreCutAndSaySo() {
         assertThat(OneLine.shortened("x".repeat(60), 60)).isEqualTo("x".repeat(60));
         assertThat(OneLine.shortened("x".repeat(61), 60)).isEqualTo("x".repeat(50) + "... (61 characters)");
+        String smile = "\ud83d\ude00";
+        assertThat(OneLine.shortened("x".repeat(49) + smile + "x".repeat(49), 60))
+                .isEqualTo("x".repeat(49) + "... (100 characters)");
     }
 }
