@@ -102,6 +102,6 @@ final class LessonNumbersPage extends Part {
     void showProblem(String message) {
         table.removeAll();
         table.repaint();
-        note.setError(message);
+        note.setError(Texts.get("lesson.unmeasured", message));
     }
 }

@@ -17,6 +17,7 @@ import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
+import tompkins.camera.Camera;
 import tompkins.lesson.Lesson;
 import tompkins.lesson.LessonPlan;
 import tompkins.lesson.NoLesson;
@@ -326,14 +327,27 @@ public final class LessonPanel extends Part {
         }
     }
 
-    /** The lesson with the studio as it is now; says what is wrong if they do not fit each other any more. */
+    /**
+     * The lesson with the studio as it is now, but for a camera that was turned or ridden away, which stands where the
+     * lesson has it; says what is wrong if they do not fit each other any more.
+     */
     private Optional<LessonStudio> fitting() {
         try {
-            return LessonStudio.of(model.studio());
+            return LessonStudio.of(isWhereItBegan() ? model.studio() : model.atHome());
         } catch (InvalidPropertyException lost) {
             numbers.showProblem(lost.getMessage());
             return Optional.empty();
         }
+    }
+
+    private boolean isWhereItBegan() {
+        Studio unmoved = LessonStudio.unmoved(model.studio(), model.opened());
+        Camera camera = unmoved.camera();
+        Camera home = model.opened().camera();
+        return unmoved.velocity().equals(model.opened().velocity())
+                && camera.position().equals(home.position())
+                && camera.viewDirection().equals(home.viewDirection())
+                && (!camera.shutter().hasOpeningTime() || camera.shutter().equals(home.shutter()));
     }
 
     private void startAgain() {
@@ -341,7 +355,7 @@ public final class LessonPanel extends Part {
         begin();
     }
 
-    /** Measures with a studio as it is, except for the number that the lesson moves. */
+    /** Measures with a studio in which the lesson has moved its number. */
     private void measure(LessonStudio present) {
         numbers.showBusy();
         model.set(present.measured());

@@ -19,12 +19,14 @@ import javax.swing.JRadioButton;
 import javax.swing.JSlider;
 import javax.swing.JToggleButton;
 import javax.swing.SwingUtilities;
+import org.joml.Quaterniond;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.io.BundledScenes;
 import tompkins.io.FactText;
 import tompkins.lesson.Lesson;
@@ -37,6 +39,8 @@ import tompkins.measure.LessonStudio;
 import tompkins.measure.Sketch;
 import tompkins.property.Descriptions;
 import tompkins.shutter.FixedPointSurfaceShutter;
+import tompkins.spacetime.Event;
+import tompkins.studio.LensEvent;
 import tompkins.studio.Studio;
 import tompkins.ui.Components;
 import tompkins.ui.LayoutProblems;
@@ -239,6 +243,37 @@ class LessonPanelTest {
         model.open(second, null);
         panel.begin();
         assertThat(course.isFinished(second)).isFalse();
+    }
+
+    /** Whoever rides, waits or looks around meanwhile still gets the numbers of the lesson. */
+    @ParameterizedTest
+    @ValueSource(strings = {"Lesson 1:", "Lesson 5:", "Lesson 12:", "Lesson 13:"})
+    void aCameraThatWentAwayMeasuresWhereTheLessonIs(String title) throws IOException {
+        Studio lesson = BundledScenes.studios().stream()
+                .filter(studio -> studio.title().startsWith(title))
+                .findFirst()
+                .orElseThrow();
+        for (Event way : List.of(new Event(0, 0, 0, 3.3), new Event(0.2, 0.1, -0.3, 1))) {
+            model.open(lesson, null);
+            panel.begin();
+            Components.all(strip())
+                    .filter(JRadioButton.class::isInstance)
+                    .forEach(button -> ((JRadioButton) button).setSelected(true));
+            next("LOOK").doClick();
+            JSlider slider = (JSlider) Components.all(strip())
+                    .filter(JSlider.class::isInstance)
+                    .findFirst()
+                    .orElseThrow();
+            slider.setValue(slider.getValue() == 500 ? 501 : 500);
+            Studio present = model.studio();
+            Event away = LensEvent.inScene(present).plus(way);
+            model.look(LensEvent.moved(present, away, present.velocity(), new Quaterniond().rotateY(way.x())), this);
+            next("REASON").doClick();
+            assertThat(LessonStudio.of(model.studio()).orElseThrow().results())
+                    .as("%s after %s", title, way)
+                    .isNotEmpty()
+                    .allMatch(LessonResult::agrees);
+        }
     }
 
     /** Formulas break outside of their parentheses only, and have the minus of all other numbers. */
