@@ -313,8 +313,8 @@ public final class TompkinsWindow {
         }
 
         @Override
-        public void read(PixelReading reading) {
-            status.show(reading);
+        public void read(PixelReading reading, boolean rests) {
+            status.show(reading, rests);
         }
 
         @Override

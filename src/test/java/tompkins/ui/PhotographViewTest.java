@@ -178,7 +178,7 @@ class PhotographViewTest {
         List<PixelReading> read = new ArrayList<>();
         SilentListener listener = new SilentListener() {
             @Override
-            public void read(PixelReading reading) {
+            public void read(PixelReading reading, boolean rests) {
                 read.add(reading);
             }
         };

@@ -11,7 +11,7 @@ public class SilentListener implements PhotographView.Listener {
     public void shown(Picture picture) {}
 
     @Override
-    public void read(PixelReading reading) {}
+    public void read(PixelReading reading, boolean rests) {}
 
     @Override
     public void pinned(PixelReading reading, String picture) {}

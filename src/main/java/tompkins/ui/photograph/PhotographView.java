@@ -43,8 +43,8 @@ public final class PhotographView implements AutoCloseable {
         /** Another picture is on the screen. */
         void shown(Picture picture);
 
-        /** A pixel was read; null if the mouse has left the picture. */
-        void read(PixelReading reading);
+        /** A pixel was read; null if the mouse has left the picture. If that rests, the picture under it changed. */
+        void read(PixelReading reading, boolean rests);
 
         /**
          * The pinned pixel was read; null if none is pinned.
@@ -327,20 +327,20 @@ public final class PhotographView implements AutoCloseable {
         private boolean isOver;
 
         @Override
-        public void over(Point2D place, Picture seen) {
+        public void over(Point2D place, Picture seen, boolean rests) {
             isOver = seen != null;
             if (isOver) {
                 Point2D own = canvas.shown().placeIn(seen, place);
-                hover.ask(() -> PixelReading.of(seen, own), this::read);
+                hover.ask(() -> PixelReading.of(seen, own), reading -> read(reading, rests));
             } else {
-                listener.read(null);
+                listener.read(null, rests);
             }
         }
 
-        private void read(PixelReading reading) {
+        private void read(PixelReading reading, boolean rests) {
             // the mouse may have left while the ray was followed
             if (isOver) {
-                listener.read(reading);
+                listener.read(reading, rests);
             }
         }
 

@@ -65,7 +65,7 @@ public final class StatusBar extends Part {
         this.controller = controller;
         fading = new Timer(messageMilliseconds, event -> {
             setWhat("");
-            show(read);
+            show(read, false);
         });
         fading.setRepeats(false);
         what.setName("status.what");
@@ -152,10 +152,12 @@ public final class StatusBar extends Part {
         return Texts.get(sighting.life().reachesBackground() ? "probe.background" : "probe.standsStill");
     }
 
-    /** Shows what lies under the mouse, or a hint if that is nothing. */
-    public void show(PixelReading reading) {
-        boolean rests =
-                reading != null && read != null && reading.column() == read.column() && reading.row() == read.row();
+    /**
+     * Shows what lies under the mouse, or a hint if that is nothing.
+     *
+     * @param rests whether the mouse has not moved, but the picture under it has changed
+     */
+    public void show(PixelReading reading, boolean rests) {
         read = reading;
         if (rests && fading.isRunning()) {
             // another picture under a mouse that rests does not hide news
@@ -270,10 +272,13 @@ public final class StatusBar extends Part {
         where.setText(" ");
     }
 
-    /** As {@link #say}, for news that disappear after a while. */
+    /** As {@link #say}, for news that disappear after a while; an empty one takes back the last. */
     public void report(String message) {
         say(message);
         fading.restart();
+        if (message.isEmpty()) {
+            showIdle();
+        }
     }
 
     /** A line that leaves out its last parts where it has no room, and is not cut in a word. */

@@ -27,8 +27,12 @@ public final class PictureCanvas extends JPanel {
     /** Told what the mouse does on the picture; places in pixels of the photograph. */
     public interface Mouse {
 
-        /** The mouse is over a place of the picture that is seen there; both are null if it has left the pictures. */
-        void over(Point2D place, Picture seen);
+        /**
+         * The mouse is over a place of the picture that is seen there; both are null if it has left the pictures.
+         *
+         * @param rests whether it has not moved, but the picture under it is another one, or lies elsewhere
+         */
+        void over(Point2D place, Picture seen, boolean rests);
 
         /** The mouse was clicked at a place of the picture that is seen there. */
         void clicked(Point2D place, Picture seen);
@@ -103,7 +107,7 @@ public final class PictureCanvas extends JPanel {
         paintImmediately(0, 0, getWidth(), getHeight());
         Picture now = pointedPicture();
         if (before != null && now != null && before.plan() != now.plan()) {
-            tellPointed();
+            tellAgain();
         }
     }
 
@@ -120,13 +124,13 @@ public final class PictureCanvas extends JPanel {
 
     /** Tells what the keys or the mouse points at. */
     void tellPointed() {
-        mouse.over(pointedPlace(), pointedPicture());
+        mouse.over(pointedPlace(), pointedPicture(), false);
     }
 
     /** Tells what the keys or the mouse points at now, if they point at the pictures. */
     private void tellAgain() {
         if (keyPointer.place() != null || mouseAt != null) {
-            tellPointed();
+            mouse.over(pointedPlace(), pointedPicture(), true);
         }
     }
 

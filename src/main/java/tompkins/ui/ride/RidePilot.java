@@ -27,7 +27,7 @@ public final class RidePilot {
     private static final int TICK_MILLISECONDS = 16;
 
     /** After a longer pause of the program the ride goes on as if there had been none. */
-    private static final double LONGEST_STEP_SECONDS = 0.1;
+    private static final double LONGEST_STEP_SECONDS = 0.25;
 
     /** The rapidity that thrust gives in a second on board, however slow light is there. */
     private static final double RAPIDITY_PER_SECOND = 0.5;
@@ -47,7 +47,6 @@ public final class RidePilot {
     private Studio start;
 
     private final RideTask task = new RideTask();
-
     private RideMoment moment;
 
     /** Takes note of what is flown by hand; null before that. */
@@ -168,6 +167,7 @@ public final class RidePilot {
             braking = false;
             flyFrom(RideMoment.start(model.studio().withCamera(start.camera()).withVelocity(start.velocity())));
             task.restart(true);
+            teller.accept(task.news());
             tell();
             model.look(moment.studio(), gesture);
         }

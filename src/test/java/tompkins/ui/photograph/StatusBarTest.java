@@ -168,7 +168,7 @@ class StatusBarTest {
         status.show(picture(Studios.sphere(), "no ray met an object", "all is black"));
         assertThat(what.getText()).isEqualTo("Warning: no ray met an object.");
         status.say("something else");
-        status.show((PixelReading) null);
+        status.show(null, false);
         assertThat(what.getText()).isEqualTo("Warning: no ray met an object.");
         status.show(picture(Studios.sphere()));
         assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PIN"));
@@ -184,7 +184,7 @@ class StatusBarTest {
         status.show(PhotographView.Click.PICK);
         assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PICK"));
         status.say("something else");
-        status.show((PixelReading) null);
+        status.show(null, false);
         status.show(picture(Studios.sphere()));
         assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PICK"));
         status.show(PhotographView.Click.PIN);
@@ -194,21 +194,21 @@ class StatusBarTest {
         assertThat(what.getText()).isEqualTo("nothing is there");
     }
 
-    /** The same pixel is read again in each better picture. */
+    /** What lies under a mouse that rests is read again in each picture, which may have another size. */
     @Test
     void newsStayWhileTheMouseRests() {
         Picture seen = picture(Studios.sphere());
         PixelReading reading = PixelReading.of(seen, new Point2D.Double(3, 4));
         WindowDriver.onEventThread(() -> {
-            status.show(reading);
+            status.show(reading, false);
             status.report("Saved");
-            status.show(PixelReading.of(seen, new Point2D.Double(3, 4)));
+            status.show(PixelReading.of(seen, new Point2D.Double(2, 3)), true);
             assertThat(what.getText()).isEqualTo("Saved");
         });
-        WindowDriver.await("the reading", () -> what.getText().startsWith("Pixel 3, 4"));
+        WindowDriver.await("the reading", () -> what.getText().startsWith("Pixel 2, 3"));
         WindowDriver.onEventThread(() -> {
             status.report("Saved");
-            status.show(PixelReading.of(seen, new Point2D.Double(5, 4)));
+            status.show(PixelReading.of(seen, new Point2D.Double(5, 4)), false);
             assertThat(what.getText()).startsWith("Pixel 5, 4");
         });
     }

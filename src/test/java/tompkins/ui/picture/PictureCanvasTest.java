@@ -40,7 +40,7 @@ class PictureCanvasTest {
         made.setSize(WIDTH / 2, HEIGHT / 2);
         made.setMouse(new PictureCanvas.Mouse() {
             @Override
-            public void over(Point2D place, Picture seen) {
+            public void over(Point2D place, Picture seen, boolean rests) {
                 read.add(place);
             }
 
