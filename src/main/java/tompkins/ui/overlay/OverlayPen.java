@@ -14,7 +14,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.joml.Vector2dc;
-import tompkins.image.PictureLabel;
 import tompkins.measure.OverlayDrawing;
 import tompkins.measure.OverlayKind;
 import tompkins.trace.Frame;
@@ -73,8 +72,8 @@ final class OverlayPen {
         scaleY = (double) bounds.height / plan.height();
     }
 
-    /** Draws all of it, with a note in what is free where it may not agree with the picture, which may be empty. */
-    void paint(List<OverlayDrawing> drawings, String note, Rectangle visible, Rectangle free) {
+    /** Draws all of it. */
+    void paint(List<OverlayDrawing> drawings, Rectangle visible) {
         for (OverlayDrawing drawing : drawings) {
             Mark.paintLines(g, lines(drawing), COLOURS.get(drawing.kind()), isFine(drawing.kind()));
             marks(drawing);
@@ -85,9 +84,6 @@ final class OverlayPen {
                 .forEach(drawing -> writeGhost(drawing, visible));
         WRITTEN_FIRST.forEach(kind ->
                 drawings.stream().filter(drawing -> drawing.kind() == kind).forEach(this::write));
-        if (!note.isEmpty()) {
-            PictureLabel.paint(g, font, note, free, PictureLabel.Corner.TOP_RIGHT);
-        }
     }
 
     private static boolean isFine(OverlayKind kind) {

@@ -16,6 +16,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.UIManager;
 import tompkins.camera.EyeView;
+import tompkins.image.PictureLabel;
 import tompkins.measure.OverlayDrawing;
 import tompkins.measure.OverlayKind;
 import tompkins.measure.Overlays;
@@ -50,9 +51,12 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
                 if (plan.studio().camera().stereo().layout().hasHalves()) {
                     own.clip(eye.part(bounds, plan));
                 }
-                String once = eye == eyes.get(0) ? note : "";
-                new OverlayPen(own, bounds, plan, font).paint(eye.drawings, once, visible, free);
+                new OverlayPen(own, bounds, plan, font).paint(eye.drawings, visible);
                 own.dispose();
+            }
+            if (!note.isEmpty()) {
+                // the top is for the line of a ride
+                PictureLabel.paint(g, font, note, free, PictureLabel.Corner.BOTTOM_LEFT);
             }
         }
     }
@@ -130,8 +134,9 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
         Rectangle whole = new Rectangle(image.getWidth(), image.getHeight());
         float size = (float) Math.max(SMALLEST_TYPE, HEIGHT_SHARE * whole.height);
         Graphics2D g = image.createGraphics();
-        draw(plan, kinds, SceneShapes.of(plan.world().frames()))
-                .paint(g, whole, new Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont(size), whole, whole);
+        Font font = new Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont(size);
+        Rectangle aboveCaption = new Rectangle(whole.width, whole.height - PictureLabel.height(g, font));
+        draw(plan, kinds, SceneShapes.of(plan.world().frames())).paint(g, whole, font, whole, aboveCaption);
         g.dispose();
     }
 

@@ -57,6 +57,8 @@ class OverlayTest {
     private static final int HEIGHT = 480;
 
     /** Lines are written above and below it. */
+    private static final Rectangle WHOLE = new Rectangle(WIDTH, HEIGHT);
+
     private static final Rectangle FREE = new Rectangle(0, 30, WIDTH, HEIGHT - 60);
 
     @BeforeEach
@@ -257,13 +259,19 @@ class OverlayTest {
         Studio wide = fine.withCamera(Descriptions.with(fine.camera(), "apertureRadius", 0.2));
         Studio window = fine.withCameraFrame(List.of(new Sphere("", new Vector3d(0, 0, -5), 1, Mirror.DEFAULT)));
 
-        // the line at the top, far from the sphere
-        assertThat(marked(painted(overlay(OverlayKind.OUTLINES), fine)).y).isGreaterThan(100);
-        assertThat(marked(painted(overlay(OverlayKind.OUTLINES), wide)).y).isLessThan(30);
-        assertThat(marked(painted(overlay(OverlayKind.OUTLINES), window)).y).isLessThan(30);
-        assertThat(marked(painted(overlay(OverlayKind.OUTLINES), window, FREE)).y)
-                .as("below titles")
-                .isBetween(30, 60);
+        Stereo eyes = new Stereo(StereoLayout.TOP_AND_BOTTOM, 0.3, 10);
+        Studio pair = wide.withCamera(Descriptions.with(wide.camera(), "stereo", eyes));
+
+        // the line at the bottom, far from the sphere
+        assertThat(lowest(fine, WHOLE)).isLessThan(HEIGHT - 100);
+        for (Studio told : List.of(wide, window, pair)) {
+            assertThat(lowest(told, WHOLE)).isGreaterThan(HEIGHT - 30);
+            assertThat(lowest(told, FREE)).as("above captions").isBetween(HEIGHT - 60.0, HEIGHT - 30.0);
+        }
+    }
+
+    private static double lowest(Studio studio, Rectangle free) {
+        return marked(painted(overlay(OverlayKind.OUTLINES), studio, free)).getMaxY();
     }
 
     /** A shutter that opens at many times is worked out by another thread; then the canvas is painted again. */
