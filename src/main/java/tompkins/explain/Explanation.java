@@ -27,11 +27,15 @@ import tompkins.shutter.RollingShutter;
 import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
+import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.surface.Continuation;
+import tompkins.surface.FrameWindow;
 import tompkins.surface.IdealLens;
+import tompkins.surface.LorentzWindow;
 import tompkins.surface.Surface;
+import tompkins.surface.WindowAxes;
 import tompkins.trace.LightShift;
 import tompkins.trace.RenderPlan;
 import tompkins.world.World;
@@ -89,6 +93,7 @@ public final class Explanation {
         sentences.add(colours());
         sentences.addAll(Stars.sentences(studio));
         sentences.add(cameraObjects());
+        FrontWindow.of(studio).map(this::frontWindow).ifPresent(sentences::add);
         sentences.add(search());
         rotation().ifPresent(sentences::add);
         sentences.add(recursion(Stream.of(inScene, beforeLens).flatMap(Set::stream)));
@@ -251,6 +256,20 @@ public final class Explanation {
                 : format(
                         "%d primitive%s with the camera and %s drawn in front of everything in the scene.",
                         count, count == 1 ? " moves" : "s move", count == 1 ? "is" : "are");
+    }
+
+    private String frontWindow(FrameWindow window) {
+        TransformationLaw law =
+                window instanceof LorentzWindow ? TransformationLaw.LORENTZ : TransformationLaw.GALILEAN;
+        String turns = "The window in front of the lens turns light ";
+        if (law == studio.transformation() && FrontWindow.matches(studio) && window.axes() == WindowAxes.FRAME) {
+            return turns + "back into the direction that it has in the scene: the aberration is undone.";
+        }
+        return turns
+                + format(
+                        "as a %s change of frame with its own velocity does%s.",
+                        law == TransformationLaw.LORENTZ ? "Lorentz" : "Galilean",
+                        studio.velocity().isRest() ? "" : "; the aberration of the camera is not undone");
     }
 
     private String search() {

@@ -45,12 +45,15 @@ import tompkins.shutter.SweepDirection;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.FrontWindow;
 import tompkins.studio.Lighting;
 import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.surface.Clock;
 import tompkins.surface.ColouredSurface;
+import tompkins.surface.GalileoWindow;
 import tompkins.surface.IdealLens;
+import tompkins.surface.LorentzWindow;
 import tompkins.surface.Mirror;
 import tompkins.surface.Surface;
 import tompkins.surface.TwoSided;
@@ -211,6 +214,21 @@ class ExplanationTest {
                         "two companions",
                         REST.withCameraFrame(List.of(BALL, WALL)),
                         "2 primitives move with the camera and are drawn in front of everything in the scene."),
+                says(
+                        "window that follows",
+                        FrontWindow.with(MOVING, LorentzWindow.DEFAULT.withVelocity(MOVING.velocity())),
+                        "The window in front of the lens turns light back into the direction that it has in the scene: the"
+                                + " aberration is undone."),
+                says(
+                        "window of another law",
+                        FrontWindow.with(MOVING, GalileoWindow.DEFAULT.withVelocity(MOVING.velocity())),
+                        "The window in front of the lens turns light as a Galilean change of frame with its own velocity"
+                                + " does; the aberration of the camera is not undone."),
+                says(
+                        "window of another velocity",
+                        FrontWindow.with(REST, LorentzWindow.DEFAULT.withVelocity(MOVING.velocity())),
+                        "The window in front of the lens turns light as a Lorentz change of frame with its own velocity"
+                                + " does."),
                 says("dull", REST, "No mirrors, glass, windows or filters: each ray ends where it hits."),
                 says(
                         "mirror",
