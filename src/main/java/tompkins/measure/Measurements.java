@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
@@ -80,10 +81,15 @@ public final class Measurements {
             addAngle("sceneAngle", "angle (scene)", both.sceneAngle(), HALF * pixel);
         }
         if (both.hasHits()) {
-            Changes changes = new Changes(
+            Changes<Separation> changes = new Changes<>(
                     both,
-                    beside(first).map(other -> new Separation(other, second)).toList(),
-                    beside(second).map(other -> new Separation(first, other)).toList());
+                    List.of(
+                            beside(first)
+                                    .map(other -> new Separation(other, second))
+                                    .toList(),
+                            beside(second)
+                                    .map(other -> new Separation(first, other))
+                                    .toList()));
             addDifference(changes, "scene", Separation::inScene);
             addDifference(changes, "camera", Separation::inCamera);
             if (both.inObject() != null) {
@@ -95,7 +101,7 @@ public final class Measurements {
         return new Measured(facts, null, List.of(points));
     }
 
-    private void addDifference(Changes changes, String frame, Function<Separation, Event> difference) {
+    private void addDifference(Changes<Separation> changes, String frame, Function<Separation, Event> difference) {
         facts.add(changes.quantity(
                 frame + "Distance",
                 "distance (" + frame + ")",
@@ -108,7 +114,7 @@ public final class Measurements {
                 one -> difference.apply(one).time()));
     }
 
-    private void addInterval(Changes changes, String frame, Function<Separation, Event> difference) {
+    private void addInterval(Changes<Separation> changes, String frame, Function<Separation, Event> difference) {
         facts.add(changes.quantity(
                 frame + "Interval",
                 "dr^2 - dt^2 (" + frame + ")",
@@ -117,33 +123,42 @@ public final class Measurements {
     }
 
     /**
-     * What lies between two points, and how half a pixel changes it.
+     * What points tell, and how half a pixel changes it.
      *
-     * @param both what lies between them
-     * @param first what lies between half a pixel beside the first and the second; empty if that is not known
-     * @param second the same at the second point
+     * @param told what they tell
+     * @param beside for each point, what they tell with that one moved to all sides; empty if that is not known
      */
-    private record Changes(Separation both, List<Separation> first, List<Separation> second) {
+    private record Changes<T>(T told, List<List<T>> beside) {
 
-        Quantity quantity(String key, String name, String unit, ToDoubleFunction<Separation> number) {
-            return new Quantity(
-                    key, name, unit, number.applyAsDouble(both), Math.hypot(most(first, number), most(second, number)));
+        Quantity quantity(String key, String name, String unit, ToDoubleFunction<T> number) {
+            return new Quantity(key, name, unit, number.applyAsDouble(told), uncertainty(number));
         }
 
-        private double most(List<Separation> others, ToDoubleFunction<Separation> number) {
-            return others.stream()
-                    .mapToDouble(other -> Math.abs(number.applyAsDouble(other) - number.applyAsDouble(both)))
-                    .max()
-                    .orElse(Double.NaN);
+        double uncertainty(ToDoubleFunction<T> number) {
+            double squares = 0;
+            for (List<T> others : beside) {
+                double most = others.stream()
+                        .mapToDouble(other -> Math.abs(number.applyAsDouble(other) - number.applyAsDouble(told)))
+                        .max()
+                        .orElse(Double.NaN);
+                squares += most * most;
+            }
+            return Math.sqrt(squares);
         }
+    }
+
+    /** Half a pixel beside a position, to all sides. */
+    private static Stream<Vector2d> around(double x, double y) {
+        return Stream.of(
+                new Vector2d(x + HALF, y),
+                new Vector2d(x - HALF, y),
+                new Vector2d(x, y + HALF),
+                new Vector2d(x, y - HALF));
     }
 
     /** What is half a pixel beside a point, to all sides; nothing at an edge, beyond which another object is seen. */
     private Stream<Sighting> beside(Sighting sighting) {
-        List<Sighting> beside = Stream.of(
-                        new Vector2d(HALF, 0), new Vector2d(-HALF, 0), new Vector2d(0, HALF), new Vector2d(0, -HALF))
-                .map(step -> at(step.add(sighting.x(), sighting.y())))
-                .toList();
+        List<Sighting> beside = around(sighting.x(), sighting.y()).map(this::at).toList();
         return beside.stream()
                         .allMatch(other -> other.sharesFrame(sighting)
                                 && other.hit().object() == sighting.hit().object())
@@ -158,21 +173,45 @@ public final class Measurements {
     /** The circle through some points, as the outline of a sphere, and by how much the points miss it. */
     private Measured circle(List<Vector2dc> points) {
         CircleFit fit = CircleFit.of(directions(points));
+        Changes<LookCone> changes = new Changes<>(
+                fit.circle(),
+                IntStream.range(0, points.size())
+                        .mapToObj(moved -> circlesBeside(points, moved))
+                        .toList());
         Vector3dc axis = fit.circle().axis();
-        double pixel = HALF * pixelAngle(points);
-        double known = pixel / Math.sqrt(points.size());
-        addAngle("halfAngle", "half-angle", fit.circle().halfAngle(), known);
-        addFineAngle("residual", "rms deviation", fit.residual(), pixel);
+        addAngle("halfAngle", "half-angle", fit.circle().halfAngle(), changes.uncertainty(LookCone::halfAngle));
+        addFineAngle("residual", "rms deviation", fit.residual(), HALF * pixelAngle(points));
         addDirection("middle", "direction of the centre", axis);
         Vector2dc middle = projection.position(axis);
         if (middle != null) {
             addPixel(facts, "middle", "centre", middle);
         }
         if (!plan.isAtRest()) {
-            double toMotion = Angles.between(axis, plan.studio().velocity().direction());
-            addAngle("middleAngleToVelocity", "centre, angle to motion", toMotion, known);
+            ToDoubleFunction<LookCone> toMotion = circle ->
+                    Angles.between(circle.axis(), plan.studio().velocity().direction());
+            addAngle(
+                    "middleAngleToVelocity",
+                    "centre, angle to motion",
+                    toMotion.applyAsDouble(fit.circle()),
+                    changes.uncertainty(toMotion));
         }
         return new Measured(facts, null, lines(fit.circle()));
+    }
+
+    /** The circles with one point moved by half a pixel, to all sides; none if it tells no circle then. */
+    private List<LookCone> circlesBeside(List<Vector2dc> points, int moved) {
+        List<Vector3dc> directions = new ArrayList<>(directions(points));
+        Vector2dc point = points.get(moved);
+        List<LookCone> circles = new ArrayList<>();
+        try {
+            for (Vector2dc beside : around(point.x(), point.y()).toList()) {
+                directions.set(moved, plan.chiefDirection(beside.x(), beside.y()));
+                circles.add(CircleFit.of(directions).circle());
+            }
+        } catch (ArithmeticException noCircle) {
+            return List.of();
+        }
+        return circles;
     }
 
     /**
