@@ -61,8 +61,7 @@ public final class RayHistory {
                                     + " faster"));
         }
         if (life.reachesBackground() && studio.background() instanceof StarSky sky) {
-            StarSighting.nearest(sky, life.lastDirection())
-                    .ifPresent(star -> facts.add(star.fact(studio, life.lastDopplerFactor())));
+            StarSighting.nearest(sky, life.lastDirection()).ifPresent(star -> facts.add(star.fact(studio, sky, life)));
         }
         facts.add(new Vector("colour", "Colour (linear)", vector(life.colour())));
         return facts;

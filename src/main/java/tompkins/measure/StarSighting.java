@@ -14,6 +14,7 @@ import tompkins.measure.Fact.Word;
 import tompkins.property.NumberText;
 import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
+import tompkins.trace.RayLife;
 import tompkins.world.SeenFrame;
 
 /**
@@ -45,8 +46,8 @@ record StarSighting(Star star, double angle) {
                 .count();
     }
 
-    /** What there is to tell, seen with a Doppler factor. */
-    Fact fact(Studio studio, double dopplerFactor) {
+    /** What there is to tell, beside a ray that ends in the sky. */
+    Fact fact(Studio studio, StarSky sky, RayLife life) {
         List<Fact> facts = new ArrayList<>();
         String name = NAMES.getOrDefault(star, "");
         facts.add(new Word("name", name.isEmpty() ? "" : "name", name));
@@ -56,6 +57,7 @@ record StarSighting(Star star, double angle) {
         facts.add(number("magnitude", "magnitude V at rest", "", star.magnitude()));
         facts.add(number("temperature", "colour temperature at rest", KELVINS, star.temperature()));
         if (studio.shiftsColours()) {
+            double dopplerFactor = dopplerFactor(studio, sky, life);
             double factor = studio.colours().starFactor(star.temperature(), dopplerFactor);
             facts.add(number("magnitudeSeen", "magnitude as seen", "", star.magnitude() - 2.5 * Math.log10(factor)));
             boolean isShifted = studio.colours() == ColourLaw.DOPPLER;
@@ -66,6 +68,14 @@ record StarSighting(Star star, double angle) {
                     dopplerFactor * star.temperature()));
         }
         return new Group("nearestStar", "Nearest star in that direction", facts);
+    }
+
+    /** That of the star, if its light comes straight through vacuum; else that of the ray. */
+    private double dopplerFactor(Studio studio, StarSky sky, RayLife life) {
+        boolean isStraight = life.hits().isEmpty() && life.lastSlowness() == 1;
+        return isStraight
+                ? new SeenFrame(studio, null).dopplerFactorAlong(sky.direction(star))
+                : life.lastDopplerFactor();
     }
 
     private static Quantity number(String key, String name, String unit, double value) {

@@ -19,6 +19,7 @@ import tompkins.ray.Colour;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
+import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Lighting;
@@ -200,6 +201,25 @@ class RayHistoryTest {
                 .isCloseTo(-1.44 - 5 * Math.log10(3), withinPercentage(0.1));
         assertThat(starNumber(history(moving.withColours(ColourLaw.DOPPLER), 320, 240), "colour temperature as seen"))
                 .isCloseTo(30006.6, withinPercentage(0.1));
+    }
+
+    /** Spica, at the right ascension 201.298 and the declination -11.161, is 24 degrees from the ray. */
+    @Test
+    void aStarBesideTheRayHasItsOwnDopplerFactor() {
+        StarSky sky = Descriptions.with(StarSky.DEFAULT, "limit", 1.0);
+        Studio studio = Descriptions.with(Studio.DEFAULT, "background", sky)
+                .withCamera(Descriptions.with(Studio.DEFAULT.camera(), "viewDirection", new Vector3d(0, 0, -1)))
+                .withVelocity(Velocity.of(SpeedScale.GAMMA, 10, new Vector3d(0, 0, 1)));
+        double cosine = Math.cos(Math.toRadians(201.298)) * Math.cos(Math.toRadians(11.161));
+        double factor = 10 * (1 + Math.sqrt(0.99) * cosine);
+        List<FactText.Line> brighter = history(studio.withColours(ColourLaw.SEARCHLIGHT), 320, 240);
+        assertThat(fact(brighter, "Nearest star", "name")).isEqualTo("Spica");
+        assertThat(starNumber(brighter, "magnitude as seen"))
+                .isCloseTo(0.98 - 5 * Math.log10(factor), withinPercentage(0.1));
+        List<FactText.Line> hotter = history(studio.withColours(ColourLaw.DOPPLER), 320, 240);
+        assertThat(starNumber(hotter, "colour temperature as seen"))
+                .isCloseTo(factor * starNumber(hotter, "colour temperature at rest"), withinPercentage(0.1))
+                .isCloseTo(12990, withinPercentage(0.1));
     }
 
     private static double starNumber(List<FactText.Line> history, String name) {
