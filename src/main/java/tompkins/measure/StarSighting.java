@@ -51,21 +51,19 @@ record StarSighting(Star star, double angle) {
         List<Fact> facts = new ArrayList<>();
         String name = NAMES.getOrDefault(star, "");
         facts.add(new Word("name", name.isEmpty() ? "" : "name", name));
-        facts.add(number("separationDegrees", "angle to it (scene)", DEGREES, Math.toDegrees(angle)));
-        facts.add(number("rightAscensionDegrees", "right ascension", DEGREES, star.rightAscensionDegrees()));
-        facts.add(number("declinationDegrees", "declination", DEGREES, star.declinationDegrees()));
-        facts.add(number("magnitude", "magnitude V at rest", "", star.magnitude()));
-        facts.add(number("temperature", "colour temperature at rest", KELVINS, star.temperature()));
+        add(facts, "separationDegrees", "angle to it (scene)", DEGREES, Math.toDegrees(angle));
+        add(facts, "rightAscensionDegrees", "right ascension", DEGREES, star.rightAscensionDegrees());
+        add(facts, "declinationDegrees", "declination", DEGREES, star.declinationDegrees());
+        add(facts, "magnitude", "magnitude V at rest", "", star.magnitude());
+        add(facts, "temperature", "colour temperature at rest", KELVINS, star.temperature());
         if (studio.shiftsColours()) {
             double dopplerFactor = dopplerFactor(studio, sky, life);
             double factor = studio.colours().starFactor(star.temperature(), dopplerFactor);
-            facts.add(number("magnitudeSeen", "magnitude as seen", "", star.magnitude() - 2.5 * Math.log10(factor)));
-            boolean isShifted = studio.colours() == ColourLaw.DOPPLER;
-            facts.add(number(
-                    "temperatureSeen",
-                    isShifted ? "colour temperature as seen" : "",
-                    KELVINS,
-                    dopplerFactor * star.temperature()));
+            add(facts, "magnitudeSeen", "magnitude as seen", "", star.magnitude() - 2.5 * Math.log10(factor));
+            if (studio.colours() == ColourLaw.DOPPLER) {
+                double seen = dopplerFactor * star.temperature();
+                add(facts, "temperatureSeen", "colour temperature as seen", KELVINS, seen);
+            }
         }
         return new Group("nearestStar", "Nearest star in that direction", facts);
     }
@@ -78,7 +76,9 @@ record StarSighting(Star star, double angle) {
                 : life.lastDopplerFactor();
     }
 
-    private static Quantity number(String key, String name, String unit, double value) {
-        return Quantity.exact(key, name, unit, NumberText.rounded(value, 6));
+    /** Adds a number: with all digits for programs, and with those that mean something for people. */
+    private static void add(List<Fact> facts, String key, String name, String unit, double value) {
+        facts.add(Quantity.exact(key, "", unit, value));
+        facts.add(Quantity.exact("", name, unit, NumberText.rounded(value, 6)));
     }
 }

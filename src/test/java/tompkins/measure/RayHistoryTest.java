@@ -1,9 +1,12 @@
 package tompkins.measure;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -203,13 +206,16 @@ class RayHistoryTest {
                 .isCloseTo(30006.6, withinPercentage(0.1));
     }
 
+    /** A camera that looks back to the right ascension 180, and sees stars as bright as Spica. */
+    private static Studio towardsSpica() {
+        return Descriptions.with(Studio.DEFAULT, "background", Descriptions.with(StarSky.DEFAULT, "limit", 1.0))
+                .withCamera(Descriptions.with(Studio.DEFAULT.camera(), "viewDirection", new Vector3d(0, 0, -1)));
+    }
+
     /** Spica, at the right ascension 201.298 and the declination -11.161, is 24 degrees from the ray. */
     @Test
     void aStarBesideTheRayHasItsOwnDopplerFactor() {
-        StarSky sky = Descriptions.with(StarSky.DEFAULT, "limit", 1.0);
-        Studio studio = Descriptions.with(Studio.DEFAULT, "background", sky)
-                .withCamera(Descriptions.with(Studio.DEFAULT.camera(), "viewDirection", new Vector3d(0, 0, -1)))
-                .withVelocity(Velocity.of(SpeedScale.GAMMA, 10, new Vector3d(0, 0, 1)));
+        Studio studio = towardsSpica().withVelocity(Velocity.of(SpeedScale.GAMMA, 10, new Vector3d(0, 0, 1)));
         double cosine = Math.cos(Math.toRadians(201.298)) * Math.cos(Math.toRadians(11.161));
         double factor = 10 * (1 + Math.sqrt(0.99) * cosine);
         List<FactText.Line> brighter = history(studio.withColours(ColourLaw.SEARCHLIGHT), 320, 240);
@@ -220,6 +226,36 @@ class RayHistoryTest {
         assertThat(starNumber(hotter, "colour temperature as seen"))
                 .isCloseTo(factor * starNumber(hotter, "colour temperature at rest"), withinPercentage(0.1))
                 .isCloseTo(12990, withinPercentage(0.1));
+    }
+
+    /** The angle between two directions of the sky, cos a = cos RA cos D, has more digits than are shown. */
+    @Test
+    void programsGetAllDigitsOfAStar() {
+        Map<String, Double> star = starNumbers(towardsSpica());
+        double rightAscension = Math.toRadians(star.get("rightAscensionDegrees") - 180);
+        double declination = Math.toRadians(star.get("declinationDegrees"));
+        assertThat(star.get("separationDegrees"))
+                .isCloseTo(Math.toDegrees(Math.acos(Math.cos(rightAscension) * Math.cos(declination))), within(1e-12));
+        assertThat(fact(history(towardsSpica(), 320, 240), "Nearest star", "angle to it (scene)"))
+                .hasSizeLessThan(8);
+    }
+
+    @Test
+    void theSearchlightLeavesTemperatures() {
+        Studio moving = towardsSpica().withVelocity(Velocity.of(0, 0, 0.8));
+        assertThat(starNumbers(moving.withColours(ColourLaw.DOPPLER))).containsKeys("magnitudeSeen", "temperatureSeen");
+        assertThat(starNumbers(moving.withColours(ColourLaw.SEARCHLIGHT)))
+                .containsKey("magnitudeSeen")
+                .doesNotContainKey("temperatureSeen");
+    }
+
+    /** What programs are told about the nearest star. */
+    private static Map<String, Double> starNumbers(Studio studio) {
+        return RayHistory.of(Sighting.of(RenderPlan.of(studio), 320, 240)).stream()
+                .filter(fact -> fact.key().equals("nearestStar"))
+                .flatMap(star -> Fact.forPrograms(((Fact.Group) star).facts()))
+                .filter(Quantity.class::isInstance)
+                .collect(Collectors.toMap(Fact::key, number -> ((Quantity) number).value()));
     }
 
     private static double starNumber(List<FactText.Line> history, String name) {
