@@ -71,10 +71,11 @@ public record ConicFit(Conic conic, double residual, List<Neighbours> neighbours
         return uncertainty((one, other) -> number.applyAsDouble(one) - number.applyAsDouble(other));
     }
 
-    /** By how much the direction of the axis is uncertain, in radians. */
+    /** By how much the direction of the axis is uncertain, in radians: a right angle at most, since it has two ends. */
     public double axisUncertainty() {
-        return uncertainty((one, other) ->
+        double together = uncertainty((one, other) ->
                 Math.asin(Math.min(1, Math.abs(cross(one.towardsVertex(), other.towardsVertex())))));
+        return Math.min(Math.PI / 2, together);
     }
 
     private static double cross(Vector2dc one, Vector2dc other) {

@@ -122,6 +122,8 @@ class ConicFitTest {
         assertThat(fit.conic().semiMajorAxis()).isCloseTo(4, within(1e-9));
         // sqrt(1 - b²/a²) of two half axes that are known to 0.01 sqrt(2/9) sqrt(2) or so
         assertThat(fit.uncertainty(Conic::eccentricity)).isBetween(0.03, 0.15);
+        // its axis is any diameter
+        assertThat(fit.axisUncertainty()).isCloseTo(Math.PI / 2, within(1e-15));
     }
 
     /** All places of the equation seen from the focus are places of the curve. */
