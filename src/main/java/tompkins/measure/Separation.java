@@ -32,10 +32,10 @@ public record Separation(Sighting first, Sighting second) {
 
     /**
      * From the first event of emission to the second, in the frame in which both objects rest; null if they do not
-     * share one.
+     * share one. The points of what turns share none, and their clocks do not go alike.
      */
     public Event inObject() {
-        return first.sharesFrame(second)
+        return first.sharesFrame(second) && !first.turns() && !second.turns()
                 ? second.hit().rest().event().minus(first.hit().rest().event())
                 : null;
     }

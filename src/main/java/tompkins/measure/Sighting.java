@@ -123,6 +123,11 @@ public record Sighting(Studio studio, double x, double y, RayLife life) {
                         : hit().rest().motion().equals(other.hit().rest().motion()));
     }
 
+    /** Whether what is seen turns. */
+    boolean turns() {
+        return hit() != null && hit().rest().velocity() != null;
+    }
+
     private Vector3dc ahead() {
         return studio.sceneFromCamera() instanceof IdentityTransformation
                 ? null

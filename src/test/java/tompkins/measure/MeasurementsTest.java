@@ -9,11 +9,15 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import tompkins.camera.ThinLensCamera;
 import tompkins.property.Descriptions;
+import tompkins.sceneobject.Disc;
+import tompkins.sceneobject.Rotating;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
+import tompkins.surface.LuminousSurface;
 import tompkins.trace.RenderPlan;
 
 class MeasurementsTest {
@@ -81,6 +85,38 @@ class MeasurementsTest {
         double toMotion = effect(points, moved -> centre(moved).distance(320, 240));
         assertThat(number(measured, "middleAngleToVelocity").uncertainty())
                 .isCloseTo(toMotion * pixel, withinPercentage(0.1));
+    }
+
+    /**
+     * Points 1 and 2 beside the axis of a disc in the distance 10, whose clocks go by sqrt(1 - 0.04), sqrt(1 - 0.16).
+     */
+    @Test
+    void pointsOfWhatTurnsShareNoRestFrame() {
+        Measured atRest = acrossDisc(0);
+        Measured turning = acrossDisc(0.2);
+
+        assertThat(number(atRest, "objectDistance").value()).isCloseTo(1, within(1e-12));
+        double later = Math.sqrt(101) - Math.sqrt(104);
+        assertThat(number(atRest, "objectTime").value()).isCloseTo(later, within(1e-12));
+        assertThat(turning.quantities().map(Quantity::key))
+                .contains("sceneDistance", "cameraTime")
+                .doesNotContain("objectDistance", "objectTime");
+        assertThat(number(turning, "sceneTime").value()).isCloseTo(later, within(1e-12));
+        assertThat(number(turning, "sceneDistance").isUncertain()).isTrue();
+    }
+
+    /** From 1 to 2 beside the axis of a disc that turns. */
+    private static Measured acrossDisc(double angularSpeed) {
+        Vector3d centre = new Vector3d(0, 0, 10);
+        Vector3d axis = new Vector3d(0, 0, 1);
+        Disc disc = new Disc("disc", centre, axis, 3, LuminousSurface.DEFAULT);
+        Studio studio = Studio.DEFAULT.withScene(
+                List.of(new Rotating("turning", centre, axis, angularSpeed, 0, List.of(disc))));
+        Projection projection = Projection.of(studio);
+        List<Vector2dc> points = List.of(
+                projection.position(new Vector3d(1, 0, 10).normalize()),
+                projection.position(new Vector3d(2, 0, 10).normalize()));
+        return Measurements.measure(RenderPlan.of(studio), MeasureKind.BETWEEN, points, 2, () -> true);
     }
 
     /** Two points half a pixel apart may be one: nothing tells by how much their circle is uncertain. */
