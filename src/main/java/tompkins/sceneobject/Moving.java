@@ -26,7 +26,9 @@ public record Moving(
                 place = true)
         Vector3dc place,
 
-        @Meaning(value = "What the clocks in it show when its origin is there", unit = "time")
+        @Meaning(
+                value = "What the clocks in it show when its origin is there; that of a Moving around it is added",
+                unit = "time")
         double clockOffset,
 
         @Meaning("What moves, described at rest") List<SceneObject> objects)

@@ -164,7 +164,7 @@ public final class PrimitiveCollector {
      *
      * @param velocity velocity in the frame in which the placement places
      * @param place where the origin of what moves is at proper time 0, before the placement
-     * @param offset what its clocks show then
+     * @param offset what its clocks show then, beyond the offset of what it moves in
      * @param content adds what moves, placed as it is told
      * @throws InvalidPropertyException if motions together are too fast, or velocities too many
      */

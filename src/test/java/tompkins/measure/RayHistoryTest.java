@@ -99,6 +99,16 @@ class RayHistoryTest {
                 .isNull();
     }
 
+    /** The wall of above, at rest in what moves: its proper time is -27, and both offsets are added. */
+    @Test
+    void clockOffsetsOfMotionInMotionAddUp() {
+        Plane wall = new Plane("wall", new Vector3d(), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT);
+        Moving inner = new Moving("inner", Velocity.REST, new Vector3d(), 20, List.of(wall));
+        Moving outer = new Moving("outer", Velocity.of(0, 0, -0.8), new Vector3d(0, 0, 9), 100, List.of(inner));
+        List<FactText.Line> history = history(Studios.sphere().withScene(List.of(outer)), 32, 24);
+        assertThat(fact(history, "Hits wall", "rest frame")).contains("proper time -27, clock reading 93,");
+    }
+
     /** At the time 5 of the camera the wall is at z = 9 - 0.8 x 5, whatever light brings of it. */
     @Test
     void whatIsMeasuredHasNoFrequency() {
