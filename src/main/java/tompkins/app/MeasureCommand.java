@@ -80,8 +80,7 @@ final class MeasureCommand extends ProgramCommand {
         Studio studio = options.read(scene, List.of());
         requireOptions(kind, studio.settings());
         output.check();
-        output.write(out(), isLesson ? lesson(studio) : lines(measure(kind, ScenePlan.of(studio, scene))));
-        return 0;
+        return output.write(out(), isLesson ? lesson(studio) : lines(measure(kind, ScenePlan.of(studio, scene))));
     }
 
     private MeasureKind kind() {

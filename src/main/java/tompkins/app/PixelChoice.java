@@ -3,8 +3,8 @@ package tompkins.app;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.regex.Pattern;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import tompkins.property.MistakeException;
 import tompkins.studio.RenderSettings;
@@ -77,15 +77,30 @@ final class PixelChoice {
         return stream().limit(2).count() == 1;
     }
 
-    /** The pixels, each as its column and its row, in the order of the options, row by row. */
+    /**
+     * The pixels, each as its column and its row, in the order of the options, row by row. Each comes when it is asked
+     * for: an iterator of a stream that is flattened would hold all of a rectangle.
+     */
     Stream<int[]> stream() {
-        return rectangles.stream()
-                .flatMap(corners -> steps(corners[1], corners[3])
-                        .boxed()
-                        .flatMap(row -> steps(corners[0], corners[2]).mapToObj(column -> new int[] {column, row})));
+        return Stream.iterate(first(0), Objects::nonNull, this::next).map(place -> new int[] {place[1], place[2]});
     }
 
-    private IntStream steps(int first, int last) {
-        return IntStream.iterate(first, place -> place <= last, place -> place + every);
+    /** The first place in a rectangle: its number, column and row; null behind the last rectangle. */
+    private int[] first(int rectangle) {
+        if (rectangle == rectangles.size()) {
+            return null;
+        }
+        int[] corners = rectangles.get(rectangle);
+        return new int[] {rectangle, corners[0], corners[1]};
+    }
+
+    private int[] next(int[] place) {
+        int[] corners = rectangles.get(place[0]);
+        if (place[1] + every <= corners[2]) {
+            return new int[] {place[0], place[1] + every, place[2]};
+        }
+        return place[2] + every <= corners[3]
+                ? new int[] {place[0], corners[0], place[2] + every}
+                : first(place[0] + 1);
     }
 }

@@ -82,12 +82,13 @@ final class TextOutput {
      * Prints lines, or writes them into the file, which appears only when it is complete. Unless it is to be replaced,
      * a file that took its name meanwhile stays, and this one gets the same with a number.
      *
+     * @return the exit code: that of a failure if printed lines are lost; the lines behind them are not asked for
      * @throws FileException if it cannot be written
      */
-    void write(PrintWriter printed, Stream<String> lines) throws IOException {
+    int write(PrintWriter printed, Stream<String> lines) throws IOException {
         if (file == null) {
-            lines.flatMap(String::lines).forEachOrdered(printed::println);
-            return;
+            boolean complete = lines.flatMap(String::lines).allMatch(line -> isPrinted(line, printed));
+            return complete ? 0 : Failures.FAILURE;
         }
         Path place = PendingFile.save(file, force, stream -> {
             Writer out = new BufferedWriter(new OutputStreamWriter(stream, StandardCharsets.UTF_8));
@@ -98,5 +99,11 @@ final class TextOutput {
             out.flush();
         });
         printed.println(place.toAbsolutePath());
+        return 0;
+    }
+
+    private static boolean isPrinted(String line, PrintWriter printed) {
+        printed.println(line);
+        return !printed.checkError();
     }
 }

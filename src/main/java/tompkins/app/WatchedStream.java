@@ -29,11 +29,16 @@ final class WatchedStream extends OutputStream {
         }
     }
 
-    /** The latest failure, or null if nothing was lost, or the reader wanted no more, as with {@code | head -1}. */
-    IOException failure() {
+    /**
+     * The latest failure, or null if nothing was lost. It is no failure that the reader wants no more, as with {@code |
+     * head -1}, unless the command has given up its work for that.
+     *
+     * @param code the exit code of the command
+     */
+    IOException failure(int code) {
         boolean closedPipe = failure != null
                 && failure.getMessage() != null
                 && failure.getMessage().toLowerCase(Locale.ROOT).contains("pipe");
-        return closedPipe ? null : failure;
+        return closedPipe && code != Failures.FAILURE ? null : failure;
     }
 }

@@ -123,4 +123,16 @@ class ProgramProcessTest extends ShellTest {
 
         assertThat(run).isEqualTo(new ProgramRun(0, "0\n", ""));
     }
+
+    @Test
+    void raysThatNobodyReadsAreNotTraced() throws IOException, InterruptedException {
+        Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 1000, \"height\": 1000}}");
+
+        for (String form : List.of("", " --csv", " --json")) {
+            ProgramRun run = shell("{ timeout 10 " + ProgramShell.PROGRAM + " trace sky.json --pixel all" + form
+                    + "; echo $? > code; } | head -1 > /dev/null; cat code");
+
+            assertThat(run).as(form).isEqualTo(new ProgramRun(0, "1\n", "the output cannot be written: Broken pipe\n"));
+        }
+    }
 }
