@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.IntFunction;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
@@ -189,8 +190,8 @@ final class AnimateCommand extends LongCommand {
     }
 
     private void takeFilm(AnimationRecorder recorder, Set<String> warnings) throws Exception {
-        requireFree();
         FrameSequence film = recorder.film();
+        requireFree(NamedFile.ofScene(film.studio(0), scene));
         report(film.frames() + " pictures", warnings, progress -> {
             FrameListener frames = listener(film, frame -> null);
             try (AnimationWriter writer = open(film.frameRate())) {
@@ -206,6 +207,8 @@ final class AnimateCommand extends LongCommand {
         FrameSelection chosen = frames.choose(recorder.film().frames());
         FrameListener listener = listener(recorder.film(), folder::file);
         FrameSelection left = frames.left(chosen, recorder, folder, listener);
+        Studio studio = recorder.film().studio(0);
+        left.frames().forEach(frame -> NamedFile.requireNotRead(folder.file(frame), NamedFile.ofScene(studio, scene)));
         if (!left.frames().isEmpty()) {
             Photographer.requireWritable(folder.file(left.frames().get(0)));
         }
@@ -230,7 +233,7 @@ final class AnimateCommand extends LongCommand {
             out().println(film.missing());
             return Failures.INCOMPLETE;
         }
-        requireFree();
+        requireFree(IntStream.range(0, film.count()).mapToObj(new FrameFolder(assembled)::file));
         boolean isRateGiven = commandLine().getParseResult().hasMatchedOption("--fps");
         int rate = isRateGiven ? frameRate() : film.frameRate().orElse(Animation.FRAME_RATE);
         report(film.count() + " pictures", Set.of(), progress -> {
@@ -242,7 +245,8 @@ final class AnimateCommand extends LongCommand {
         return 0;
     }
 
-    private void requireFree() {
+    private void requireFree(Stream<Path> read) {
+        NamedFile.requireNotRead(output, read);
         if (!frames.force()) {
             Photographer.requireFree(output);
         }

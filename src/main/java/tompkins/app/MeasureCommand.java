@@ -79,7 +79,7 @@ final class MeasureCommand extends ProgramCommand {
         MeasureKind kind = isLesson ? null : kind();
         Studio studio = options.read(scene, List.of());
         requireOptions(kind, studio.settings());
-        output.check();
+        output.check(studio, scene);
         return output.write(out(), isLesson ? lesson(studio) : lines(measure(kind, ScenePlan.of(studio, scene))));
     }
 

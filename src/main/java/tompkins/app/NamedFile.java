@@ -1,13 +1,18 @@
 package tompkins.app;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.stream.Stream;
 import tompkins.file.FileException;
 import tompkins.file.FileFailure;
+import tompkins.io.StudioReader;
+import tompkins.io.StudioWriter;
 import tompkins.property.MistakeException;
+import tompkins.studio.Studio;
 
 /**
  * Files as the user names them. A name that the locale cannot express is refused, because it would become another one.
@@ -74,6 +79,28 @@ final class NamedFile {
         String name = file.toString().toLowerCase(Locale.ROOT);
         if (Arrays.stream(endings).noneMatch(name::endsWith)) {
             throw new MistakeException(file + ": the name of a " + what + " must end in " + endings[0]);
+        }
+    }
+
+    /** The files of a scene: its own, unless it is the standard input, and its pictures and meshes. */
+    static Stream<Path> ofScene(Studio studio, Path scene) {
+        Stream<Path> own = scene.equals(StudioReader.PIPE) ? Stream.empty() : Stream.of(scene);
+        return Stream.concat(own, StudioWriter.files(studio).stream().map(scene::resolveSibling));
+    }
+
+    /** Refuses to write over a file that the command reads: it would be lost. This cannot be forced. */
+    static void requireNotRead(Path target, Stream<Path> read) {
+        if (read.anyMatch(file -> isSame(file, target))) {
+            throw new MistakeException(target + ": the command reads this file and does not replace it, not even with"
+                    + " --force; name another file");
+        }
+    }
+
+    private static boolean isSame(Path file, Path other) {
+        try {
+            return Files.isSameFile(file, other);
+        } catch (IOException noSuchFile) {
+            return false;
         }
     }
 

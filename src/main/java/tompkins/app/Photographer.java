@@ -12,6 +12,7 @@ import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.ForkJoinTask;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import picocli.CommandLine;
 import tompkins.animation.PictureState;
 import tompkins.explain.Explanation;
@@ -242,8 +243,13 @@ final class Photographer implements AutoCloseable {
         requireWritable(order.target);
     }
 
-    /** Refuses a place where nothing can be saved, or where there is a file that is not to be replaced. */
-    static void requirePlace(Path target, boolean replace) {
+    /**
+     * Refuses a place where nothing can be saved, or where there is a file that is not to be replaced.
+     *
+     * @param read the files that the command reads
+     */
+    static void requirePlace(Path target, boolean replace, Stream<Path> read) {
+        NamedFile.requireNotRead(target, read);
         if (!replace) {
             requireFree(target);
         }

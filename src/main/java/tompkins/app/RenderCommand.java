@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -101,6 +102,7 @@ final class RenderCommand extends LongCommand {
                 if (isDone(order)) {
                     photographer.leave(order.target());
                 } else {
+                    requireNotRead(order);
                     photographer.take(order, () -> mayReplace(order));
                 }
             }
@@ -124,10 +126,17 @@ final class RenderCommand extends LongCommand {
             if (isDone(order)) {
                 continue;
             }
+            requireNotRead(order);
             Photographer.requirePossible(order, () -> mayReplace(order));
             ScenePlan.of(order.studio(), scene);
             Photographer.info(order.studio(), scene);
         }
+    }
+
+    /** A photograph may be replaced by itself, taken again, since the scene stays in it; another file is kept. */
+    private void requireNotRead(Photographer.Order order) {
+        Stream<Path> read = Stream.concat(scenes.stream(), NamedFile.ofScene(order.studio(), order.scene()));
+        NamedFile.requireNotRead(order.target(), read.filter(file -> !file.equals(order.scene())));
     }
 
     /** Whether the picture is there, whole, and is to be left. */

@@ -55,7 +55,7 @@ final class SheetCommand extends ProgramCommand {
         Studio studio = options.read(scene, List.of());
         NamedFile.requireEnding(output, "sheet", ".html", ".htm");
         ScenePlan.of(studio, scene);
-        Photographer.requirePlace(output, force);
+        Photographer.requirePlace(output, force, NamedFile.ofScene(studio, scene));
         Photographer.requireMemory(studio.settings(), Quality.of(studio));
         byte[] page = sheet(studio).html().getBytes(StandardCharsets.UTF_8);
         Path place = PendingFile.save(output, force, out -> out.write(page));

@@ -56,16 +56,20 @@ final class TextOutput {
         return form.csv;
     }
 
-    /** Refuses a file that exists or cannot be written, before the work begins. */
-    void check() {
+    /**
+     * Refuses a file that exists, is read by the command or cannot be written, before the work begins.
+     *
+     * @param scene the file of the studio
+     */
+    void check(Studio studio, Path scene) {
         if (file != null) {
-            check(file);
+            check(file, studio, scene);
         }
     }
 
-    /** Refuses another file that exists or cannot be written. */
-    void check(Path target) {
-        Photographer.requirePlace(target, force);
+    /** Refuses another such file. */
+    void check(Path target, Studio studio, Path scene) {
+        Photographer.requirePlace(target, force, NamedFile.ofScene(studio, scene));
     }
 
     /**

@@ -112,10 +112,10 @@ final class TraceCommand extends ProgramCommand {
                         "--cone takes rays through the edge of the lens: leave --pupil out, was " + pupil);
             }
         }
-        output.check();
+        output.check(studio, scene);
         if (drawn != null) {
             NamedFile.requireEnding(drawn, "scene", ".json");
-            output.check(drawn);
+            output.check(drawn, studio, scene);
         }
         RenderPlan plan = ScenePlan.of(studio, scene);
         if (drawn != null) {

@@ -81,6 +81,16 @@ public final class StudioWriter {
         }
     }
 
+    /** The names of the pictures and meshes of a studio, as scene files write them; each once. */
+    public static Set<String> files(Studio studio) {
+        Set<String> names = new LinkedHashSet<>();
+        members(studio, content -> {
+            names.add(content.name());
+            return false;
+        });
+        return names;
+    }
+
     /** What the meshes of a studio say in their files that is not shown. */
     public static List<String> notes(Studio studio) {
         Set<String> notes = new LinkedHashSet<>();

@@ -14,6 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
 import tompkins.file.FileException;
+import tompkins.io.StudioReader;
+import tompkins.studio.Studio;
 
 /** What happens to the file of {@code trace -o} and {@code measure -o} while the program works. */
 class TextOutputTest {
@@ -26,7 +28,7 @@ class TextOutputTest {
     /** Writes two lines; between them something happens. */
     private void write(Runnable meanwhile, String... options) throws IOException {
         TextOutput output = CommandLine.populateCommand(new TextOutput(), options);
-        output.check();
+        output.check(Studio.DEFAULT, StudioReader.PIPE);
         output.write(new PrintWriter(printed, true), Stream.of("one", "two").peek(line -> meanwhile.run()));
     }
 
