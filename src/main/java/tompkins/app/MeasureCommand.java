@@ -80,7 +80,7 @@ final class MeasureCommand extends ProgramCommand {
         Studio studio = options.read(scene, List.of());
         requireOptions(kind, studio.settings());
         output.check(studio, scene);
-        return output.write(out(), isLesson ? lesson(studio) : lines(measure(kind, ScenePlan.of(studio, scene))));
+        return output.write(out(), isLesson ? lesson(studio) : lines(measure(kind, planned(studio))));
     }
 
     private MeasureKind kind() {
@@ -132,6 +132,13 @@ final class MeasureCommand extends ProgramCommand {
         }
     }
 
+    /** The plan of what is measured, after its warnings are told. */
+    private RenderPlan planned(Studio studio) {
+        RenderPlan plan = ScenePlan.of(studio, scene);
+        ScenePlan.warn(plan, err());
+        return plan;
+    }
+
     /** What was measured; of a profile the rays. */
     private Stream<String> lines(Measured measured) {
         if (measured.profile() != null) {
@@ -150,6 +157,7 @@ final class MeasureCommand extends ProgramCommand {
     /** What the numbers of a lesson are in its picture, and by its formulas. */
     private Stream<String> lesson(Studio studio) {
         LessonStudio lesson = ScenePlan.lesson(studio, scene);
+        planned(lesson.measured());
         List<LessonResult> results = StudioReader.used(scene, lesson::results);
         List<Fact> headings = new LessonResult(LessonNumber.DEFAULT, 0, Sketch.EMPTY).facts();
         return table(headings, results.stream().map(LessonResult::facts).toList());

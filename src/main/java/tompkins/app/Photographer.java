@@ -15,7 +15,6 @@ import java.util.function.Predicate;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import tompkins.animation.PictureState;
-import tompkins.explain.Explanation;
 import tompkins.file.FileException;
 import tompkins.image.PhotographFile;
 import tompkins.image.PhotographInfo;
@@ -154,7 +153,7 @@ final class Photographer implements AutoCloseable {
         Path place = isPiped
                 ? target
                 : PhotographFile.write(target, job.image(), order.format, curve, info, mayReplace.getAsBoolean());
-        new Explanation(plan).warnings().forEach(warning -> err.println("warning: " + warning));
+        ScenePlan.warn(plan, err);
         RenderReport report = early == null ? job.report() : early.join();
         report(place, report, studio.view());
         tell(PictureState.DONE, place, report);

@@ -1,6 +1,8 @@
 package tompkins.app;
 
+import java.io.PrintWriter;
 import java.nio.file.Path;
+import tompkins.explain.Explanation;
 import tompkins.io.StudioReader;
 import tompkins.measure.LessonStudio;
 import tompkins.property.MistakeException;
@@ -20,6 +22,11 @@ final class ScenePlan {
     /** As above; takes over what it can from the plan of another picture, which may be null. */
     static RenderPlan of(Studio studio, RenderPlan before, Path scene) {
         return StudioReader.used(scene, () -> RenderPlan.of(studio, before));
+    }
+
+    /** Prints what may be wrong with the picture of a plan, and with what is measured in it. */
+    static void warn(RenderPlan plan, PrintWriter err) {
+        new Explanation(plan).warnings().forEach(warning -> err.println("warning: " + warning));
     }
 
     /** What the lesson of a scene file measures; none is a mistake. */

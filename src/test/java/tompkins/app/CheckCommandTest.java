@@ -192,4 +192,25 @@ class CheckCommandTest {
                 .contains("apertureRadius");
         assertThat(run.out()).contains("fig1b.json: no mistakes");
     }
+
+    @Test
+    void allThatMeasuresWarnsOfLargeSpeeds() throws IOException {
+        Path scene = Files.writeString(folder.resolve("fast.json"), """
+                { "velocity": { "gamma": 1e7 }, "scene": [{ "type": "Sphere", "centre": [0, 0, 5] }] }
+                """);
+        String lesson = "scenes/lesson-01-round-ball.json";
+        for (ProgramRun run : List.of(
+                ProgramRun.of("trace", scene, "--pixel", "3,3"),
+                ProgramRun.of("measure", "between", scene, "--pixel", "3,3", "--pixel", "4,3"),
+                ProgramRun.of(
+                        "measure",
+                        "lesson",
+                        lesson,
+                        "--set",
+                        "lesson.control.to=0.9999999999999",
+                        "--set",
+                        "lesson.control.measuredAt=0.9999999999999"))) {
+            assertThat(run.err()).startsWith("warning: gamma ").contains(" is above 1000000; directions may be wrong");
+        }
+    }
 }
