@@ -136,13 +136,16 @@ final class Photographer implements AutoCloseable {
         } else {
             requirePossible(order, mayReplace);
         }
-        PhotographInfo info = info(studio, order.scene);
+        // refuses a scene that is too long before the work
+        info(studio, order.scene);
         progress.begin("preparing the objects of the scene");
         RenderPlan plan = ScenePlan.of(studio, order.scene);
         tell(PictureState.BEGUN, target, null);
         RenderJob job = traced(plan, order.quality);
         progress.clear();
         ToneCurve curve = studio.settings().toneCurve();
+        RenderSettings kept = kept(job, order);
+        PhotographInfo info = info(studio.withSettings(kept), order.scene);
         // the other processors have nothing to do while the file is written
         ForkJoinTask<RenderReport> early = studio.settings().pixels() <= MOST_REPORTED_EARLY
                 ? ForkJoinPool.commonPool().submit(job::report)
@@ -156,8 +159,24 @@ final class Photographer implements AutoCloseable {
         ScenePlan.warn(plan, err);
         RenderReport report = early == null ? job.report() : early.join();
         report(place, report, studio.view());
+        if (order.quality instanceof Quality.TimeLimit) {
+            err.println("note: taken again it has " + samples(kept.samples()) + " of each pixel");
+        }
         tell(PictureState.DONE, place, report);
         tellFilesToKeep(studio, err);
+    }
+
+    /**
+     * What the photograph says of its quality: a time would not make the same picture again, a number of samples does.
+     */
+    private static RenderSettings kept(RenderJob job, Order order) {
+        RenderSettings settings = order.studio.settings();
+        long mean = Math.max(1, Math.round((double) job.samples() / settings.pixels()));
+        return order.quality instanceof Quality.TimeLimit ? settings.withSamples((int) mean) : settings;
+    }
+
+    private static String samples(Object number) {
+        return number.toString().equals("1") ? "1 sample" : number + " samples";
     }
 
     private void tell(PictureState state, Path file, RenderReport report) {
@@ -297,7 +316,6 @@ final class Photographer implements AutoCloseable {
 
     private void report(Path target, RenderReport report, View view) throws IOException {
         double seconds = report.time().toNanos() / 1e9;
-        String samples = NumberText.plain(report.samplesPerPixel(), 3);
         boolean isPiped = target.equals(OutputOption.PIPE);
         (isPiped ? err : out)
                 .println(String.format(
@@ -307,7 +325,7 @@ final class Photographer implements AutoCloseable {
                         view == View.MEASURED ? "measured, not a photograph; " : "",
                         seconds,
                         (report.counts().rays + report.counts().shadowRays) / seconds / 1e6,
-                        samples.equals("1") ? "1 sample" : samples + " samples",
+                        samples(NumberText.plain(report.samplesPerPixel(), 3)),
                         Double.isNaN(report.error())
                                 ? ""
                                 : String.format(Locale.ROOT, ", estimated error %.2g", report.error())));

@@ -51,7 +51,9 @@ final class QualityOptions {
         @Option(
                 names = "--seconds",
                 paramLabel = "S",
-                description = "takes samples where they help most, for S seconds")
+                description =
+                        "takes samples where they help most, for S seconds; the photograph keeps how many each pixel"
+                                + " has on average, and is taken again with so many")
         private Double seconds;
     }
 

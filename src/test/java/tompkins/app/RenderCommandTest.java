@@ -13,6 +13,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.io.StudioReader;
+import tompkins.studio.RenderSettings;
 
 /**
  * What {@code tompkins render} takes, and takes again to the same bytes, and what it says of scenes it cannot save
@@ -190,5 +192,25 @@ class RenderCommandTest {
         assertThat(ProgramRun.of("render", "scenes/motion-barn.json", "--size", "8x6", "--samples", "1", "-o", seen)
                         .out())
                 .doesNotContain("photograph");
+    }
+
+    /** The mean of the samples is printed with three digits. */
+    @Test
+    void aPhotographKeepsHowManySamplesItsTimeGave() throws IOException {
+        Path scene = Files.writeString(folder.resolve("noisy.json"), """
+                {"settings": {"width": 32, "height": 24, "targetError": 0.5}, "camera": {"apertureRadius": 0.1},
+                 "scene": [{"type": "Sphere", "centre": [0, 0, 5], "radius": 1}]}
+                """);
+        Path picture = folder.resolve("noisy.png");
+
+        ProgramRun run = ProgramRun.of("render", scene, "-o", picture, "--seconds", 0.2);
+
+        RenderSettings kept = StudioReader.read(picture).settings();
+        assertThat(run.err().strip())
+                .isEqualTo("note: taken again it has " + kept.samples() + " samples of each pixel");
+        double mean = Double.parseDouble(run.out().replaceAll("(?s).*, ([0-9.e]+) samples per pixel.*", "$1"));
+        assertThat(mean).isBetween(0.99 * kept.samples() - 1, 1.01 * kept.samples() + 1);
+        assertThat(kept.samples()).isGreaterThan(8);
+        assertThat(kept.targetError()).isZero();
     }
 }
