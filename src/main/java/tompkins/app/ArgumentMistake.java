@@ -106,12 +106,13 @@ final class ArgumentMistake {
 
     private static String withWrongValue(OptionSpec option, ParameterException mistake) {
         String name = option.longestName();
+        String value = OptionValues.shown(mistake.getValue());
         if (option.arity().max() == 0) {
-            return name + " is given without a value, was " + mistake.getValue();
+            return name + " is given without a value, was " + value;
         }
         String alone = option.arity().min() == 0 ? "; without a number it must come after SCENE" : "";
         return mistake.getCause() instanceof TypeConversionException refused
-                ? name + " must be " + refused.getMessage() + ", was " + mistake.getValue() + alone
+                ? name + " must be " + refused.getMessage() + ", was " + value + alone
                 : mistake.getMessage();
     }
 

@@ -87,8 +87,9 @@ final class MeasureCommand extends ProgramCommand {
         return Arrays.stream(MeasureKind.values())
                 .filter(kind -> kind.toString().equals(what))
                 .findFirst()
-                .orElseThrow(() -> new MistakeException(
-                        "WHAT must be one of between, profile, circle, conic, line, lesson; was " + what));
+                .orElseThrow(() ->
+                        new MistakeException("WHAT must be one of between, profile, circle, conic, line, lesson; was "
+                                + OptionValues.shown(what)));
     }
 
     /** Checks that there are as many pixels as a kind needs; a lesson, which has no kind, needs none. */

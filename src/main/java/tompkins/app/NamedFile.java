@@ -106,7 +106,6 @@ final class NamedFile {
 
     /** What is wrong with a name. */
     static String mistake(InvalidPathException refused) {
-        String name = refused.getInput();
-        return (name.isEmpty() ? "\"\"" : name) + ": " + FileFailure.reason(refused);
+        return OptionValues.shown(refused.getInput()) + ": " + FileFailure.reason(refused);
     }
 }

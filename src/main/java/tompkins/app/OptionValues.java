@@ -43,7 +43,12 @@ final class OptionValues {
             // the message below says what is allowed
         }
         throw new MistakeException(option + " must be numbers with commas between them, such as " + option + "="
-                + example + ", was " + text);
+                + example + ", was " + shown(text));
+    }
+
+    /** A word as messages show it: an empty one would not be seen. */
+    static String shown(String word) {
+        return word.isEmpty() ? "\"\"" : word;
     }
 
     private static double number(String text) {

@@ -55,7 +55,8 @@ final class PixelChoice {
         String[] corners = pixel.split("\\.\\.", 2);
         if (!Stream.of(corners).allMatch(corner -> CORNER.matcher(corner).matches())) {
             throw new MistakeException("--pixel must be two whole numbers inside the picture with a comma between them"
-                    + (corners.length == 1 ? "" : ", or two such pairs as in 10,20..30,40") + ", was " + pixel);
+                    + (corners.length == 1 ? "" : ", or two such pairs as in 10,20..30,40") + ", was "
+                    + OptionValues.shown(pixel));
         }
         String both = pixel.contains("..") ? pixel : pixel + ".." + pixel;
         return Stream.of(both.split(",|\\.\\."))

@@ -66,7 +66,8 @@ class SceneOptions extends SetOption {
         if (size != null) {
             String[] sides = size.split("[xX]", -1);
             if (sides.length != 2) {
-                throw new MistakeException("--size must be two whole numbers such as 640x480, was " + size);
+                throw new MistakeException(
+                        "--size must be two whole numbers such as 640x480, was " + OptionValues.shown(size));
             }
             all.add(new Assignment("--size", "settings.width", sides[0]));
             all.add(new Assignment("--size", "settings.height", sides[1]));

@@ -32,7 +32,8 @@ class SetOption {
     private static Assignment assignment(String setting) {
         int equals = setting.indexOf('=');
         if (equals < 1) {
-            throw new MistakeException(NAME + " must be PATH=VALUE, such as settings.width=320, was " + setting);
+            throw new MistakeException(
+                    NAME + " must be PATH=VALUE, such as settings.width=320, was " + OptionValues.shown(setting));
         }
         return new Assignment(NAME, setting.substring(0, equals), setting.substring(equals + 1));
     }

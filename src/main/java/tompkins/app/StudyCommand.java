@@ -135,7 +135,8 @@ final class StudyCommand extends LongCommand {
                 return List.of(kind);
             }
         }
-        throw new MistakeException("NAME must be one of " + String.join(", ", new Names()) + "; was " + name);
+        throw new MistakeException(
+                "NAME must be one of " + String.join(", ", new Names()) + "; was " + OptionValues.shown(name));
     }
 
     /** What can be studied: one thing, or all. */

@@ -152,6 +152,31 @@ class PictureOptionsTest {
         assertThat(picture).doesNotExist();
     }
 
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "render --size=",
+                "render --set=",
+                "render --error=",
+                "render --seconds=",
+                "render --threads=",
+                "render --progress=",
+                "render --format=",
+                "render --part=",
+                "trace --pixel=",
+                "trace --pixel=1,1 --every=",
+                "trace --pixel=1,1 --pupil=",
+                "trace --pixel=1,1 --moment=",
+                "trace --pixel=1,1 --cone=",
+                "measure line --pixel=9,9 --pixel="
+            })
+    void emptyValuesAreShown(String command) {
+        ProgramRun run = ProgramRun.of((Object[]) (command + " " + FIG1B).split(" "));
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err()).contains(", was \"\"");
+    }
+
     /** gamma = 1.25 belongs to beta = 0.6. */
     @ParameterizedTest
     @CsvSource(
