@@ -2,6 +2,7 @@ package tompkins.io;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Optional;
 import tompkins.math.Precise;
 
 /**
@@ -65,8 +66,9 @@ final class ObjStatements {
      */
     ObjStatements(byte[] file) {
         this(new String(file, StandardCharsets.UTF_8));
-        if (SceneText.isUtf16(file)) {
-            throw new ObjMistake(1, SceneText.NOT_UTF16);
+        Optional<String> wrong = SceneText.wrongEncoding(file);
+        if (wrong.isPresent()) {
+            throw new ObjMistake(1, wrong.get());
         }
         next = this.file.startsWith(BYTE_ORDER_MARK) ? 1 : 0;
     }

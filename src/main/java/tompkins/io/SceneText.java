@@ -24,9 +24,6 @@ final class SceneText {
     /** The largest scene file, in bytes. */
     static final int LARGEST = 64 << 20;
 
-    /** What is wrong with a file whose text {@link #isUtf16}. */
-    static final String NOT_UTF16 = "must be text in the encoding UTF-8, is in UTF-16; save it again as UTF-8";
-
     private static final int BYTE_ORDER_MARK = 0xfeff;
 
     /** With its bytes in the other order. */
@@ -110,8 +107,20 @@ final class SceneText {
         return content;
     }
 
-    /** Whether a text is in the encoding UTF-16, which some editors call Unicode: marked so, or with zeros in it. */
-    static boolean isUtf16(byte[] content) {
+    /** What is wrong with a text in UTF-16 or UTF-32, which some editors call Unicode; empty if it is in neither. */
+    static Optional<String> wrongEncoding(byte[] content) {
+        String encoding = isUtf32(content) ? "UTF-32" : isUtf16(content) ? "UTF-16" : null;
+        return Optional.ofNullable(encoding)
+                .map(wrong -> "must be text in the encoding UTF-8, is in " + wrong + "; save it again as UTF-8");
+    }
+
+    /** Of the four bytes of a letter or a mark the first two or the last two are zeros. */
+    private static boolean isUtf32(byte[] content) {
+        return content.length >= 4 && (content[0] | content[1]) == 0 ^ (content[2] | content[3]) == 0;
+    }
+
+    /** It is marked so, or has zeros in it. */
+    private static boolean isUtf16(byte[] content) {
         if (content.length < 2) {
             return false;
         }
@@ -120,8 +129,9 @@ final class SceneText {
     }
 
     private String decoded(byte[] content) throws CharacterCodingException {
-        if (isUtf16(content)) {
-            throw problems.wholeFile(NOT_UTF16);
+        Optional<String> wrong = wrongEncoding(content);
+        if (wrong.isPresent()) {
+            throw problems.wholeFile(wrong.get());
         }
         CharsetDecoder decoder = StandardCharsets.UTF_8
                 .newDecoder()
@@ -135,8 +145,8 @@ final class SceneText {
             String before = text.toString();
             int line = (int) before.chars().filter(letter -> letter == '\n').count() + 1;
             int column = before.length() - before.lastIndexOf('\n');
-            String wrong = String.format(Locale.ROOT, "0x%02x", content[bytes.position()]);
-            problems.add(line, column, "", "must be text in the encoding UTF-8, has here the byte " + wrong);
+            String unexpected = String.format(Locale.ROOT, "0x%02x", content[bytes.position()]);
+            problems.add(line, column, "", "must be text in the encoding UTF-8, has here the byte " + unexpected);
             throw problems.exception();
         }
         boolean marked = text.length() > 0 && text.charAt(0) == BYTE_ORDER_MARK;

@@ -128,9 +128,21 @@ class SceneSourcesTest {
 
     /** What some editors call Unicode; in a scene, in a mesh and in its materials. */
     @ParameterizedTest
-    @ValueSource(strings = {"UTF-16", "UTF-16BE", "UTF-16LE"})
-    void textOfTwoBytesForEachLetterIsNamed(String encoding) throws IOException {
-        String message = "must be text in the encoding UTF-8, is in UTF-16; save it again as UTF-8";
+    @ValueSource(
+            strings = {
+                "UTF-16",
+                "UTF-16BE",
+                "UTF-16LE",
+                "UTF-32",
+                "UTF-32BE",
+                "UTF-32LE",
+                "X-UTF-32BE-BOM",
+                "X-UTF-32LE-BOM"
+            })
+    void textOfMoreBytesForEachLetterIsNamed(String encoding) throws IOException {
+        String message = "must be text in the encoding UTF-8, is in "
+                + encoding.replaceFirst(".*(UTF-..).*", "$1")
+                + "; save it again as UTF-8";
         Charset charset = Charset.forName(encoding);
         Path scene = folder.resolve("wide.json");
         Files.write(scene, "{}".getBytes(charset));
