@@ -39,9 +39,8 @@ public final class Main {
         WatchedStream out = new WatchedStream(new FileOutputStream(FileDescriptor.out));
         PrintWriter err = printer(System.err);
         int code = run(printer(out), err, Displays::usable, arguments);
-        IOException lost = out.failure(code);
-        if (lost != null) {
-            code = Failures.reportLostOutput(lost, err, code);
+        if (out.failure() != null) {
+            code = Failures.reportLostOutput(out.failure(), err, code);
         }
         if (code != Failures.WINDOW_IS_OPEN) {
             System.exit(code);

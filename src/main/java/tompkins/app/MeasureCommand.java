@@ -80,7 +80,8 @@ final class MeasureCommand extends ProgramCommand {
         Studio studio = options.read(scene, List.of());
         requireOptions(kind, studio.settings());
         output.check(studio, scene);
-        return output.write(out(), isLesson ? lesson(studio) : lines(measure(kind, planned(studio))));
+        output.write(out(), isLesson ? lesson(studio) : lines(measure(kind, planned(studio))));
+        return 0;
     }
 
     private MeasureKind kind() {

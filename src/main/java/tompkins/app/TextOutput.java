@@ -84,15 +84,18 @@ final class TextOutput {
 
     /**
      * Prints lines, or writes them into the file, which appears only when it is complete. Unless it is to be replaced,
-     * a file that took its name meanwhile stays, and this one gets the same with a number.
+     * a file that took its name meanwhile stays, and this one gets the same with a number. Once a printed line is lost,
+     * because nobody reads on, those behind it are not asked for.
      *
-     * @return the exit code: that of a failure if printed lines are lost; the lines behind them are not asked for
      * @throws FileException if it cannot be written
      */
-    int write(PrintWriter printed, Stream<String> lines) throws IOException {
+    void write(PrintWriter printed, Stream<String> lines) throws IOException {
         if (file == null) {
-            boolean complete = lines.flatMap(String::lines).allMatch(line -> isPrinted(line, printed));
-            return complete ? 0 : Failures.FAILURE;
+            Iterator<String> each = lines.flatMap(String::lines).iterator();
+            while (each.hasNext() && !printed.checkError()) {
+                printed.println(each.next());
+            }
+            return;
         }
         Path place = PendingFile.save(file, force, stream -> {
             Writer out = new BufferedWriter(new OutputStreamWriter(stream, StandardCharsets.UTF_8));
@@ -103,11 +106,5 @@ final class TextOutput {
             out.flush();
         });
         printed.println(place.toAbsolutePath());
-        return 0;
-    }
-
-    private static boolean isPrinted(String line, PrintWriter printed) {
-        printed.println(line);
-        return !printed.checkError();
     }
 }

@@ -123,7 +123,8 @@ final class TraceCommand extends ProgramCommand {
             draw(plan, choice, lens);
         }
         Stream<Sighting> sightings = choice.stream().map(place -> follow(plan, place[0], place[1], lens));
-        return output.write(out(), lines(sightings, choice.isSingle()));
+        output.write(out(), lines(sightings, choice.isSingle()));
+        return 0;
     }
 
     private void draw(RenderPlan plan, PixelChoice choice, double[] lens) throws IOException {

@@ -29,16 +29,11 @@ final class WatchedStream extends OutputStream {
         }
     }
 
-    /**
-     * The latest failure, or null if nothing was lost. It is no failure that the reader wants no more, as with {@code |
-     * head -1}, unless the command has given up its work for that.
-     *
-     * @param code the exit code of the command
-     */
-    IOException failure(int code) {
+    /** The latest failure, or null if nothing was lost, or the reader wanted no more, as with {@code | head -1}. */
+    IOException failure() {
         boolean closedPipe = failure != null
                 && failure.getMessage() != null
                 && failure.getMessage().toLowerCase(Locale.ROOT).contains("pipe");
-        return closedPipe && code != Failures.FAILURE ? null : failure;
+        return closedPipe ? null : failure;
     }
 }
