@@ -32,12 +32,12 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        27_501),
+                        27_507),
                 arguments("file, image", 4_535),
-                arguments("explain, lesson, measure, animation", 6_309),
-                arguments("io, app", 8_326),
+                arguments("explain, lesson, measure, animation", 6_393),
+                arguments("io, app", 8_519),
                 arguments("study", 4_084),
-                arguments("ui", 20_900));
+                arguments("ui", 20_938));
     }
 
     @ParameterizedTest
