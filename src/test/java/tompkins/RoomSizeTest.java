@@ -35,7 +35,7 @@ class RoomSizeTest {
                         27_507),
                 arguments("file, image", 4_535),
                 arguments("explain, lesson, measure, animation", 6_393),
-                arguments("io, app", 8_519),
+                arguments("io, app", 8_523),
                 arguments("study", 4_084),
                 arguments("ui", 20_938));
     }

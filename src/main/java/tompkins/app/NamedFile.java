@@ -85,12 +85,16 @@ final class NamedFile {
     /** The files of a scene: its own, unless it is the standard input, and its pictures and meshes. */
     static Stream<Path> ofScene(Studio studio, Path scene) {
         Stream<Path> own = scene.equals(StudioReader.PIPE) ? Stream.empty() : Stream.of(scene);
-        return Stream.concat(own, StudioWriter.files(studio).stream().map(scene::resolveSibling));
+        // names inside of the scene are looked for only if there is a file to be replaced
+        return Stream.concat(
+                own,
+                Stream.of(studio)
+                        .flatMap(each -> StudioWriter.files(each).stream().map(scene::resolveSibling)));
     }
 
     /** Refuses to write over a file that the command reads: it would be lost. This cannot be forced. */
     static void requireNotRead(Path target, Stream<Path> read) {
-        if (read.anyMatch(file -> isSame(file, target))) {
+        if (Files.exists(target) && read.anyMatch(file -> isSame(file, target))) {
             throw new MistakeException(target + ": the command reads this file and does not replace it, not even with"
                     + " --force; name another file");
         }

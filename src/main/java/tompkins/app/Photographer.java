@@ -136,8 +136,8 @@ final class Photographer implements AutoCloseable {
         } else {
             requirePossible(order, mayReplace);
         }
-        // refuses a scene that is too long before the work
-        info(studio, order.scene);
+        // before the work: a scene that is too long is refused
+        PhotographInfo before = info(studio, order.scene);
         progress.begin("preparing the objects of the scene");
         RenderPlan plan = ScenePlan.of(studio, order.scene);
         tell(PictureState.BEGUN, target, null);
@@ -145,7 +145,7 @@ final class Photographer implements AutoCloseable {
         progress.clear();
         ToneCurve curve = studio.settings().toneCurve();
         RenderSettings kept = kept(job, order);
-        PhotographInfo info = info(studio.withSettings(kept), order.scene);
+        PhotographInfo info = kept == studio.settings() ? before : info(studio.withSettings(kept), order.scene);
         // the other processors have nothing to do while the file is written
         ForkJoinTask<RenderReport> early = studio.settings().pixels() <= MOST_REPORTED_EARLY
                 ? ForkJoinPool.commonPool().submit(job::report)
