@@ -469,7 +469,7 @@ class LayoutTest {
                             List.of(Texts.get("help.menus")),
                             List.of("Ctrl+Z", "Undo"),
                             List.of("Ctrl+M", "Map: From above"))
-                    .contains(List.of("Sphere"), List.of("Arrow keys", "Turn it by 5 degrees"));
+                    .contains(List.of("Number fields"), List.of("Space", "No thrust"));
         });
     }
 }
