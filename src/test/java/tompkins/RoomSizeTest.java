@@ -32,12 +32,12 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        27_507),
+                        27_505),
                 arguments("file, image", 4_535),
                 arguments("explain, lesson, measure, animation", 6_393),
                 arguments("io, app", 8_523),
                 arguments("study", 4_084),
-                arguments("ui", 20_938));
+                arguments("ui", 20_946));
     }
 
     @ParameterizedTest

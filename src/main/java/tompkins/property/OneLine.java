@@ -29,11 +29,9 @@ public final class OneLine {
      */
     public static String shortened(String text, int longest) {
         boolean tooLong = text.length() > longest;
-        int cut = longest - 10;
-        String start = !tooLong
-                ? text
-                // never between the two halves of one character
-                : text.substring(0, Character.isHighSurrogate(text.charAt(cut - 1)) ? cut - 1 : cut);
+        int end = tooLong ? longest - 10 : text.length();
+        // never between the two halves of one character
+        String start = text.substring(0, tooLong && Character.isHighSurrogate(text.charAt(end - 1)) ? end - 1 : end);
         String seen = INVISIBLE
                 .matcher(start)
                 .replaceAll(found ->

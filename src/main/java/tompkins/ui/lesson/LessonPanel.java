@@ -17,7 +17,6 @@ import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
-import tompkins.camera.Camera;
 import tompkins.lesson.Lesson;
 import tompkins.lesson.LessonPlan;
 import tompkins.lesson.NoLesson;
@@ -25,6 +24,7 @@ import tompkins.measure.LessonResult;
 import tompkins.measure.LessonStudio;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
+import tompkins.shutter.Shutter;
 import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.model.StudioModel;
@@ -342,12 +342,10 @@ public final class LessonPanel extends Part {
 
     private boolean isWhereItBegan() {
         Studio unmoved = LessonStudio.unmoved(model.studio(), model.opened());
-        Camera camera = unmoved.camera();
-        Camera home = model.opened().camera();
-        return unmoved.velocity().equals(model.opened().velocity())
-                && camera.position().equals(home.position())
-                && camera.viewDirection().equals(home.viewDirection())
-                && (!camera.shutter().hasOpeningTime() || camera.shutter().equals(home.shutter()));
+        Shutter shutter = unmoved.camera().shutter();
+        return model.isAtHome(unmoved)
+                && (!shutter.hasOpeningTime()
+                        || shutter.equals(model.opened().camera().shutter()));
     }
 
     private void startAgain() {

@@ -104,9 +104,14 @@ public final class StudioModel {
 
     /** Whether the camera is where it was when the studio was opened or last saved, looks there and is as fast. */
     public boolean isAtHome() {
-        Camera now = studio().camera();
+        return isAtHome(studio());
+    }
+
+    /** The same of another studio, such as one in which a number has its value of then. */
+    public boolean isAtHome(Studio studio) {
+        Camera now = studio.camera();
         Camera home = opened().camera();
-        return studio().velocity().equals(opened().velocity())
+        return studio.velocity().equals(opened().velocity())
                 && now.position().equals(home.position())
                 && now.viewDirection().equals(home.viewDirection());
     }

@@ -43,7 +43,11 @@ public final class PhotographView implements AutoCloseable {
         /** Another picture is on the screen. */
         void shown(Picture picture);
 
-        /** A pixel was read; null if the mouse has left the picture. If that rests, the picture under it changed. */
+        /**
+         * A pixel was read; null if the mouse has left the picture.
+         *
+         * @param rests whether the mouse has not moved, but the picture under it has changed
+         */
         void read(PixelReading reading, boolean rests);
 
         /**

@@ -274,10 +274,11 @@ public final class StatusBar extends Part {
 
     /** As {@link #say}, for news that disappear after a while; an empty one takes back the last. */
     public void report(String message) {
-        say(message);
-        fading.restart();
         if (message.isEmpty()) {
-            showIdle();
+            show(read, false);
+        } else {
+            say(message);
+            fading.restart();
         }
     }
 
