@@ -37,15 +37,14 @@ import tompkins.trace.RenderPlan;
         description =
                 "Measures in the picture of a scene, between pixels. \"between\" gives angles, distances, times and the"
                         + " interval between two pixels, in the frames of scene, camera and object; \"circle\" fits a circle of"
-                        + " directions, such as the outline of a sphere, to three pixels or more; \"conic\" fits an ellipse, a parabola or a"
-                        + " hyperbola to five pixels or more; \"line\" says how straight two"
+                        + " directions, such as the outline of a sphere, to three pixels or more; \"line\" says how straight two"
                         + " pixels or more lie; \"profile\" follows the line between two pixels. \"lesson\" measures the numbers of the"
                         + " scene's lesson and compares them with its formulas.")
 final class MeasureCommand extends ProgramCommand {
 
     private static final String LESSON = "lesson";
 
-    @Parameters(index = "0", paramLabel = "WHAT", description = "between, profile, circle, conic, line or lesson")
+    @Parameters(index = "0", paramLabel = "WHAT", description = "between, profile, circle, line or lesson")
     private String what;
 
     @Parameters(
@@ -88,9 +87,8 @@ final class MeasureCommand extends ProgramCommand {
         return Arrays.stream(MeasureKind.values())
                 .filter(kind -> kind.toString().equals(what))
                 .findFirst()
-                .orElseThrow(() ->
-                        new MistakeException("WHAT must be one of between, profile, circle, conic, line, lesson; was "
-                                + OptionValues.shown(what)));
+                .orElseThrow(() -> new MistakeException(
+                        "WHAT must be one of between, profile, circle, line, lesson; was " + OptionValues.shown(what)));
     }
 
     /** Checks that there are as many pixels as a kind needs; a lesson, which has no kind, needs none. */

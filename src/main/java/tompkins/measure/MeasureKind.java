@@ -10,8 +10,6 @@ public enum MeasureKind {
     PROFILE(2, 2),
     /** The circle of directions through three points or more. */
     CIRCLE(3, Integer.MAX_VALUE),
-    /** The ellipse, parabola or hyperbola through five points or more. */
-    CONIC(ConicFit.FEWEST, Integer.MAX_VALUE),
     /** How straight two points or more lie. */
     LINE(2, Integer.MAX_VALUE);
 

@@ -49,7 +49,6 @@ public final class Measurements {
             case BETWEEN -> all.between(points);
             case PROFILE -> all.profile(Profile.between(plan, points.get(0), points.get(1), count, goesOn), points);
             case CIRCLE -> all.circle(points);
-            case CONIC -> new ConicMeasurement(all.projection).measure(points, HALF);
             case LINE -> all.line(points);
         };
     }

@@ -19,7 +19,6 @@ import tompkins.studio.StudioPath;
 import tompkins.ui.animate.AnimationExport;
 import tompkins.ui.compare.PeekKey;
 import tompkins.ui.exchange.ClipboardActions;
-import tompkins.ui.exchange.CommandLineWriter;
 import tompkins.ui.exchange.FileDialogs;
 import tompkins.ui.exchange.PhotographExport;
 import tompkins.ui.exchange.SceneOpener;
@@ -83,7 +82,7 @@ public final class TompkinsWindow {
     /** When there is time to tell of the pictures of a ride. */
     private final Throttle throttle = new Throttle();
 
-    private TompkinsWindow(FirstScene first, CommandLineWriter commandLine) {
+    private TompkinsWindow(FirstScene first) {
         settings.look().install();
         place = first.file() == null ? null : ChosenFile.plain(first.file());
         model = new StudioModel(first.studio(), place);
@@ -111,7 +110,7 @@ public final class TompkinsWindow {
         motion = new Motion(parts, strip, new AnimationExport(frame, dialogs, captions, overlays), captions);
         motion.pilot().addListener(pictures::tellLast);
         frame.setContentPane(content());
-        clipboard = new ClipboardActions(parts, captions, overlays, commandLine);
+        clipboard = new ClipboardActions(parts, captions, overlays);
         measure = new MeasureTool(view, clipboard::copyMeasured);
         strip.fill(TabStrip.Tab.MEASURE, measure::component, measure::setOn);
         strip.fill(TabStrip.Tab.LESSON, lesson::component, lesson::setShown);
@@ -158,9 +157,8 @@ public final class TompkinsWindow {
      *
      * @param first the scene to show
      * @param examples reads the scenes that the menu of examples offers, in its order; called by another thread
-     * @param commandLine writes the command line that takes the same photograph
      */
-    public static void open(FirstScene first, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
+    public static void open(FirstScene first, Supplier<List<Studio>> examples) {
         prepare();
         if (Desktop.isDesktopSupported() && Desktop.getDesktop().isSupported(Desktop.Action.APP_QUIT_STRATEGY)) {
             // Cmd+Q on a Mac must not pass over the question about unsaved changes
@@ -168,14 +166,14 @@ public final class TompkinsWindow {
         }
         SwingUtilities.invokeLater(() -> {
             Thread.currentThread().setUncaughtExceptionHandler(new Faults());
-            TompkinsWindow window = opened(first, examples, commandLine);
+            TompkinsWindow window = opened(first, examples);
             first.tellProblem(window.frame);
         });
     }
 
     /** Opens a window at once; called by the event thread. */
-    static TompkinsWindow opened(FirstScene first, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
-        TompkinsWindow window = new TompkinsWindow(first, commandLine);
+    static TompkinsWindow opened(FirstScene first, Supplier<List<Studio>> examples) {
+        TompkinsWindow window = new TompkinsWindow(first);
         window.frame.setVisible(true);
         if (window.model.studio().lesson() instanceof Lesson) {
             window.beginLesson();
@@ -375,9 +373,5 @@ public final class TompkinsWindow {
 
     void close() {
         frame.dispatchEvent(new WindowEvent(frame, WindowEvent.WINDOW_CLOSING));
-    }
-
-    void copyAnimation() {
-        motion.wantedAnimation().ifPresent(clipboard::copyCommandLine);
     }
 }

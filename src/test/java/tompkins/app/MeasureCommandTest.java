@@ -97,29 +97,6 @@ class MeasureCommandTest {
                 .isCloseTo(Math.toDegrees(2 * Math.atan(Math.sqrt(2) * 100 / 101)), within(1e-12));
     }
 
-    /** An ellipse of 40 and 20 pixels, of which each is 2/101 at distance 1. */
-    @Test
-    void conicsTellTheirShape() {
-        Object[] ellipse = {
-            "measure", "conic", scene, "--pixel", "90,50", "--pixel", "10,50", "--pixel", "50,70", "--pixel", "50,30",
-            "--pixel", "74,66"
-        };
-        String json = ProgramRun.of(with(ellipse, "--json")).out();
-
-        assertThat(json).contains("\"shape\" : \"ellipse\"");
-        assertThat(value(json, "semiMajorAxis")).isCloseTo(80 / 101.0, within(1e-12));
-        assertThat(value(json, "semiMinorAxis")).isCloseTo(40 / 101.0, within(1e-12));
-        assertThat(value(json, "eccentricity")).isCloseTo(Math.sqrt(0.75), within(1e-12));
-        assertThat(value(json, "centrePixelX")).isCloseTo(50, within(1e-9));
-        assertThat(value(json, "axisAngle")).isCloseTo(0, within(1e-9));
-        assertThat(value(json, "residualInPixels")).isCloseTo(0, within(1e-9));
-        // both ends of each axis are known to half a pixel
-        assertThat(uncertainty(json, "semiMajorAxis")).isCloseTo(0.5 / Math.sqrt(2) * 2 / 101, within(2e-3));
-        assertThat(ProgramRun.of(with(ellipse, "--csv")).out().lines().toList().get(1))
-                .isEqualTo("shape,ellipse,,");
-        assertThat(ProgramRun.of(ellipse).out()).containsPattern("^shape +ellipse\n");
-    }
-
     @Test
     void profilesAreTablesOfRays() {
         Object[] profile = {"measure", "profile", scene, "--pixel", "50,50", "--pixel", "54,50"};
@@ -179,12 +156,10 @@ class MeasureCommandTest {
                 "trace S --pixel 1,1..3 | --pixel must be two whole numbers inside the picture with a comma between them, or",
                 "trace S --pixel 1,1..3,101 | --pixel must be from 0,0 to 100,100, was 3,101",
                 "trace S --pixel all --every 0 | --every must be 1 or more, was 0",
-                "measure angle S --pixel 1,1 | WHAT must be one of between, profile, circle, conic, line, lesson; was angle",
+                "measure angle S --pixel 1,1 | WHAT must be one of between, profile, circle, line, lesson; was angle",
                 "measure between S --pixel 1,1 | between needs 2 --pixel, was 1",
                 "measure circle S --pixel 1,1 --pixel 2,2 | circle needs 3 or more --pixel, was 2",
                 "measure circle S --pixel 1,1 --pixel 1,1 --pixel 1,1 | --pixel: the points of a circle must not coincide",
-                "measure conic S --pixel 1,1 --pixel 2,2 --pixel 3,3 | conic needs 5 or more --pixel, was 3",
-                "measure conic S --pixel 1,1 --pixel 2,2 --pixel 3,3 --pixel 4,4 --pixel 5,5 | --pixel: the points of a conic must not lie",
                 "measure line S --pixel 1,1 --pixel 101,2 | --pixel must lie in the picture, from -0.5,-0.5 to 100.5,100.5, was 101,2",
                 "measure profile S --pixel 1,1 --pixel 2,2 --count 1 | --count must be from 2 to 10000, was 1",
                 "measure lesson S | wall.json: the scene must have a lesson",

@@ -3,19 +3,15 @@ package tompkins.io;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.lang.reflect.RecordComponent;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
 import org.joml.Vector2i;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import tompkins.fuzz.RandomStudio;
 import tompkins.property.Descriptions;
 import tompkins.property.MistakeException;
 import tompkins.sceneobject.ImagePointGrid;
@@ -29,7 +25,6 @@ import tompkins.studio.FrontWindow;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.surface.LorentzWindow;
-import tompkins.surface.LuminousSurface;
 
 class AssignmentsTest {
 
@@ -206,35 +201,5 @@ class AssignmentsTest {
                 .hasMessageContaining("--gamma: velocity.gamma: must be 1 or above, was 0.5")
                 .hasMessageContaining("--size: settings.width: must be a whole number from 1 to 65535, was 0")
                 .hasMessageContaining("--set: scene[1].radius: must be a finite number above 0, was 0");
-    }
-
-    /** One part of a studio at a time comes from another one, of whatever type it is there. */
-    @Test
-    void whatIsBetweenTwoStudiosMakesOneOfTheOther() {
-        int made = 0;
-        for (long seed = 0; seed < 40; seed++) {
-            Studio first = RandomStudio.of(seed);
-            for (RecordComponent component : Studio.class.getRecordComponents()) {
-                Object other = Descriptions.value(component, RandomStudio.of(seed + 1));
-                Studio second = Descriptions.with(first, component.getName(), other);
-                Optional<List<Assignment>> between = Differences.between(first, second);
-                if (between.isPresent()) {
-                    assertThat(Assignments.changed(first, between.get(), HERE)).isEqualTo(second);
-                    made++;
-                }
-            }
-        }
-        assertThat(made).isGreaterThan(400);
-    }
-
-    @Test
-    void whatIsBetweenIsAsSmallAsItCanBe() {
-        Studio other = STUDIO.withVelocity(Velocity.of(SpeedScale.GAMMA, 2, new Vector3d(1, 0, 0)))
-                .withScene(
-                        List.of(Plane.DEFAULT, Descriptions.with(Sphere.DEFAULT, "surface", LuminousSurface.DEFAULT)));
-        assertThat(Differences.between(STUDIO, other))
-                .contains(assignments("scene[1].surface.type=LuminousSurface  velocity.gamma=2"));
-        assertThat(Differences.between(STUDIO, STUDIO)).contains(List.of());
-        assertThat(Assignments.applyTo(STUDIO, Collections.emptyList(), HERE)).isSameAs(STUDIO);
     }
 }

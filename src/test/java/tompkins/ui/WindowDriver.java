@@ -96,7 +96,7 @@ public final class WindowDriver implements AutoCloseable {
         }
         robot.setAutoDelay(8);
         Toolkit.getDefaultToolkit().addAWTEventListener(listener, AWTEvent.KEY_EVENT_MASK | AWTEvent.MOUSE_EVENT_MASK);
-        window = onEventThread(() -> TompkinsWindow.opened(first, () -> examples, new NamedCommands()));
+        window = onEventThread(() -> TompkinsWindow.opened(first, () -> examples));
         await("a picture on the screen", () -> picture() != null);
         await("the panel", () -> window.side().isThere());
         // which keys reach only then

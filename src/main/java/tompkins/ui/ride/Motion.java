@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
-import tompkins.animation.Animation;
 import tompkins.explain.Flashes;
 import tompkins.image.PictureLabel;
 import tompkins.measure.Sighting;
@@ -160,13 +159,6 @@ public final class Motion {
         pilot.setRiding(false);
         strip.open(TabStrip.Tab.PLAY);
         playPanel().setPlaying(!playPanel().isPlaying());
-    }
-
-    /** The animation that its tab describes; none if what is typed into it is refused. */
-    public Optional<Animation> wantedAnimation() {
-        takeEntries();
-        strip.open(TabStrip.Tab.PLAY);
-        return playPanel().wanted();
     }
 
     /** Begins a ride, or pauses it. */
