@@ -111,7 +111,7 @@ final class TompkinsCommand extends ProgramCommand {
     }
 
     private static void openWindow(FirstScene first) {
-        TompkinsWindow.open(first, BundledScenes::studios, new WindowCommandLine());
+        TompkinsWindow.open(first, BundledScenes::studios);
     }
 
     /**

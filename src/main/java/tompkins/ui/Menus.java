@@ -146,7 +146,6 @@ final class Menus {
         add(menu, "menu.savePhotograph", "ctrl shift E", window::savePhotograph);
         menu.addSeparator();
         add(menu, "menu.copyPicture", "ctrl shift C", window.clipboard::copyPicture);
-        add(menu, "menu.copyCommand", "ctrl shift L", window.clipboard::copyCommandLine);
         menu.addSeparator();
         add(menu, "menu.close", "ctrl Q", window::close);
         return menu;
@@ -225,8 +224,6 @@ final class Menus {
         menu.addSeparator();
         add(menu, "menu.playPause", "F9", window.motion::togglePlay);
         add(menu, "menu.playPanel", "ctrl L", () -> window.strip.toggle(TabStrip.Tab.PLAY));
-        menu.addSeparator();
-        add(menu, "menu.copyAnimation", null, window::copyAnimation);
         menu.addSeparator();
         add(menu, "menu.ride", "F6", window.motion::toggleRide);
         add(menu, "menu.replay", null, window.motion::replayRide);

@@ -19,7 +19,6 @@ import tompkins.studio.StudioPath;
 import tompkins.ui.animate.AnimationExport;
 import tompkins.ui.compare.PeekKey;
 import tompkins.ui.exchange.ClipboardActions;
-import tompkins.ui.exchange.CommandLineWriter;
 import tompkins.ui.exchange.FileDialogs;
 import tompkins.ui.exchange.PhotographExport;
 import tompkins.ui.exchange.SceneOpener;
@@ -45,6 +44,7 @@ import tompkins.ui.ride.Motion;
 import tompkins.ui.widget.Faults;
 import tompkins.ui.widget.FocusFollower;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.MousePress;
 import tompkins.ui.widget.Screens;
 import tompkins.ui.widget.TabStrip;
 
@@ -83,7 +83,7 @@ public final class TompkinsWindow {
     /** When there is time to tell of the pictures of a ride. */
     private final Throttle throttle = new Throttle();
 
-    private TompkinsWindow(FirstScene first, CommandLineWriter commandLine) {
+    private TompkinsWindow(FirstScene first) {
         settings.look().install();
         place = first.file() == null ? null : ChosenFile.plain(first.file());
         model = new StudioModel(first.studio(), place);
@@ -102,7 +102,7 @@ public final class TompkinsWindow {
         side = new FoldingPanel(
                 () -> new SidePanel(model, view, lesson.control(), first.besideRest(), status::report, this::edit));
         parts = new WindowParts(frame, model, view, status, settings);
-        dialogs = new FileDialogs(parts);
+        dialogs = new FileDialogs(parts, this::pause);
         saver = new SceneSaver(parts, dialogs);
         opener = new SceneOpener(parts, dialogs, saver, this::pause, this::beginLesson);
         captions = new Captions(
@@ -111,7 +111,7 @@ public final class TompkinsWindow {
         motion = new Motion(parts, strip, new AnimationExport(frame, dialogs, captions, overlays), captions);
         motion.pilot().addListener(pictures::tellLast);
         frame.setContentPane(content());
-        clipboard = new ClipboardActions(parts, captions, overlays, commandLine);
+        clipboard = new ClipboardActions(parts, captions, overlays);
         measure = new MeasureTool(view, clipboard::copyMeasured);
         strip.fill(TabStrip.Tab.MEASURE, measure::component, measure::setOn);
         strip.fill(TabStrip.Tab.LESSON, lesson::component, lesson::setShown);
@@ -121,14 +121,15 @@ public final class TompkinsWindow {
         frame.setJMenuBar(menus.bar());
         editor = new EditorDialog(parts, dialogs, menus::bindKeys, () -> motion.pace() == Pace.HAND);
         view.setMenu(new PictureMenu(this));
-        late = new DeferredParts(this::bringPanel, menus::setExamples, frame::setIconImages);
+        late = new DeferredParts(
+                DeferredParts.LONGEST_WAIT, this::bringPanel, menus::setExamples, frame::setIconImages);
         // also while the menus are hidden
         menus.bindKeys(frame.getRootPane());
         fullScreen = new FullScreen(frame, side, List.of(menus.bar(), status.component()));
         frame.getRootPane().setTransferHandler(opener.drop());
         PeekKey.bind(frame, view.canvas());
         FocusFollower.install(frame);
-        Screens.keepDialogsOnScreen(frame);
+        Screens.keepDialogsOnScreen(frame, this::pause);
         frame.setName("tompkins");
         frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         frame.addWindowListener(new WindowCloser(frame, opener, this::saveSize, this::end));
@@ -158,9 +159,8 @@ public final class TompkinsWindow {
      *
      * @param first the scene to show
      * @param examples reads the scenes that the menu of examples offers, in its order; called by another thread
-     * @param commandLine writes the command line that takes the same photograph
      */
-    public static void open(FirstScene first, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
+    public static void open(FirstScene first, Supplier<List<Studio>> examples) {
         prepare();
         if (Desktop.isDesktopSupported() && Desktop.getDesktop().isSupported(Desktop.Action.APP_QUIT_STRATEGY)) {
             // Cmd+Q on a Mac must not pass over the question about unsaved changes
@@ -168,14 +168,14 @@ public final class TompkinsWindow {
         }
         SwingUtilities.invokeLater(() -> {
             Thread.currentThread().setUncaughtExceptionHandler(new Faults());
-            TompkinsWindow window = opened(first, examples, commandLine);
+            TompkinsWindow window = opened(first, examples);
             first.tellProblem(window.frame);
         });
     }
 
     /** Opens a window at once; called by the event thread. */
-    static TompkinsWindow opened(FirstScene first, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
-        TompkinsWindow window = new TompkinsWindow(first, commandLine);
+    static TompkinsWindow opened(FirstScene first, Supplier<List<Studio>> examples) {
+        TompkinsWindow window = new TompkinsWindow(first);
         window.frame.setVisible(true);
         if (window.model.studio().lesson() instanceof Lesson) {
             window.beginLesson();
@@ -363,21 +363,30 @@ public final class TompkinsWindow {
         }
     }
 
+    /** Ends the innermost of what goes on. */
     void leave() {
         if (!editor.giveBack()
+                && !endDrag()
                 && !motion.pauseIfMoving()
                 && !view.endPicking()
                 && !strip.closeIfOpen(TabStrip.Tab.MEASURE)
                 && !fullScreen.leave()) {
-            BackgroundTask.cancel(frame);
+            BackgroundTask.cancelLast(frame);
         }
+    }
+
+    /** Ends a drag, and takes back what it has changed unless other changes are between; false if there is none. */
+    private boolean endDrag() {
+        boolean drags = MousePress.isDragging();
+        if (drags && motion.isMoving()) {
+            MousePress.endDrag();
+        } else if (drags) {
+            model.takeBackGesture(MousePress::endDrag);
+        }
+        return drags;
     }
 
     void close() {
         frame.dispatchEvent(new WindowEvent(frame, WindowEvent.WINDOW_CLOSING));
-    }
-
-    void copyAnimation() {
-        motion.wantedAnimation().ifPresent(clipboard::copyCommandLine);
     }
 }

@@ -50,7 +50,7 @@ class FoldingPanelTest {
     }
 
     private void open() {
-        window = TompkinsWindow.opened(new FirstScene(SCENE, null), List::of, new NamedCommands());
+        window = TompkinsWindow.opened(new FirstScene(SCENE, null), List::of);
     }
 
     @Test

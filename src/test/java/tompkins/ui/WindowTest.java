@@ -52,7 +52,6 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.RenderController;
-import tompkins.ui.widget.Texts;
 
 /** The real window, used with mouse and keys. */
 @Timeout(600)
@@ -421,7 +420,7 @@ class WindowTest {
 
     @Test
     @Thorough
-    void pictureAndCommandLineGoToTheClipboard() throws Exception {
+    void thePictureGoesToTheClipboard() throws Exception {
         Picture picture = driver.completePicture();
         driver.key(KeyEvent.VK_C, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
         JLabel what = driver.find(JLabel.class, "status.what");
@@ -430,16 +429,6 @@ class WindowTest {
                 (BufferedImage) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.imageFlavor);
         assertThat(copy.getWidth()).isEqualTo(320);
         assertThat(copy.getRGB(160, 120)).isEqualTo(picture.levels().getRGB(160, 120));
-        driver.key(KeyEvent.VK_L, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
-        assertThat(Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor))
-                .isEqualTo("tompkins render " + folder.resolve("lattice.json"));
-
-        driver.menu("menu.copyAnimation");
-        WindowDriver.await("the command", () -> what.getText().startsWith("On the clipboard: tompkins animate"));
-        assertThat(Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor))
-                .isEqualTo("tompkins animate " + folder.resolve("lattice.json") + " velocity.beta to 0.99");
-        assertThat(driver.find(JButton.class, Texts.get("play.export")).isShowing())
-                .isTrue();
     }
 
     @Test

@@ -4,9 +4,7 @@ import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
 import java.awt.image.BufferedImage;
-import java.util.Optional;
 import java.util.Set;
-import tompkins.animation.Animation;
 import tompkins.image.BufferedImages;
 import tompkins.image.LinearImage;
 import tompkins.image.PictureLabel;
@@ -23,21 +21,18 @@ import tompkins.ui.picture.Picture;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
 
-/** Copies the photograph, or the command lines that take it or an animation of it, for other programs. */
+/** Copies the photograph, what was measured in it, and how to cite the program. */
 public final class ClipboardActions {
 
     private final WindowParts window;
     private final Captions captions;
     private final PictureOverlays overlays;
-    private final CommandLineWriter commandLine;
 
     /** The clipboard of a window. */
-    public ClipboardActions(
-            WindowParts window, Captions captions, PictureOverlays overlays, CommandLineWriter commandLine) {
+    public ClipboardActions(WindowParts window, Captions captions, PictureOverlays overlays) {
         this.window = window;
         this.captions = captions;
         this.overlays = overlays;
-        this.commandLine = commandLine;
     }
 
     /** Puts the photograph on the clipboard, in its own size, with its overlays and its caption if it has any. */
@@ -64,35 +59,9 @@ public final class ClipboardActions {
         return levels;
     }
 
-    /** Puts the command line that takes this photograph on the clipboard. */
-    public void copyCommandLine() {
-        copy(commandLine.photograph(
-                window.model().studio(), window.model().opened(), window.model().file()));
-    }
-
-    /** Puts the command line that saves an animation on the clipboard. */
-    public void copyCommandLine(Animation animation) {
-        copy(commandLine.animation(
-                window.model().studio(),
-                animation,
-                captions.areShown(),
-                window.model().opened(),
-                window.model().file()));
-    }
-
     /** Puts what was measured on the clipboard. */
     public void copyMeasured(String text) {
         toClipboard(new StringSelection(text), Texts.get("measure.copied"));
-    }
-
-    private void copy(Optional<String> command) {
-        if (command.isEmpty()) {
-            // the clipboard may still hold the command of another photograph
-            Messages.error(
-                    window.frame(), Texts.get(window.model().file() == null ? "file.copyNeedsFile" : "file.saveFirst"));
-            return;
-        }
-        toClipboard(new StringSelection(command.get()), Texts.get("file.commandCopied", command.get()));
     }
 
     /** Says how to cite the program, and puts that on the clipboard if asked to. */

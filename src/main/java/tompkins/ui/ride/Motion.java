@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
-import tompkins.animation.Animation;
 import tompkins.explain.Flashes;
 import tompkins.image.PictureLabel;
 import tompkins.measure.Sighting;
@@ -62,7 +61,7 @@ public final class Motion {
         canvas = window.view().canvas();
         pilot = new RidePilot(window.model(), window.status()::report);
         steering = new SteeringMouse(canvas, new Steering(window.model(), window.view(), pilot));
-        new RideKeys(canvas, pilot, steering::turn);
+        new RideKeys(canvas, pilot, steering::turn, letter -> ridePanel().offerKeyboard(letter));
         canvas.addOverlay((g, picture, bounds, visible, free) -> paintLine(g, free));
         captions.setRidden(this::isOnRide);
         pilot.addListener(canvas::repaint);
@@ -116,9 +115,14 @@ public final class Motion {
 
     /** Pauses what moves by itself; false if nothing did. */
     public boolean pauseIfMoving() {
-        boolean moves = isPlaying() || pilot.isRiding();
+        boolean moves = isMoving();
         pause();
         return moves;
+    }
+
+    /** Whether something moves by itself. */
+    public boolean isMoving() {
+        return isPlaying() || pilot.isRiding();
     }
 
     private boolean isPlaying() {
@@ -160,13 +164,6 @@ public final class Motion {
         pilot.setRiding(false);
         strip.open(TabStrip.Tab.PLAY);
         playPanel().setPlaying(!playPanel().isPlaying());
-    }
-
-    /** The animation that its tab describes; none if what is typed into it is refused. */
-    public Optional<Animation> wantedAnimation() {
-        takeEntries();
-        strip.open(TabStrip.Tab.PLAY);
-        return playPanel().wanted();
     }
 
     /** Begins a ride, or pauses it. */
