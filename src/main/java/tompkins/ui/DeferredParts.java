@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import java.awt.Image;
 import java.lang.reflect.InvocationTargetException;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -16,10 +17,11 @@ import tompkins.studio.Studio;
  */
 final class DeferredParts {
 
-    /** They do not wait longer than this for a picture, because it may never come. */
-    private static final int LONGEST_WAIT_MILLISECONDS = 1000;
+    /** How long they wait for a picture at most, because it may never come. */
+    static final Duration LONGEST_WAIT = Duration.ofSeconds(1);
 
     private final CountDownLatch firstPicture = new CountDownLatch(1);
+    private final Duration longestWait;
     private final Runnable panel;
     private final Consumer<List<Studio>> menu;
     private final Consumer<List<Image>> window;
@@ -31,7 +33,8 @@ final class DeferredParts {
      * @param menu takes the examples
      * @param window takes the icon
      */
-    DeferredParts(Runnable panel, Consumer<List<Studio>> menu, Consumer<List<Image>> window) {
+    DeferredParts(Duration longestWait, Runnable panel, Consumer<List<Studio>> menu, Consumer<List<Image>> window) {
+        this.longestWait = longestWait;
         this.panel = panel;
         this.menu = menu;
         this.window = window;
@@ -51,7 +54,7 @@ final class DeferredParts {
 
     private void make(Supplier<List<Studio>> examples) {
         try {
-            firstPicture.await(LONGEST_WAIT_MILLISECONDS, TimeUnit.MILLISECONDS);
+            firstPicture.await(longestWait.toMillis(), TimeUnit.MILLISECONDS);
             SwingUtilities.invokeLater(panel);
             // only until it is there: waiting for the panel itself would hide its errors from the code that reports
             // them

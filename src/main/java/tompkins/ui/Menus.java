@@ -225,7 +225,6 @@ final class Menus {
         add(menu, "menu.playPause", "F9", window.motion::togglePlay);
         add(menu, "menu.playPanel", "ctrl L", () -> window.strip.toggle(TabStrip.Tab.PLAY));
         menu.addSeparator();
-        menu.addSeparator();
         add(menu, "menu.ride", "F6", window.motion::toggleRide);
         add(menu, "menu.replay", null, window.motion::replayRide);
         return menu;

@@ -44,6 +44,7 @@ import tompkins.ui.ride.Motion;
 import tompkins.ui.widget.Faults;
 import tompkins.ui.widget.FocusFollower;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.MousePress;
 import tompkins.ui.widget.Screens;
 import tompkins.ui.widget.TabStrip;
 
@@ -101,7 +102,7 @@ public final class TompkinsWindow {
         side = new FoldingPanel(
                 () -> new SidePanel(model, view, lesson.control(), first.besideRest(), status::report, this::edit));
         parts = new WindowParts(frame, model, view, status, settings);
-        dialogs = new FileDialogs(parts);
+        dialogs = new FileDialogs(parts, this::pause);
         saver = new SceneSaver(parts, dialogs);
         opener = new SceneOpener(parts, dialogs, saver, this::pause, this::beginLesson);
         captions = new Captions(
@@ -120,14 +121,15 @@ public final class TompkinsWindow {
         frame.setJMenuBar(menus.bar());
         editor = new EditorDialog(parts, dialogs, menus::bindKeys, () -> motion.pace() == Pace.HAND);
         view.setMenu(new PictureMenu(this));
-        late = new DeferredParts(this::bringPanel, menus::setExamples, frame::setIconImages);
+        late = new DeferredParts(
+                DeferredParts.LONGEST_WAIT, this::bringPanel, menus::setExamples, frame::setIconImages);
         // also while the menus are hidden
         menus.bindKeys(frame.getRootPane());
         fullScreen = new FullScreen(frame, side, List.of(menus.bar(), status.component()));
         frame.getRootPane().setTransferHandler(opener.drop());
         PeekKey.bind(frame, view.canvas());
         FocusFollower.install(frame);
-        Screens.keepDialogsOnScreen(frame);
+        Screens.keepDialogsOnScreen(frame, this::pause);
         frame.setName("tompkins");
         frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         frame.addWindowListener(new WindowCloser(frame, opener, this::saveSize, this::end));
@@ -361,14 +363,27 @@ public final class TompkinsWindow {
         }
     }
 
+    /** Ends the innermost of what goes on. */
     void leave() {
         if (!editor.giveBack()
+                && !endDrag()
                 && !motion.pauseIfMoving()
                 && !view.endPicking()
                 && !strip.closeIfOpen(TabStrip.Tab.MEASURE)
                 && !fullScreen.leave()) {
-            BackgroundTask.cancel(frame);
+            BackgroundTask.cancelLast(frame);
         }
+    }
+
+    /** Ends a drag, and takes back what it has changed unless other changes are between; false if there is none. */
+    private boolean endDrag() {
+        boolean drags = MousePress.isDragging();
+        if (drags && motion.isMoving()) {
+            MousePress.endDrag();
+        } else if (drags) {
+            model.takeBackGesture(MousePress::endDrag);
+        }
+        return drags;
     }
 
     void close() {

@@ -27,7 +27,7 @@ class DeepScenesTest {
     private static final int AROUND = 8;
 
     /** Processor time of all threads. */
-    private static final double MOST_SECONDS = 2;
+    private static final double MOST_SECONDS = 30;
 
     private static final String BALL = "{'type': 'Sphere', 'centre': [0, 0, 10], 'radius': 3}";
     private static final String GREY = "{'type': 'ColouredSurface'}";

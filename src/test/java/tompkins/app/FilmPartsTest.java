@@ -214,7 +214,7 @@ class FilmPartsTest {
     }
 
     @Test
-    @Timeout(20)
+    @Timeout(600)
     void aFilmWithoutEndIsRefused() throws IOException {
         Files.createDirectory(folder.resolve("frames"));
         Path last = folder.resolve("frames/frame999999999.png");

@@ -25,7 +25,7 @@ class PicturePlacesTest {
     private Path folder;
 
     @Test
-    @Timeout(60)
+    @Timeout(600)
     void unwritablePlacesAreRefusedFirst() throws IOException {
         Path missing = folder.resolve("no");
         assertThat(refusalOf(missing.resolve("picture.png"))).isEqualTo("there is no folder " + missing);
@@ -44,7 +44,7 @@ class PicturePlacesTest {
     }
 
     @Test
-    @Timeout(60)
+    @Timeout(600)
     void namesTooLongForTheDiskAreRefusedFirst() {
         assertThat(refusalOf(folder.resolve("x".repeat(300) + ".png"))).isEqualTo("File name too long");
         assertThat(folder).isEmptyDirectory();
@@ -62,7 +62,7 @@ class PicturePlacesTest {
 
     /** Nobody wants to lose what took an hour. */
     @Test
-    @Timeout(60)
+    @Timeout(600)
     void aPlaceTakenMeanwhileGivesANumberedName() throws Exception {
         Path target = folder.resolve("mine.png");
         Thread other = new Thread(() -> {
@@ -111,7 +111,7 @@ class PicturePlacesTest {
     }
 
     @Test
-    @Timeout(60)
+    @Timeout(600)
     void aPipeIsKeptByAllCommands() throws Exception {
         Path pipe = folder.resolve("pipe.png");
         assumeThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())

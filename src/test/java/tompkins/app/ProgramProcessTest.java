@@ -53,7 +53,7 @@ class ProgramProcessTest extends ShellTest {
                 """);
         Files.writeString(folder.resolve("render"), ProgramShell.PROGRAM + " render mirrors.json\n");
 
-        ProgramRun run = shell("timeout 60 script -qfec 'sh render' terminal > /dev/null 2>&1 < /dev/null & p=$!; "
+        ProgramRun run = shell("timeout 600 script -qfec 'sh render' terminal > /dev/null 2>&1 < /dev/null & p=$!; "
                 + "while kill -0 $p 2> /dev/null && ! grep -q ' in all' terminal; do sleep 0.05; done; "
                 + "kill $p; wait $p; cat terminal; ls *.png");
 
@@ -124,12 +124,13 @@ class ProgramProcessTest extends ShellTest {
         assertThat(run).isEqualTo(new ProgramRun(0, "0\n", ""));
     }
 
+    /** All of them would take far longer than the program is given. */
     @Test
     void raysThatNobodyReadsAreNotTraced() throws IOException, InterruptedException {
-        Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 1000, \"height\": 1000}}");
+        Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 10000, \"height\": 10000}}");
 
         for (String form : List.of("", " --csv", " --json")) {
-            ProgramRun run = shell("{ timeout 10 " + ProgramShell.PROGRAM + " trace sky.json --pixel all" + form
+            ProgramRun run = shell("{ timeout 300 " + ProgramShell.PROGRAM + " trace sky.json --pixel all" + form
                     + "; echo $? > code; } | head -1 > /dev/null; cat code");
 
             assertThat(run).as(form).isEqualTo(new ProgramRun(0, "0\n", ""));

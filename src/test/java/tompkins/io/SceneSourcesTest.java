@@ -38,7 +38,7 @@ class SceneSourcesTest {
     }
 
     @Test
-    @Timeout(value = 20, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    @Timeout(value = 600, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
     void endlessNestingIsRefused() throws IOException {
         byte[] brackets = new byte[60_000_000];
         Arrays.fill(brackets, (byte) '[');

@@ -10,6 +10,7 @@ import org.joml.Vector3i;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.Waiting;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -103,7 +104,7 @@ class LampShadowsTest {
 
     /** Many primitives: the tree answers as many rays as there are primitives, then the grid, which says the same. */
     @Test
-    void gridOfVeryManyIsFilledWhenManyRaysHaveAsked() throws InterruptedException {
+    void gridOfVeryManyIsFilledWhenManyRaysHaveAsked() {
         Random random = new Random(5);
         ObjectTree tree = new ObjectTree(primitives(mixed(LampShadows.MANY, random)));
         LampShadows empty = LampShadows.of(LAMP, tree);
@@ -111,13 +112,9 @@ class LampShadowsTest {
             assertThat(empty.orTree()).isNull();
         }
 
+        Waiting.until("the grid", () -> empty.orTree() != null);
         LampShadows grid = empty.orTree();
-        for (int wait = 0; grid == null && wait < 6_000; wait++) {
-            Thread.sleep(10);
-            grid = empty.orTree();
-        }
 
-        assertThat(grid).isNotNull();
         assertSameShadows(tree, grid, random);
     }
 

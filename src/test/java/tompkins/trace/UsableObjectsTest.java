@@ -59,7 +59,7 @@ class UsableObjectsTest {
     }
 
     @Test
-    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    @Timeout(value = 600, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
     void copiesOfCopiesAreCountedBeforeTheyAreMade() {
         Studio inScene = Studio.DEFAULT.withScene(List.of(BALL, millionOf(millionOf(BALL))));
         assertThatExceptionOfType(InvalidPropertyException.class)
@@ -76,7 +76,7 @@ class UsableObjectsTest {
     }
 
     @Test
-    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    @Timeout(value = 600, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
     void copiesOfCopiesOfNothingAreNothing() {
         Studio studio = Studio.DEFAULT.withScene(List.of(millionOf(millionOf(Hidden.DEFAULT))));
         assertThat(RayLife.of(RenderPlan.of(studio), 320.5, 239.5, 0, 0).hits()).isEmpty();

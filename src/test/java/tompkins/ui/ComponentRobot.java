@@ -1,9 +1,7 @@
 package tompkins.ui;
 
-import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Point;
-import java.awt.Robot;
 import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -17,7 +15,7 @@ import java.util.Set;
  * moves the mouse or takes the focus there disturbs no test, and is not disturbed. The window that was opened or
  * pressed last has the keys, wherever those of the screen are.
  */
-final class ComponentRobot extends Robot {
+final class ComponentRobot {
 
     private static final Map<Integer, Integer> MODIFIERS = Map.of(
             KeyEvent.VK_SHIFT, InputEvent.SHIFT_DOWN_MASK,
@@ -35,18 +33,10 @@ final class ComponentRobot extends Robot {
     /** Where a button went down. */
     private Point pressed;
 
-    /** When and where a button went down last, and how often it was clicked there. */
-    private long lastPress;
-
-    private Point lastPlace = new Point();
+    /** How many times the button went down for the present click: 2 for the second press of a double click. */
     private int clicks;
 
-    ComponentRobot() throws AWTException {
-        EVENTS.install();
-    }
-
-    @Override
-    public synchronized void mouseMove(int x, int y) {
+    synchronized void mouseMove(int x, int y) {
         pointer.move(x, y);
         if (pressed != null) {
             mouse(MouseEvent.MOUSE_DRAGGED, 0, 0);
@@ -61,22 +51,22 @@ final class ComponentRobot extends Robot {
         mouse(MouseEvent.MOUSE_MOVED, 0, 0);
     }
 
-    @Override
-    public synchronized void mousePress(int button) {
+    void mousePress(int button) {
+        mousePress(button, 1);
+    }
+
+    /** Presses a button, for the second time at its place if {@code count} is 2: how fast a hand is plays no part. */
+    synchronized void mousePress(int button, int count) {
         // what is under the mouse may have come or gone while that was still
         mouseMove(pointer.x, pointer.y);
-        long now = System.currentTimeMillis();
-        clicks = now - lastPress < 500 && lastPlace.equals(pointer) ? clicks + 1 : 1;
-        lastPress = now;
-        lastPlace = new Point(pointer);
+        clicks = count;
         pressed = new Point(pointer);
         modifiers |= button;
         EVENTS.raise(under);
         mouse(MouseEvent.MOUSE_PRESSED, clicks, buttonOf(button));
     }
 
-    @Override
-    public synchronized void mouseRelease(int button) {
+    synchronized void mouseRelease(int button) {
         modifiers &= ~button;
         boolean clicked = pointer.equals(pressed);
         pressed = null;
@@ -115,8 +105,7 @@ final class ComponentRobot extends Robot {
         });
     }
 
-    @Override
-    public synchronized void mouseWheel(int notches) {
+    synchronized void mouseWheel(int notches) {
         if (under != null) {
             Point place = placeIn(under);
             EVENTS.give(new MouseWheelEvent(
@@ -136,8 +125,7 @@ final class ComponentRobot extends Robot {
         }
     }
 
-    @Override
-    public synchronized void keyPress(int code) {
+    synchronized void keyPress(int code) {
         modifiers |= MODIFIERS.getOrDefault(code, 0);
         char letter = letterOf(code);
         key(KeyEvent.KEY_PRESSED, code, letter);
@@ -146,10 +134,16 @@ final class ComponentRobot extends Robot {
         }
     }
 
-    @Override
-    public synchronized void keyRelease(int code) {
+    synchronized void keyRelease(int code) {
         modifiers &= ~MODIFIERS.getOrDefault(code, 0);
         key(KeyEvent.KEY_RELEASED, code, letterOf(code));
+    }
+
+    /** Presses a key with a letter of another script, which Java sends without a code. */
+    synchronized void keyPress(char letter) {
+        key(KeyEvent.KEY_PRESSED, KeyEvent.VK_UNDEFINED, letter);
+        key(KeyEvent.KEY_TYPED, KeyEvent.VK_UNDEFINED, letter);
+        key(KeyEvent.KEY_RELEASED, KeyEvent.VK_UNDEFINED, letter);
     }
 
     private void key(int id, int code, char letter) {
@@ -177,8 +171,4 @@ final class ComponentRobot extends Robot {
     private static boolean isArrow(int code) {
         return code >= KeyEvent.VK_PAGE_UP && code <= KeyEvent.VK_DOWN;
     }
-
-    /** Everything was handled when it was given. */
-    @Override
-    public synchronized void delay(int milliseconds) {}
 }

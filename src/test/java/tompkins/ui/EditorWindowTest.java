@@ -236,7 +236,6 @@ class EditorWindowTest {
     }
 
     private void click(JTree tree, int row) {
-        WindowDriver.anchor(tree);
         driver.click(WindowDriver.onEventThread(() -> {
             Point corner = tree.getLocationOnScreen();
             Rectangle line = tree.getRowBounds(row);

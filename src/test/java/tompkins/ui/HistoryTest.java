@@ -2,11 +2,15 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Point;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
+import javax.swing.JSlider;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.AutoClose;
@@ -14,8 +18,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
+import tompkins.ui.file.BackgroundTask;
+import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.ProseArea;
 
 /** What undo and reset do to values that were typed and not taken. */
@@ -220,6 +228,67 @@ class HistoryTest {
         assertThat(Components.isMarked(field("Focus"))).isFalse();
         assertThat(Components.isMarked(field("Field of view (\u00b0)"))).isFalse();
         assertThat(driver.studio()).isEqualTo(Studios.sphere());
+    }
+
+    /** Russian, Greek, Hebrew and Arabic, where others have Z; and A, in a field. */
+    @ParameterizedTest
+    @CsvSource({"\u044f, \u0444", "\u03b6, \u03b1", "\u05d6, \u05e9", "\u0626, \u0634"})
+    void theKeysWorkOnKeyboardsOfOtherScripts(char z, char a) {
+        driver.type(field("Speed"), "0.5");
+        driver.click(driver.find(PictureCanvas.class, "picture"));
+        driver.keyWithCtrl(z);
+        assertThat(driver.studio()).isEqualTo(Studios.sphere());
+
+        JTextField speed = field("Speed");
+        driver.type(speed, "0.25");
+        driver.click(speed);
+        WindowDriver.onEventThread(() -> speed.select(0, 0));
+        driver.keyWithCtrl(a);
+        assertThat(speed.getSelectedText()).isEqualTo("0.25");
+    }
+
+    /** The innermost of what goes on: a save is not stopped. */
+    @Test
+    void escapeEndsADragAndTakesItBack() {
+        JSlider slider = driver.find(JSlider.class, "Speed, slider");
+        Point middle = driver.centre(slider);
+        Point knob = new Point(middle.x - slider.getWidth() / 2 + 10, middle.y);
+        driver.beginDrag(knob, middle, 5);
+        assertThat(driver.studio().velocity().isRest()).isFalse();
+        driver.key(KeyEvent.VK_ESCAPE);
+        assertThat(driver.studio()).isEqualTo(Studios.sphere());
+        driver.endDrag();
+        assertThat(driver.studio()).isEqualTo(Studios.sphere());
+        assertThat(slider.getValue()).isZero();
+
+        Point picture = driver.centre(driver.find(PictureCanvas.class, "picture"));
+        driver.beginDrag(picture, new Point(picture.x + 60, picture.y), 5);
+        assertThat(driver.studio().camera()).isNotEqualTo(Studios.sphere().camera());
+        AtomicBoolean stopped = new AtomicBoolean();
+        CountDownLatch end = new CountDownLatch(1);
+        WindowDriver.onEventThread(() -> {
+            BackgroundTask.start(
+                    driver.window().frame(),
+                    "Saving",
+                    task -> {
+                        end.await();
+                        stopped.set(task.isCancelled());
+                        return null;
+                    },
+                    nothing -> {},
+                    () -> {});
+        });
+        driver.key(KeyEvent.VK_ESCAPE);
+        assertThat(driver.studio()).isEqualTo(Studios.sphere());
+        end.countDown();
+        WindowDriver.await(
+                "the save",
+                () -> BackgroundTask.running(driver.window().frame()).isEmpty());
+        assertThat(stopped).isFalse();
+        driver.endDrag();
+        assertThat(driver.studio()).isEqualTo(Studios.sphere());
+        assertThat(WindowDriver.onEventThread(() -> driver.window().model().canUndo()))
+                .isFalse();
     }
 
     @Test

@@ -9,7 +9,6 @@ import org.junit.jupiter.api.extension.ConditionEvaluationResult;
 import org.junit.jupiter.api.extension.ExecutionCondition;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.extension.ExtensionContext;
-import tompkins.TestRun;
 
 /**
  * A test that opens windows, or a class of such tests. Without a display it is skipped with all that prepares it and
@@ -25,12 +24,12 @@ public @interface NeedsDisplay {
     final class Condition implements ExecutionCondition {
 
         private static final String HOW =
-                "no display: run  xvfb-run -a -s \"-screen 0 1600x1000x24\" mvn test -Dtompkins.display=required";
+                "no display: run  xvfb-run -a -s \"-screen 0 1366x768x24\" mvn test -Dtompkins.display=required";
 
         @Override
         public ConditionEvaluationResult evaluateExecutionCondition(ExtensionContext context) {
             boolean usable = Displays.usable();
-            if (usable && !TestRun.THOROUGH) {
+            if (usable) {
                 OwnEvents.EVENTS.install();
             }
             return decide(usable, System.getProperty("tompkins.display"));

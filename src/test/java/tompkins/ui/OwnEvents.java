@@ -14,11 +14,14 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.event.WindowEvent;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
+import java.util.function.LongConsumer;
 
 /**
  * Lets only these events through, and those of the program, and none of mouse, keys and focus of the screen. The window
@@ -39,6 +42,9 @@ final class OwnEvents extends EventQueue {
     private boolean looking;
     private boolean giving;
     private FocusEvent.Cause cause = FocusEvent.Cause.UNKNOWN;
+
+    /** Takes the processor time of each event, in nanoseconds. */
+    private LongConsumer watcher = time -> {};
 
     /** Begins to keep from all windows what happens on the screen. */
     synchronized void install() {
@@ -73,8 +79,22 @@ final class OwnEvents extends EventQueue {
         return event instanceof MouseEvent ? FocusEvent.Cause.MOUSE_EVENT : FocusEvent.Cause.UNKNOWN;
     }
 
+    /** Tells of the processor time that the event thread takes for each event from now on, in nanoseconds. */
+    void watch(LongConsumer processorTimes) {
+        WindowDriver.onEventThread(() -> {
+            watcher = processorTimes;
+        });
+    }
+
     @Override
     protected void dispatchEvent(AWTEvent event) {
+        ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+        long start = threads.getCurrentThreadCpuTime();
+        dispatch(event);
+        watcher.accept(threads.getCurrentThreadCpuTime() - start);
+    }
+
+    private void dispatch(AWTEvent event) {
         if (own.remove(event) || giving || !isOfScreen(event)) {
             super.dispatchEvent(event);
         }

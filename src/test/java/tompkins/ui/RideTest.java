@@ -153,15 +153,14 @@ class RideTest {
         driver.key(KeyEvent.VK_F6);
         WindowDriver.await("the ride", () -> driver.window().motion().pilot().isRiding());
         driver.hold(KeyEvent.VK_W);
-        WindowDriver.pause(2000);
-        driver.release(KeyEvent.VK_W);
         WindowDriver.await(
                 "a faster camera",
-                () -> driver.window().model().studio().velocity().speed() > 0.6);
+                () -> driver.window().model().studio().velocity().rapidity() > 0.549 + 0.3);
+        driver.release(KeyEvent.VK_W);
         driver.key(KeyEvent.VK_F6);
         WindowDriver.await("the pause", () -> !driver.window().motion().pilot().isRiding());
         Studio paused = driver.studio();
-        assertThat(paused.velocity().rapidity()).isBetween(0.549 + 0.3, 0.549 + 4);
+        assertThat(paused.velocity().rapidity()).isGreaterThan(0.549 + 0.3);
         assertThat(paused.velocity().direction()).isEqualTo(new Vector3d(0, 0, 1));
         assertThat(driver.completePicture().studio()).isEqualTo(paused);
 
@@ -184,7 +183,9 @@ class RideTest {
         driver.key(KeyEvent.VK_F6);
         driver.click(driver.find(JToggleButton.class, "Record"));
         driver.hold(KeyEvent.VK_S);
-        WindowDriver.pause(700);
+        WindowDriver.await(
+                "a slower camera",
+                () -> driver.window().model().studio().velocity().rapidity() < 0.549 - 0.1);
         driver.release(KeyEvent.VK_S);
         driver.key(KeyEvent.VK_F6);
         WindowDriver.await(
@@ -193,7 +194,7 @@ class RideTest {
         double change = recorded.ride().stream()
                 .mapToDouble(leg -> leg.acceleration().z() * leg.properTime())
                 .sum();
-        assertThat(change).isBetween(-2.0, -0.1);
+        assertThat(change).isLessThan(-0.1);
         double rapidity = recorded.velocity().rapidity();
 
         replay();
@@ -252,6 +253,49 @@ class RideTest {
         // thrust of 1 for a time of 0.3
         assertThat(driver.studio().velocity().rapidity())
                 .isCloseTo(start.velocity().rapidity() + 0.3, within(1e-9));
+    }
+
+    /** Behind a question nothing moves, and the picture that is saved is the one behind it. */
+    @Test
+    void aQuestionPausesARide() {
+        RidePilot pilot = driver.window().motion().pilot();
+        driver.key(KeyEvent.VK_F6);
+        driver.hold(KeyEvent.VK_W);
+        WindowDriver.await(
+                "thrust", () -> driver.window().model().studio().velocity().speed() > 0.51);
+        driver.release(KeyEvent.VK_W);
+        driver.menu("menu.savePhotograph");
+        driver.chooser();
+        assertThat(WindowDriver.onEventThread(pilot::isRiding)).isFalse();
+        Studio seen = driver.completePicture().studio();
+        Path file = folder.resolve("seen.png");
+        driver.choose(file);
+        WindowDriver.await("the photograph", () -> Files.exists(file));
+        assertThat(StudioReader.read(file)).isEqualTo(seen);
+
+        driver.key(KeyEvent.VK_F6);
+        WindowDriver.await("the ride", pilot::isRiding);
+        driver.menu("menu.about");
+        WindowDriver.await("the pause", () -> !pilot.isRiding());
+        driver.answer("OK");
+    }
+
+    /** Z is where others have W. */
+    @Test
+    void aKeyboardIsOfferedOnce() {
+        driver.key(KeyEvent.VK_F6);
+        JButton offer = driver.find(JButton.class, "ride.otherKeyboard");
+        assertThat(offer.isShowing()).isFalse();
+        driver.key(KeyEvent.VK_Z);
+        WindowDriver.await("the offer", offer::isShowing);
+        assertThat(offer.getText()).isEqualTo("Steer with Z Q S D A E B (AZERTY)?");
+        driver.click(offer);
+        driver.hold(KeyEvent.VK_Z);
+        WindowDriver.await(
+                "thrust", () -> driver.window().model().studio().velocity().speed() > 0.51);
+        driver.release(KeyEvent.VK_Z);
+        driver.key(KeyEvent.VK_O);
+        assertThat(offer.isShowing()).isFalse();
     }
 
     @Test
@@ -331,7 +375,8 @@ class RideTest {
     void spaceEndsThrustAndBBrakesToRest() {
         driver.key(KeyEvent.VK_F6);
         driver.hold(KeyEvent.VK_W);
-        WindowDriver.pause(300);
+        WindowDriver.await(
+                "thrust", () -> driver.window().model().studio().velocity().speed() > 0.51);
         driver.key(KeyEvent.VK_SPACE);
         Velocity coasting = driver.studio().velocity();
         assertThat(coasting.speed()).isGreaterThan(0.5);

@@ -197,27 +197,6 @@ class SaveDialogTest {
     }
 
     @Test
-    void whatPlaysIsSavedAsItWasWhenThatWasAskedFor() {
-        driver.menu("menu.playPanel");
-        WindowDriver.onEventThread(() -> Components.enter(driver.window().frame(), "Seconds", "60"));
-        driver.menu("menu.playSpeed");
-        Path saved = folder.resolve("playing.json");
-        WindowDriver.await(
-                "another speed",
-                () -> driver.window().model().studio().velocity().speed() > 0.02);
-        driver.menu("menu.saveSceneAs");
-        driver.chooser();
-        double speed = driver.studio().velocity().speed();
-        WindowDriver.await(
-                "a later speed",
-                () -> driver.window().model().studio().velocity().speed() > speed + 0.1);
-        driver.choose(saved);
-        awaitSaved(saved);
-        assertThat(StudioReader.read(saved).velocity().speed()).isLessThanOrEqualTo(speed);
-        driver.menu("menu.playPause");
-    }
-
-    @Test
     void theFolderOfTheLastFileIsKeptForTheNext() throws IOException {
         Path exports = Files.createDirectory(folder.resolve("exports"));
         driver.menu("menu.savePhotograph");

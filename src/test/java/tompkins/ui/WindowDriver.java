@@ -1,20 +1,13 @@
 package tompkins.ui;
 
-import java.awt.AWTEvent;
-import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Container;
-import java.awt.Dialog;
 import java.awt.Dimension;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.Robot;
-import java.awt.Toolkit;
-import java.awt.event.AWTEventListener;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.awt.event.MouseEvent;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.InvocationTargetException;
@@ -26,7 +19,6 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executors;
 import java.util.concurrent.FutureTask;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -35,16 +27,12 @@ import javax.swing.JMenuItem;
 import javax.swing.JToggleButton;
 import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
-import tompkins.TestRun;
 import tompkins.Waiting;
 import tompkins.studio.Studio;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.widget.Look;
 
-/**
- * Uses a real window as a person does, with mouse and keys: those of its components alone, or those of the whole screen
- * if everything is tried.
- */
+/** Uses a real window as a person does, with mouse and keys: those of its components alone. */
 public final class WindowDriver implements AutoCloseable {
 
     /** Large enough for the panel beside a picture. */
@@ -53,15 +41,7 @@ public final class WindowDriver implements AutoCloseable {
     private static final int MOST_CLICKS = 5;
     private static final long CLICK_NANOSECONDS = 3_000_000_000L;
 
-    /** How long an event may be on its way from the display to the event queue. */
-    private static final int HANDLED_MILLISECONDS = 30;
-
-    /** How long to wait for an event that may have gone to no component. */
-    private static final long LONGEST_WAY_NANOSECONDS = 1_000_000_000;
-
-    private final AtomicLong released = new AtomicLong();
-    private final AWTEventListener listener = this::note;
-    private final Robot robot;
+    private final ComponentRobot robot = new ComponentRobot();
     private final TompkinsWindow window;
 
     /**
@@ -89,13 +69,6 @@ public final class WindowDriver implements AutoCloseable {
     /** Opens a window of the usual size, as {@link TompkinsWindow#opened} does, with what it shows first. */
     WindowDriver(Path settings, FirstScene first, List<Studio> examples) {
         System.setProperty("tompkins.settings", settings.toString());
-        try {
-            robot = TestRun.THOROUGH ? new Robot() : new ComponentRobot();
-        } catch (AWTException e) {
-            throw new IllegalStateException(e);
-        }
-        robot.setAutoDelay(8);
-        Toolkit.getDefaultToolkit().addAWTEventListener(listener, AWTEvent.KEY_EVENT_MASK | AWTEvent.MOUSE_EVENT_MASK);
         window = onEventThread(() -> TompkinsWindow.opened(first, () -> examples));
         await("a picture on the screen", () -> picture() != null);
         await("the panel", () -> window.side().isThere());
@@ -110,12 +83,6 @@ public final class WindowDriver implements AutoCloseable {
             window.frame().validate();
         });
         completePicture();
-    }
-
-    private void note(AWTEvent event) {
-        if (event.getID() == KeyEvent.KEY_RELEASED || event.getID() == MouseEvent.MOUSE_RELEASED) {
-            released.incrementAndGet();
-        }
     }
 
     /** Does something on the event thread, where nothing moves by itself meanwhile, and waits for it. */
@@ -142,23 +109,8 @@ public final class WindowDriver implements AutoCloseable {
         Waiting.until(what, () -> onEventThread(condition::getAsBoolean));
     }
 
-    /**
-     * Waits until what the robot did has been handled, first for keys and buttons that it let go. Not
-     * {@link Robot#waitForIdle}: some displays let that wait for ten seconds now and then, although nothing is going
-     * on.
-     */
-    private void settle(long releasesBefore, int releases) {
-        Toolkit.getDefaultToolkit().sync();
-        long end = System.nanoTime() + LONGEST_WAY_NANOSECONDS;
-        while (released.get() < releasesBefore + releases && System.nanoTime() < end) {
-            robot.delay(2);
-        }
-        settle();
-    }
-
+    /** Waits until the event thread has done what follows from what the robot did. */
     private void settle() {
-        Toolkit.getDefaultToolkit().sync();
-        robot.delay(HANDLED_MILLISECONDS);
         for (int round = 0; round < 2; round++) {
             onEventThread(() -> null);
         }
@@ -200,21 +152,6 @@ public final class WindowDriver implements AutoCloseable {
         return onEventThread(() -> Components.find(window.frame(), type, name));
     }
 
-    /**
-     * Puts the dialog of a component where the program believes that it is. Without a window manager it may be
-     * elsewhere: what says where it came up is now and then overtaken by what says where it was before, at the corner
-     * of the screen, and then clicks miss it.
-     */
-    static void anchor(Component component) {
-        if (TestRun.THOROUGH && SwingUtilities.windowForComponent(component) instanceof Dialog dialog) {
-            onEventThread(() -> {
-                Point place = dialog.getLocation();
-                dialog.setLocation(place.x + 1, place.y);
-                dialog.setLocation(place);
-            });
-        }
-    }
-
     /** Opens the fold of the panel that hides a component. */
     private static void unfold(JComponent component) {
         for (Container part = component; part != null; part = part.getParent()) {
@@ -230,7 +167,6 @@ public final class WindowDriver implements AutoCloseable {
     Point centre(JComponent component) {
         onEventThread(() -> unfold(component));
         settle();
-        anchor(component);
         onEventThread(() -> {
             if (component.getParent() instanceof JComponent parent && !(parent instanceof JViewport)) {
                 // a text field keeps such a wish to itself
@@ -268,20 +204,18 @@ public final class WindowDriver implements AutoCloseable {
     }
 
     private void press(int button) {
-        long before = released.get();
         robot.mousePress(button);
         robot.mouseRelease(button);
-        settle(before, 1);
+        settle();
     }
 
     void doubleClick(Point point) {
-        long before = released.get();
         robot.mouseMove(point.x, point.y);
-        for (int i = 0; i < 2; i++) {
-            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        for (int click = 1; click <= 2; click++) {
+            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK, click);
             robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
         }
-        settle(before, 2);
+        settle();
     }
 
     void move(Point point) {
@@ -307,17 +241,14 @@ public final class WindowDriver implements AutoCloseable {
 
     /** Releases the button. */
     void endDrag() {
-        long before = released.get();
         robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-        settle(before, 1);
+        settle();
     }
 
     /** Turns the wheel by notches towards the user, over a point. */
     void wheel(Point point, int notches) {
         robot.mouseMove(point.x, point.y);
-        for (int i = 0; i < Math.abs(notches); i++) {
-            robot.mouseWheel(Integer.signum(notches));
-        }
+        robot.mouseWheel(notches);
         settle();
     }
 
@@ -384,7 +315,6 @@ public final class WindowDriver implements AutoCloseable {
 
     /** Presses a key with modifiers. */
     void key(int code, int... modifiers) {
-        long before = released.get();
         for (int modifier : modifiers) {
             robot.keyPress(modifier);
         }
@@ -393,7 +323,15 @@ public final class WindowDriver implements AutoCloseable {
         for (int modifier : modifiers) {
             robot.keyRelease(modifier);
         }
-        settle(before, 1 + modifiers.length);
+        settle();
+    }
+
+    /** Presses a key with a letter of another script, and Ctrl. */
+    void keyWithCtrl(char letter) {
+        robot.keyPress(KeyEvent.VK_CONTROL);
+        robot.keyPress(letter);
+        robot.keyRelease(KeyEvent.VK_CONTROL);
+        settle();
     }
 
     void hold(int code) {
@@ -402,9 +340,8 @@ public final class WindowDriver implements AutoCloseable {
     }
 
     void release(int code) {
-        long before = released.get();
         robot.keyRelease(code);
-        settle(before, 1);
+        settle();
     }
 
     /** Clicks into a field, replaces its text by digits, points and minus signs, and presses Enter. */
@@ -428,7 +365,6 @@ public final class WindowDriver implements AutoCloseable {
 
     @Override
     public void close() {
-        Toolkit.getDefaultToolkit().removeAWTEventListener(listener);
         onEventThread(() -> window.frame().dispose());
     }
 }

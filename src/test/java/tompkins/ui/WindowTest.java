@@ -420,7 +420,7 @@ class WindowTest {
 
     @Test
     @Thorough
-    void pictureAndCommandLineGoToTheClipboard() throws Exception {
+    void thePictureGoesToTheClipboard() throws Exception {
         Picture picture = driver.completePicture();
         driver.key(KeyEvent.VK_C, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
         JLabel what = driver.find(JLabel.class, "status.what");

@@ -21,7 +21,7 @@ import tompkins.ui.picture.Picture;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
 
-/** Copies the photograph, what was measured, or how to cite the program, for other programs. */
+/** Copies the photograph, what was measured in it, and how to cite the program. */
 public final class ClipboardActions {
 
     private final WindowParts window;

@@ -17,21 +17,29 @@ import tompkins.ui.widget.Texts;
 public final class FileDialogs implements FileContentEditor.Choosers {
 
     private final WindowParts window;
+    private final Runnable pause;
 
     /** The folder where a file was last read or saved while the scene has the same file; null before. */
     private File lastFolder;
 
-    /** The dialogs of a window. */
-    public FileDialogs(WindowParts window) {
+    /** The dialogs of a window; {@code pause} pauses what moves there by itself. */
+    public FileDialogs(WindowParts window, Runnable pause) {
         this.window = window;
+        this.pause = pause;
+    }
+
+    /** Pauses what moves by itself, before something is asked about the scene. */
+    void pause() {
+        pause.run();
     }
 
     /**
-     * A file chooser. It starts where a file was last read or saved for this scene, else in the folder of the scene,
-     * else where any file was last opened or saved.
+     * A file chooser, behind which nothing moves. It starts where a file was last read or saved for this scene, else in
+     * the folder of the scene, else where any file was last opened or saved.
      */
     @Override
     public JFileChooser chooser() {
+        pause();
         File folder = lastFolder == null ? folderOfTheScene() : lastFolder;
         JFileChooser chooser = new JFileChooser(folder);
         chooser.setName("chooser");

@@ -35,6 +35,7 @@ public final class PhotographExport {
     /** Asks where to save the photograph. */
     public void ask() {
         EntryField.takeAll(window.frame());
+        // before a ride pauses: a recording goes back to its beginning then
         Studio studio = window.model().studio();
         List<FormatFilter<PictureFormat>> formats = Stream.of(PictureFormat.values())
                 .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))

@@ -156,17 +156,17 @@ public final class SceneOpener {
 
     /** Whether files can be dropped on the window, and what becomes of them. */
     public FileDrop drop() {
-        return new FileDrop(file -> ChosenFile.path(window.frame(), file)
+        return new FileDrop(files -> ChosenFile.path(window.frame(), files.get(0))
                 .map(ChosenFile::plain)
-                .filter(this::take)
+                .filter(file -> take(file, files.size()))
                 .isPresent());
     }
 
     /**
-     * Reads a file that was dropped while the window goes on, and says whether that could be done. Questions and
-     * messages come after the drop, because the program from which it comes waits for its end.
+     * Reads a file that was dropped, the first of some, while the window goes on, and says whether that could be done.
+     * Questions and messages come after the drop, because the program from which it comes waits for its end.
      */
-    private boolean take(Path file) {
+    private boolean take(Path file, int dropped) {
         SecondaryLoop reading =
                 Toolkit.getDefaultToolkit().getSystemEventQueue().createSecondaryLoop();
         AtomicBoolean taken = new AtomicBoolean();
@@ -178,7 +178,12 @@ public final class SceneOpener {
                         Studio studio = StudioReader.read(file);
                         task.requireWanted();
                         taken.set(true);
-                        return () -> leaveForAnother(() -> showOf(file, studio));
+                        return () -> leaveForAnother(() -> {
+                            showOf(file, studio);
+                            if (dropped > 1) {
+                                window.status().say(Texts.get("file.firstOfSeveral", file, dropped));
+                            }
+                        });
                     } catch (CancellationException stopped) {
                         throw stopped;
                     } catch (RuntimeException | Error refused) {

@@ -49,16 +49,20 @@ public final class SceneSaver {
      */
     public void save(Runnable next) {
         EntryField.takeAll(window.frame());
-        Saving saving = new Saving(window.model().studio(), window.model().opened(), next);
         if (window.model().file() == null) {
-            saveAs(saving);
+            dialogs.pause();
+            saveAs(saving(next));
         } else {
-            saveOver(window.model().file(), saving);
+            saveOver(window.model().file(), saving(next));
         }
     }
 
-    /** A scene as it was when it was saved; an animation may go on behind the questions. */
+    /** A scene as it was when it was saved; an animation may go on meanwhile. */
     private record Saving(Studio studio, Studio opened, Runnable next) {}
+
+    private Saving saving(Runnable next) {
+        return new Saving(window.model().studio(), window.model().opened(), next);
+    }
 
     /** Saves over a scene file; asks first if that loses what somebody wrote. */
     private void saveOver(Path file, Saving saving) {
@@ -94,7 +98,8 @@ public final class SceneSaver {
     /** Asks where to save the scene. */
     public void saveAs() {
         EntryField.takeAll(window.frame());
-        saveAs(new Saving(window.model().studio(), window.model().opened(), () -> {}));
+        dialogs.pause();
+        saveAs(saving(() -> {}));
     }
 
     private void saveAs(Saving saving) {

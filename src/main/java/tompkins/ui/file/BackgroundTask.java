@@ -203,6 +203,14 @@ public final class BackgroundTask implements Progress {
         return !running(owner).isEmpty();
     }
 
+    /** Cancels the task of a window that was begun last and is not cancelled yet; what waits for it comes then. */
+    public static void cancelLast(Window owner) {
+        RUNNING.stream()
+                .filter(task -> task.owner == owner && !task.cancelled)
+                .reduce((earlier, later) -> later)
+                .ifPresent(task -> task.cancelled = true);
+    }
+
     private <T> void run(Work<T> work, Timer timer, Consumer<? super T> done, Runnable notDone) {
         Runnable end;
         try {

@@ -12,13 +12,13 @@ import javax.swing.TransferHandler;
 @SuppressWarnings("serial") // never written to a stream
 public final class FileDrop extends TransferHandler {
 
-    private final transient Predicate<File> taker;
+    private final transient Predicate<List<File>> taker;
 
     /**
-     * A handler that gives the dropped file, the first of several, to {@code taker}, on the event thread. The taker
-     * says whether it could read the file.
+     * A handler that gives the dropped files, which are at least one, to {@code taker}, on the event thread. The taker
+     * says whether it could read the first.
      */
-    public FileDrop(Predicate<File> taker) {
+    public FileDrop(Predicate<List<File>> taker) {
         this.taker = taker;
     }
 
@@ -44,7 +44,8 @@ public final class FileDrop extends TransferHandler {
         }
         try {
             List<?> dropped = (List<?>) support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
-            return !dropped.isEmpty() && taker.test((File) dropped.get(0));
+            return !dropped.isEmpty()
+                    && taker.test(dropped.stream().map(File.class::cast).toList());
         } catch (UnsupportedFlavorException | IOException notFiles) {
             return false;
         }

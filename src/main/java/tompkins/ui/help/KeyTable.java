@@ -73,7 +73,7 @@ public final class KeyTable extends Part {
     }
 
     private static JComponent column(List<String> lines) {
-        JPanel column = new JPanel(new MigLayout("novisualpadding, insets 0, wrap 2, gap 16 2"));
+        JPanel column = new JPanel(new MigLayout("novisualpadding, insets 0, wrap 2, gap 16 0"));
         for (String line : lines) {
             if (isHeading(line)) {
                 JLabel heading = new JLabel(line);

@@ -9,13 +9,23 @@ import tompkins.ui.widget.Texts;
 final class LessonLookPage extends Part {
 
     private final Note answer = Note.paragraph("");
+    private final Note hint = Note.paragraph("");
 
     /** The page with the slider of a lesson. */
     LessonLookPage(LessonSlider slider) {
         super(Rows.column());
         panel.add(answer.component(), "wmin 0");
         panel.add(slider.component(), "wmin 0");
-        panel.add(Note.paragraph(Texts.get("lesson.lookHint")).component(), "wmin 0");
+        panel.add(hint.component(), "wmin 0");
+    }
+
+    /** Says what to do with the slider, or that the scene has lost what it moves. */
+    void update(boolean there) {
+        if (there) {
+            hint.setText(Texts.get("lesson.lookHint"));
+        } else {
+            hint.setError(Texts.get("lesson.lost"));
+        }
     }
 
     /** Reminds of the answer. */

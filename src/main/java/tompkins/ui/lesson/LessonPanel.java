@@ -168,6 +168,7 @@ public final class LessonPanel extends Part {
         } else if (lesson != null) {
             slider.update();
             lastingSlider.update();
+            look.update(slider.isThere());
             updateNext();
         }
     }
@@ -228,6 +229,7 @@ public final class LessonPanel extends Part {
         lastingSlider = new LessonSlider(model, lesson);
         control.add(lastingSlider.component(), "wmin 0");
         look = new LessonLookPage(slider);
+        look.update(slider.isThere());
         reason = new LessonReasonPage(fitting);
         numbers = new LessonNumbersPage();
         cards = new CardPanel();
@@ -262,9 +264,11 @@ public final class LessonPanel extends Part {
         });
         // before the prediction it would show the answer
         control.setVisible(farthest != Step.PREDICT);
-        if (!hasNextPage()) {
-            course.finish(model.studio());
-        }
+        updateNext();
+    }
+
+    private void finish() {
+        course.finish(model.studio());
         updateNext();
     }
 
@@ -321,7 +325,12 @@ public final class LessonPanel extends Part {
         }
         if (following == Step.REASON) {
             // the text explains what must be on the screen
-            fitting().ifPresent(present -> model.set(present.measured()));
+            fitting().ifPresent(present -> {
+                model.set(present.measured());
+                if (!hasNextPage()) {
+                    finish();
+                }
+            });
         } else if (following == Step.MEASURE) {
             fitting().ifPresent(this::measure);
         }
@@ -365,6 +374,10 @@ public final class LessonPanel extends Part {
                 page.show(found.results);
                 if (model.studio().equals(measured)) {
                     draw(found.results);
+                    // a scene without what the lesson is about may still have all numbers, of something else
+                    if (found.results.stream().allMatch(LessonResult::agrees)) {
+                        finish();
+                    }
                 }
             } else {
                 page.showProblem(found.problem);

@@ -55,9 +55,14 @@ final class LessonSlider extends Part {
         update();
     }
 
-    /** Shows the number of the studio; it may have lost it. */
+    /** Whether the studio has the number; it may have lost it with its object. */
+    boolean isThere() {
+        return number.isIn(model.studio());
+    }
+
+    /** Shows the number of the studio, if it is there. */
     void update() {
-        boolean there = number.isIn(model.studio());
+        boolean there = isThere();
         slider.slider().setEnabled(there);
         field.setEnabled(there);
         if (there) {
@@ -73,8 +78,6 @@ final class LessonSlider extends Part {
 
     /** Whether the number is not that with which the lesson was opened. */
     boolean isMoved() {
-        return !number.isIn(model.studio())
-                || !number.isIn(model.opened())
-                || number.in(model.studio()) != number.in(model.opened());
+        return isThere() && (!number.isIn(model.opened()) || number.in(model.studio()) != number.in(model.opened()));
     }
 }

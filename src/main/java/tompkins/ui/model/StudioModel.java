@@ -199,6 +199,22 @@ public final class StudioModel {
         }
     }
 
+    /**
+     * As {@link #takeBack}, of the only gesture that goes on, whosever it is; takes back nothing if there are none or
+     * several.
+     *
+     * @param ending lets go what makes the gesture
+     */
+    public void takeBackGesture(Runnable ending) {
+        Step before = gestures.size() == 1 ? past.pop() : null;
+        ending.run();
+        if (before != null) {
+            gestures.clear();
+            current = before;
+            tellListeners();
+        }
+    }
+
     /** Takes a studio that was read from a file, as a step that can be undone. */
     public void open(Studio studio, Path file) {
         change(new Step(studio, file, studio, false), null);

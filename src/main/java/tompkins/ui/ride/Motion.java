@@ -61,7 +61,7 @@ public final class Motion {
         canvas = window.view().canvas();
         pilot = new RidePilot(window.model(), window.status()::report);
         steering = new SteeringMouse(canvas, new Steering(window.model(), window.view(), pilot));
-        new RideKeys(canvas, pilot, steering::turn);
+        new RideKeys(canvas, pilot, steering::turn, letter -> ridePanel().offerKeyboard(letter));
         canvas.addOverlay((g, picture, bounds, visible, free) -> paintLine(g, free));
         captions.setRidden(this::isOnRide);
         pilot.addListener(canvas::repaint);
@@ -115,9 +115,14 @@ public final class Motion {
 
     /** Pauses what moves by itself; false if nothing did. */
     public boolean pauseIfMoving() {
-        boolean moves = isPlaying() || pilot.isRiding();
+        boolean moves = isMoving();
         pause();
         return moves;
+    }
+
+    /** Whether something moves by itself. */
+    public boolean isMoving() {
+        return isPlaying() || pilot.isRiding();
     }
 
     private boolean isPlaying() {

@@ -1,12 +1,14 @@
 package tompkins.ui.ride;
 
+import java.awt.event.KeyEvent;
 import java.awt.im.InputContext;
-import java.lang.Character.UnicodeScript;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.IntUnaryOperator;
 import java.util.stream.Collectors;
+import tompkins.ui.widget.LatinKeys;
 import tompkins.ui.widget.Texts;
 
 /**
@@ -80,18 +82,20 @@ record RideKeyboard(String name, String letters) {
 
     /**
      * What a letter means: 0 to 5 thrust to the place of W, A, S, D, Q or E, {@link #BRAKE} to brake; -1 nothing. A
-     * letter of another script means what it does on the first keyboard that has it.
+     * letter of another script means what it does on an American keyboard, in its place.
      */
     int command(char letter) {
-        char small = Character.toLowerCase(letter);
-        int here = letters.indexOf(small);
-        if (here >= 0 || !Character.isLetter(small) || UnicodeScript.of(small) == UnicodeScript.LATIN) {
-            return here;
-        }
+        int here = letters.indexOf(Character.toLowerCase(letter));
+        int place = LatinKeys.code(letter);
+        return here >= 0 || place == KeyEvent.VK_UNDEFINED
+                ? here
+                : common().get(0).letters.indexOf(Character.toLowerCase(place));
+    }
+
+    /** The first common keyboard on which a letter steers that does not steer on this one; empty if there is none. */
+    Optional<RideKeyboard> other(char letter) {
         return common().stream()
-                .mapToInt(keyboard -> keyboard.letters.indexOf(small))
-                .filter(command -> command >= 0)
-                .findFirst()
-                .orElse(-1);
+                .filter(keyboard -> command(letter) < 0 && keyboard.command(letter) >= 0)
+                .findFirst();
     }
 }

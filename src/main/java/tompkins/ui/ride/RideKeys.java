@@ -10,12 +10,14 @@ import java.beans.PropertyChangeListener;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.text.JTextComponent;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.widget.LatinKeys;
 
 /**
  * The keys of a ride on a canvas: those that are held down give thrust. Letters count by where they lie; the arrows,
@@ -55,6 +57,7 @@ final class RideKeys {
     private final PictureCanvas canvas;
     private final RidePilot pilot;
     private final Turn turn;
+    private final Consumer<Character> unused;
     private final KeyEventPostProcessor elsewhere = this::takeUnused;
     private final PropertyChangeListener focus = event -> letGo();
     private final Map<Integer, Held> held = new HashMap<>();
@@ -66,8 +69,13 @@ final class RideKeys {
         void by(int right, int up);
     }
 
-    /** Listens to the keys of a canvas. */
-    RideKeys(PictureCanvas canvas, RidePilot pilot, Turn turn) {
+    /**
+     * Listens to the keys of a canvas.
+     *
+     * @param unused takes letters that do nothing, while the camera flies
+     */
+    RideKeys(PictureCanvas canvas, RidePilot pilot, Turn turn, Consumer<Character> unused) {
+        this.unused = unused;
         this.pilot = pilot;
         this.turn = turn;
         this.canvas = canvas;
@@ -132,7 +140,7 @@ final class RideKeys {
                 } else if (event.getModifiersEx() == 0 && event.getKeyCode() == KeyEvent.VK_HOME) {
                     // a ride that is paused begins anew, too, and a replay ends
                     pilot.home();
-                } else if (event.getModifiersEx() == 0 && pilot.keyboard().command(letter(event)) >= 0) {
+                } else if (event.getModifiersEx() == 0 && pilot.keyboard().command(LatinKeys.letter(event)) >= 0) {
                     pilot.tellThatItPauses();
                 }
             }
@@ -154,15 +162,10 @@ final class RideKeys {
         return event.getKeyCode() == KeyEvent.VK_UNDEFINED ? event.getExtendedKeyCode() : event.getKeyCode();
     }
 
-    /** The letter on a key; one that types none may still have a letter in its code. */
-    private static char letter(KeyEvent event) {
-        return event.getKeyChar() == KeyEvent.CHAR_UNDEFINED ? (char) event.getExtendedKeyCode() : event.getKeyChar();
-    }
-
     private void press(KeyEvent event) {
         int code = event.getKeyCode();
         boolean shift = event.isShiftDown();
-        int letter = pilot.keyboard().command(letter(event));
+        int letter = pilot.keyboard().command(LatinKeys.letter(event));
         Vector3dc thrust = letter >= 0 && letter < RideKeyboard.BRAKE
                 ? LETTERS.get(letter)
                 : (shift ? WITH_SHIFT : ARROWS).get(code);
@@ -186,6 +189,7 @@ final class RideKeys {
                 case KeyEvent.VK_PAGE_UP -> turn.by(0, 1);
                 case KeyEvent.VK_PAGE_DOWN -> turn.by(0, -1);
                 default -> {
+                    unused.accept(LatinKeys.letter(event));
                     return;
                 }
             }

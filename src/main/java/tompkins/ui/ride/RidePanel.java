@@ -64,6 +64,8 @@ public final class RidePanel extends Part {
     private final Updating updating = new Updating();
     private double told;
     private final Note keys = new Note("");
+    private final JButton otherKeyboard = new JButton();
+    private boolean offered;
     private final Note note = new Note("");
 
     /**
@@ -98,7 +100,7 @@ public final class RidePanel extends Part {
             flown.run();
         });
         export = Buttons.of("ride.export", () -> export(exporter));
-        offerKeyboards(settings);
+        offerKeyboards(settings, flown);
         offerRides(model, flown);
         panel.add(ride);
         Rows.add(panel, Texts.get("ride.light"), light.slider(), "wmin 60");
@@ -110,7 +112,8 @@ public final class RidePanel extends Part {
         panel.add(export);
         panel.add(LawPanel.quickView(model), "gapleft push, wmin pref, wrap");
         panel.add(task.component(), "span, growx, wmin 0");
-        panel.add(keyboard, "span, split 2, wmin pref");
+        panel.add(keyboard, "span, split 3, wmin pref");
+        panel.add(otherKeyboard);
         panel.add(keys.component(), "growx, wmin 0, wrap");
         panel.add(note.component(), "span, growx, wmin 0");
         panel.setVisible(false);
@@ -141,7 +144,7 @@ public final class RidePanel extends Part {
     }
 
     /** The letters of common keyboards; others can be typed. */
-    private void offerKeyboards(Settings settings) {
+    private void offerKeyboards(Settings settings, Runnable flown) {
         Naming.name(keyboard, "ride.keyboard");
         List<RideKeyboard> common = RideKeyboard.common();
         common.forEach(known -> keyboard.addItem(known.text()));
@@ -155,14 +158,28 @@ public final class RidePanel extends Part {
         keyboard.setEditable(true);
         RideKeyboard kept = RideKeyboard.of(settings.text(KEYBOARD, ""));
         steerBy(kept == null ? RideKeyboard.usual() : kept);
+        otherKeyboard.setName("ride.otherKeyboard");
+        otherKeyboard.setVisible(false);
+        otherKeyboard.addActionListener(event -> flown.run());
         keyboard.addActionListener(event -> {
             RideKeyboard chosen = RideKeyboard.of(String.valueOf(keyboard.getSelectedItem()));
+            otherKeyboard.setVisible(false);
             // a text that is not seven letters is undone
             steerBy(chosen == null ? pilot.keyboard() : chosen);
             if (chosen != null) {
                 settings.setText(KEYBOARD, chosen.letters());
                 settings.save();
             }
+        });
+    }
+
+    /** Offers, once, the keyboard on which a letter steers that does nothing on the present one. */
+    void offerKeyboard(char letter) {
+        pilot.keyboard().other(letter).filter(other -> !offered).ifPresent(other -> {
+            offered = true;
+            otherKeyboard.setText(Texts.get("ride.otherKeyboard", other.text(), other.name()));
+            otherKeyboard.addActionListener(event -> keyboard.setSelectedItem(other.text()));
+            otherKeyboard.setVisible(true);
         });
     }
 

@@ -65,6 +65,7 @@ public enum Look {
             FlatLightLaf.setup();
         }
         PlainTextUI.install();
+        LatinKeys.install();
         SqueezedText.guard();
     }
 

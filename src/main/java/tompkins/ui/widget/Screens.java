@@ -39,13 +39,20 @@ public final class Screens {
         return new Dimension(Math.min(width, screen.width), Math.min(height, screen.height));
     }
 
-    /** Keeps the dialogs of a window on their screen when they open, until the window is closed. */
-    public static void keepDialogsOnScreen(Window window) {
+    /**
+     * Keeps the dialogs of a window on their screen when they open, until the window is closed.
+     *
+     * @param asking told when one of them wants an answer before the window can be used again
+     */
+    public static void keepDialogsOnScreen(Window window, Runnable asking) {
         AWTEventListener watcher = event -> {
             if (event.getID() == WindowEvent.WINDOW_OPENED
                     && event.getSource() instanceof Dialog dialog
                     && isOwner(window, dialog)) {
                 keepOnScreen(dialog);
+                if (dialog.isModal()) {
+                    asking.run();
+                }
             }
         };
         watch(window, watcher, AWTEvent.WINDOW_EVENT_MASK);

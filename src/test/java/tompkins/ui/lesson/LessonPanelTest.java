@@ -233,7 +233,7 @@ class LessonPanelTest {
         go("Something.", "lesson.sure");
         assertThat(course.isFinished(first)).isFalse();
         next("MEASURE").doClick();
-        assertThat(course.isFinished(first)).isTrue();
+        WindowDriver.await("the numbers", () -> course.isFinished(first));
         assertThat(Components.labels(strip())).contains("1 of 2, 1 done");
         next("LESSON").doClick();
         assertThat(followed).containsExactly(second);
@@ -243,6 +243,39 @@ class LessonPanelTest {
         model.open(second, null);
         panel.begin();
         assertThat(course.isFinished(second)).isFalse();
+    }
+
+    /** Of a lesson whose slider turns a wheel, when the wheel is gone. */
+    @Test
+    void aLessonWithoutItsObjectSaysSoAndIsNotDone() throws IOException {
+        Studio lesson = BundledScenes.studios().stream()
+                .filter(studio -> studio.title().startsWith("Lesson 14:"))
+                .findFirst()
+                .orElseThrow();
+        course.setLessons(List.of(lesson));
+        model.open(lesson, null);
+        panel.begin();
+        Components.all(strip())
+                .filter(JRadioButton.class::isInstance)
+                .forEach(button -> ((JRadioButton) button).setSelected(true));
+        next("LOOK").doClick();
+        String lost = "\u26a0 " + Texts.get("lesson.lost");
+        assertThat(Components.notes(strip()))
+                .contains(Texts.get("lesson.lookHint"))
+                .doesNotContain(lost);
+
+        model.set(model.studio().withScene(List.of()));
+
+        assertThat(Components.notes(strip())).contains(lost).doesNotContain(Texts.get("lesson.lookHint"));
+        assertThat(next("REASON").isEnabled()).isFalse();
+        model.undo();
+        assertThat(Components.notes(strip())).contains(Texts.get("lesson.lookHint"));
+        Components.all(strip()).filter(JSlider.class::isInstance).forEach(slider -> ((JSlider) slider).setValue(500));
+        next("REASON").doClick();
+        model.set(model.studio().withScene(List.of()));
+        next("MEASURE").doClick();
+        assertThat(Components.notes(strip())).anyMatch(note -> note.startsWith("\u26a0 "));
+        assertThat(course.isFinished(lesson)).isFalse();
     }
 
     /** Whoever rides, waits or looks around meanwhile still gets the numbers of the lesson. */

@@ -94,7 +94,7 @@ class SettingsTest {
     }
 
     @Test
-    @Timeout(60)
+    @Timeout(600)
     void whatIsNoFileIsToldOnceAndKept() throws Exception {
         Path pipe = folder.resolve("window.properties");
         assumeThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())

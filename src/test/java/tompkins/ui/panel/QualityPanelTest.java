@@ -27,7 +27,7 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Look;
 
 /** A click on a point of the chart, whose points have times and errors that were never measured. */
-@Timeout(60)
+@Timeout(600)
 @NeedsDisplay
 class QualityPanelTest {
 

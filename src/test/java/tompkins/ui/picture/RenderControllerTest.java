@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import tompkins.ProcessorTime;
 import tompkins.Waiting;
 import tompkins.image.ToneCurve;
 import tompkins.render.Renderer;
@@ -28,10 +29,13 @@ import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.surface.Mirror;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleTracer;
 
-@Timeout(120)
+@Timeout(600)
 @Tag("alone")
 class RenderControllerTest {
+
+    private static final Dimension LARGE = new Dimension(2560, 1920);
 
     private final List<Picture> pictures = new CopyOnWriteArrayList<>();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
@@ -83,13 +87,12 @@ class RenderControllerTest {
     }
 
     @Test
-    void theNewestChangeWins() throws InterruptedException {
+    void theNewestChangeWins() {
         Studio studio = Studios.lattice();
         Studio newest = studio;
         for (int i = 0; i < 60; i++) {
             newest = studio.withVelocity(Velocity.of(0, 0, i / 100.0));
             show(controller, newest, Pace.HAND);
-            Thread.sleep(3);
         }
         Studio expected = newest;
         await(() -> !pictures.isEmpty() && last().complete() && last().studio().equals(expected));
@@ -113,26 +116,6 @@ class RenderControllerTest {
         assertThat(last().studio()).isEqualTo(small);
     }
 
-    /**
-     * A film waits longer for each picture than a hand does, up to a sample in each pixel: of ten sizes some get a pass
-     * more before they show, those that are large on a fast machine, and the small ones on a busy one.
-     */
-    @Test
-    void picturesOfAFilmBeginFinerThanThoseThatFollowAHand() throws InterruptedException {
-        double atOnce = 0;
-        double inFilm = 0;
-        for (int width = 75; width <= 3300; width += width / 2) {
-            Studio studio = Studios.lattice()
-                    .withSettings(Studio.DEFAULT
-                            .settings()
-                            .withSize(width, width * 3 / 4)
-                            .withSamples(16));
-            atOnce += Math.min(1, firstSamples(studio, Pace.HAND));
-            inFilm += Math.min(1, firstSamples(studio, Pace.FILM));
-        }
-        assertThat(inFilm).isGreaterThan(atOnce);
-    }
-
     /** A glimpse is shown once, when it ends; what is asked for without a ride replaces it by the whole picture. */
     @Test
     void onARideThereAreGlimpses() throws InterruptedException {
@@ -151,27 +134,19 @@ class RenderControllerTest {
     /** A picture that has nothing to show is waited for, unless a hand wants another one at once. */
     @Test
     void theAnswerToThrustDoesNotWait() throws InterruptedException {
-        show(controller, mirrors(0), Pace.RIDE);
-        await(() -> controller.progress() > 0);
-        long shortest = Long.MAX_VALUE;
-        for (int i = 1; i <= 8; i++) {
-            pictures.clear();
-            show(controller, mirrors(i), Pace.RIDE);
-            Thread.sleep(1);
-            show(controller, Studios.sphere(), Pace.ANSWER);
-            await(() -> !pictures.isEmpty());
-            shortest = Math.min(shortest, last().time().toMillis());
-        }
-        assertThat(shortest).isLessThan(50);
+        Studio mirrors = mirrors(0);
+        // its first pass alone takes long
+        show(controller, mirrors.withSettings(mirrors.settings().withMaximumDepth(1_000_000)), Pace.RIDE);
+        await(() -> isAtWork(SampleTracer.class));
+        show(controller, Studios.sphere(), Pace.ANSWER);
+        await(() -> !pictures.isEmpty());
+        assertThat(pictures.get(0).studio()).isEqualTo(Studios.sphere());
     }
 
-    private double firstSamples(Studio studio, Pace pace) throws InterruptedException {
-        controller.stop();
-        await(() -> !controller.isBusy());
-        pictures.clear();
-        show(controller, studio, pace);
-        await(() -> !pictures.isEmpty());
-        return pictures.get(0).samples();
+    private static boolean isAtWork(Class<?> worker) {
+        return Thread.getAllStackTraces().values().stream()
+                .flatMap(Stream::of)
+                .anyMatch(call -> call.getClassName().equals(worker.getName()));
     }
 
     @Test
@@ -238,17 +213,28 @@ class RenderControllerTest {
         await(() -> !pictures.isEmpty() && last().complete());
     }
 
-    /** The places of a million spots of stars behind a ball in focus, near the lens, take some four seconds. */
+    /**
+     * The processor time of a plan with the places of a million spots of stars behind a ball in focus, near the lens:
+     * for a small picture. For {@link #LARGE} ones it is far more than 20 times as long.
+     */
+    private static double secondsOfASmallPlan() {
+        Studio stars = Studios.blurredStars();
+        return ProcessorTime.ofProcess(
+                () -> RenderPlan.of(stars.withSettings(stars.settings().withSize(160, 120))));
+    }
+
     @Test
     void aSlowPlanEndsSoonWhenItIsStopped() throws InterruptedException {
-        controller.show(Studios.blurredStars(), new Dimension(640, 480), Pace.HAND);
+        double small = secondsOfASmallPlan();
+        controller.show(Studios.blurredStars(), LARGE, Pace.HAND);
         await(RenderControllerTest::isPlanning);
         Thread.sleep(200);
         assertThat(isPlanning()).isTrue();
-        controller.stop();
-        long stopped = System.nanoTime();
-        await(() -> !isPlanning());
-        assertThat((System.nanoTime() - stopped) / 1e9).isLessThan(1);
+        double left = ProcessorTime.ofProcess(() -> {
+            controller.stop();
+            await(() -> !isPlanning());
+        });
+        assertThat(left).isLessThan(small);
         assertThat(failures).isEmpty();
     }
 
@@ -256,24 +242,24 @@ class RenderControllerTest {
     @Test
     void aHandSeesPicturesThatTakeLongToPlan() throws InterruptedException {
         List<SceneObject> balls = new ArrayList<>(Collections.nCopies(50_000, Sphere.DEFAULT));
-        long start = System.nanoTime();
         for (int move = 0; pictures.size() < 3; move++) {
             balls.set(0, new Sphere("moved", new Vector3d(0, 0, 1e-3 * move), 1, Sphere.DEFAULT.surface()));
             show(controller, Studios.sphere().withScene(List.copyOf(balls)), Pace.HAND);
             Thread.sleep(5);
-            assertThat((System.nanoTime() - start) / 1e9).isLessThan(30);
         }
     }
 
-    /** A plan of more than four seconds is given up after one. */
+    /** It is given up after a second. */
     @Test
     void aPlanThatTakesTooLongGivesWay() throws InterruptedException {
-        controller.show(Studios.blurredStars(), new Dimension(640, 480), Pace.HAND);
+        double small = secondsOfASmallPlan();
+        controller.show(Studios.blurredStars(), LARGE, Pace.HAND);
         await(RenderControllerTest::isPlanning);
-        long changed = System.nanoTime();
-        show(controller, Studios.sphere(), Pace.HAND);
-        await(() -> !pictures.isEmpty());
-        assertThat((System.nanoTime() - changed) / 1e9).isLessThan(3.5);
+        double taken = ProcessorTime.ofProcess(() -> {
+            show(controller, Studios.sphere(), Pace.HAND);
+            await(() -> !pictures.isEmpty());
+        });
+        assertThat(taken).isLessThan(20 * small);
         assertThat(last().studio()).isEqualTo(Studios.sphere());
     }
 

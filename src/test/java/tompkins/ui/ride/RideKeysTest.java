@@ -35,6 +35,7 @@ class RideKeysTest {
 
     private final StudioModel model = new StudioModel(Studios.sphere().withVelocity(Velocity.REST), null);
     private final List<String> told = new ArrayList<>();
+    private final List<Character> unused = new ArrayList<>();
     private final RidePilot pilot = new RidePilot(model, told::add);
     private PictureCanvas canvas;
 
@@ -43,7 +44,7 @@ class RideKeysTest {
         Look.LIGHT.install();
         WindowDriver.onEventThread(() -> {
             canvas = new PictureCanvas(room -> {});
-            new RideKeys(canvas, pilot, (right, up) -> {});
+            new RideKeys(canvas, pilot, (right, up) -> {}, unused::add);
             pilot.setRiding(true);
         });
     }
@@ -70,10 +71,12 @@ class RideKeysTest {
     }
 
     private void press(int code, char letter, int modifiers) {
-        WindowDriver.onEventThread(() -> {
-            KeyEvent event = new KeyEvent(canvas, KeyEvent.KEY_PRESSED, 0, modifiers, code, letter);
-            List.of(canvas.getKeyListeners()).forEach(listener -> listener.keyPressed(event));
-        });
+        WindowDriver.onEventThread(() -> send(code, letter, modifiers));
+    }
+
+    private void send(int code, char letter, int modifiers) {
+        KeyEvent event = new KeyEvent(canvas, KeyEvent.KEY_PRESSED, 0, modifiers, code, letter);
+        List.of(canvas.getKeyListeners()).forEach(listener -> listener.keyPressed(event));
     }
 
     @Test
@@ -86,8 +89,11 @@ class RideKeysTest {
         assertThat(told).isEmpty();
         press(KeyEvent.VK_W, 'w', 0);
         assertThat(told).containsExactly(Texts.get("ride.steerPause"));
-        WindowDriver.onEventThread(pilot::replay);
-        press(KeyEvent.VK_W, 'w', 0);
+        // at once: it is soon over
+        WindowDriver.onEventThread(() -> {
+            pilot.replay();
+            send(KeyEvent.VK_W, 'w', 0);
+        });
         assertThat(told).containsExactly(Texts.get("ride.steerPause"), Texts.get("ride.steerReplay"));
     }
 
@@ -131,6 +137,18 @@ class RideKeysTest {
     void lettersOfAnyScriptThrust(char letter, double x, double y, double z) {
         press(NO_CODE, letter, 0);
         assertThat(direction()).isEqualTo(new Vector3d(x, y, z));
+    }
+
+    /** On an English system, whose keyboard nobody told: what does nothing is there on another keyboard. */
+    @ParameterizedTest
+    @CsvSource({"z, AZERTY", "o, Dvorak", "r, Colemak"})
+    void aLetterThatDoesNothingTellsOfTheKeyboard(char letter, String keyboard) {
+        press(Character.toUpperCase(letter), letter, 0);
+        press(KeyEvent.VK_W, 'w', 0);
+        assertThat(unused).containsExactly(letter);
+        assertThat(pilot.keyboard().other(letter).orElseThrow().name()).isEqualTo(keyboard);
+        assertThat(pilot.keyboard().other('w')).isEmpty();
+        assertThat(pilot.keyboard().other('n')).isEmpty();
     }
 
     /** On an AZERTY keyboard Z is where others have W, Q where they have A, and A where they have Q. */
