@@ -6,6 +6,7 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
 import tompkins.file.FileException;
+import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
 import tompkins.image.FrameFolder;
 import tompkins.image.FramePicture;
@@ -15,7 +16,7 @@ import tompkins.render.Progress;
 /** Makes one film of the frames in a folder, which may have been taken on several machines. */
 public final class FilmAssembly {
 
-    private static final int MOST_FRAMES = (int) (RideFilm.LONGEST * Animation.HIGHEST_FRAME_RATE) + 1;
+    private static final int MOST_FRAMES = (int) (RideFilm.LONGEST * AnimationFormat.FASTEST) + 1;
 
     private final FrameFolder folder;
     private final Optional<FramePlace> place;

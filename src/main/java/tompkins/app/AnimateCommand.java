@@ -66,9 +66,8 @@ final class AnimateCommand extends LongCommand {
     @Option(
             names = {"-o", "--output"},
             paramLabel = "FILE",
-            description =
-                    "the animation: .png or .apng (exact), .gif (256 colours), .mp4 (if ffmpeg is installed); a name"
-                            + " without an ending is a new folder of PNG pictures")
+            description = "the animation: .gif (256 colours) or .mp4 (if ffmpeg is installed); a name"
+                    + " without an ending is a new folder of PNG pictures")
     private Path output;
 
     @Option(
@@ -107,6 +106,11 @@ final class AnimateCommand extends LongCommand {
 
     @Option(names = "--back", description = "go back to the first value in the same time, so that it can run in a loop")
     private boolean back;
+
+    @Option(
+            names = "--same-noise",
+            description = "one seed for all pictures; without it, picture k has the seed of the scene plus k")
+    private boolean sameNoise;
 
     @Option(names = "--caption", description = "write beta, gamma and the number into the pictures")
     private boolean captioned;
@@ -148,6 +152,7 @@ final class AnimateCommand extends LongCommand {
                 recording.film,
                 recording.caption,
                 moment -> PictureDecoration.NONE,
+                sameNoise,
                 threads().number());
         Set<String> warnings = new LinkedHashSet<>(requirePossible(recording.film));
         if (frames.areGiven()) {
@@ -285,8 +290,7 @@ final class AnimateCommand extends LongCommand {
     }
 
     private int frameRate() {
-        return MistakeException.inOption(
-                "--fps", () -> Require.within("fps", frameRate, 1, Animation.HIGHEST_FRAME_RATE));
+        return MistakeException.inOption("--fps", () -> Require.within("fps", frameRate, 1, AnimationFormat.FASTEST));
     }
 
     private Recording ofRide(Studio studio) {

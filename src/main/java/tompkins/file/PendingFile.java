@@ -6,13 +6,15 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
 import java.nio.channels.FileChannel;
-import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileAttribute;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
+import java.util.concurrent.ThreadLocalRandom;
+import java.util.stream.Stream;
 
 /**
  * A file, or a folder of files, that appears in its place only when it is complete. Until {@link #commit} it lies,
@@ -24,15 +26,12 @@ public final class PendingFile implements Closeable {
 
     private static final int BUFFER = 1 << 16;
 
-    private enum Kind {
-        REPLACING_FILE,
-        NEW_FILE,
-        NEW_FOLDER
-    }
-
-    private final Kind kind;
+    private final boolean replaces;
     private final Path target;
+
+    /** A folder beside that place, and what will be moved from it. */
     private final Path room;
+
     private final Path temporary;
 
     /**
@@ -43,8 +42,8 @@ public final class PendingFile implements Closeable {
 
     private boolean ended;
 
-    private PendingFile(Kind kind, Path target, Path room) {
-        this.kind = kind;
+    private PendingFile(boolean replaces, Path target, Path room) {
+        this.replaces = replaces;
         this.target = target;
         this.room = room;
         temporary = room.resolve(target.getFileName());
@@ -58,7 +57,7 @@ public final class PendingFile implements Closeable {
      */
     public static PendingFile replacing(Path target) throws IOException {
         requireReplaceable(target);
-        return beside(Kind.REPLACING_FILE, followed(target));
+        return beside(true, followed(target), Files::createFile);
     }
 
     /**
@@ -68,7 +67,7 @@ public final class PendingFile implements Closeable {
      * @throws IOException if there is no such folder, or nothing can be written there
      */
     public static PendingFile newFile(Path target) throws IOException {
-        return beside(Kind.NEW_FILE, target);
+        return beside(false, target, Files::createFile);
     }
 
     /** A pending file that replaces what has its name, or one that replaces nothing. */
@@ -113,14 +112,13 @@ public final class PendingFile implements Closeable {
         if (Files.exists(target) && !FileNames.isEmptyFolder(target)) {
             throw new FileException(target + ": cannot be written: it exists; name a new or an empty folder");
         }
-        return beside(Kind.NEW_FOLDER, followed(target));
+        return beside(false, followed(target), Files::createDirectory);
     }
 
     /**
      * Refuses a name that belongs to something that must not be replaced by a file.
      *
-     * @throws IOException if the name is that of a folder, a device, a pipe, a file that is write-protected, or a link
-     *     to nothing or to a file of another kind
+     * @throws IOException if the name is that of a folder, a device, a pipe, or a file that is write-protected
      */
     public static void requireReplaceable(Path target) throws IOException {
         if (Files.isDirectory(target)) {
@@ -131,9 +129,6 @@ public final class PendingFile implements Closeable {
         }
         if (Files.exists(target) && !Files.isWritable(target)) {
             throw new FileException(target + ": cannot be written: the file is write-protected");
-        }
-        if (Files.isSymbolicLink(target)) {
-            requireSameKind(target, followed(target));
         }
     }
 
@@ -148,44 +143,33 @@ public final class PendingFile implements Closeable {
         return target.toRealPath();
     }
 
-    private static void requireSameKind(Path link, Path place) throws IOException {
-        if (!ending(place).equals(ending(link))) {
-            throw new FileException(link + ": cannot be written: it is a link to " + place
-                    + ", a file of another kind, which would be lost");
-        }
+    /** Makes an empty file or folder. */
+    private interface Beginning {
+
+        Path make(Path place, FileAttribute<?>... none) throws IOException;
     }
 
-    private static String ending(Path file) {
-        String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
-        return name.substring(name.lastIndexOf('.') + 1);
-    }
-
-    private static PendingFile beside(Kind kind, Path target) throws IOException {
+    private static PendingFile beside(boolean replaces, Path target, Beginning beginning) throws IOException {
         Path folder = target.toAbsolutePath().getParent();
         if (folder == null || !Files.isDirectory(folder)) {
             throw new FileException(target + ": cannot be written: there is no folder " + folder);
         }
-        Leftovers.removeFrom(folder);
-        PendingFile pending = new PendingFile(kind, target, folder.resolve(Leftovers.newName()));
+        String name =
+                ".tompkins-" + Long.toHexString(ThreadLocalRandom.current().nextLong()) + ".part";
+        PendingFile pending = new PendingFile(replaces, target, folder.resolve(name));
         try {
             Unfinished.begin(pending);
-            pending.makeRoom();
+            synchronized (pending) {
+                pending.requireOpen();
+                // Not Files.createTempDirectory nor createTempFile, which hide from everybody but the owner.
+                Files.createDirectory(pending.room);
+                beginning.make(pending.temporary);
+            }
         } catch (IOException refused) {
             pending.close();
             throw refused;
         }
         return pending;
-    }
-
-    private synchronized void makeRoom() throws IOException {
-        requireOpen();
-        // Not Files.createTempDirectory nor createTempFile, which hide from everybody but the owner.
-        Files.createDirectory(room);
-        if (kind == Kind.NEW_FOLDER) {
-            Files.createDirectory(temporary);
-        } else {
-            Files.createFile(temporary);
-        }
     }
 
     /** Whether it is complete, was given up, or the program is being stopped. */
@@ -243,12 +227,6 @@ public final class PendingFile implements Closeable {
         writers.remove(writer);
     }
 
-    /** The pending file, for those who change what they have written; it stays open until the end. */
-    public synchronized SeekableByteChannel openChannel() throws IOException {
-        requireOpen();
-        return stopAtEnd(Files.newByteChannel(temporary, StandardOpenOption.WRITE));
-    }
-
     /**
      * Registers something that writes here, and returns it. It is closed before the file is removed.
      *
@@ -271,24 +249,15 @@ public final class PendingFile implements Closeable {
      */
     public synchronized Path commit() throws IOException {
         requireOpen();
-        if (kind != Kind.NEW_FOLDER) {
-            sync();
+        if (Files.isRegularFile(temporary)) {
+            // otherwise the name could outlive a power failure, and the content not
+            try (FileChannel channel = FileChannel.open(temporary, StandardOpenOption.WRITE)) {
+                channel.force(true);
+            }
         }
-        Path place = switch (kind) {
-            case REPLACING_FILE -> FileNames.replace(temporary, target);
-            case NEW_FILE, NEW_FOLDER -> FileNames.take(temporary, target);
-        };
+        Path place = replaces ? FileNames.replace(temporary, target) : FileNames.take(temporary, target);
         close();
         return place;
-    }
-
-    /**
-     * Waits until the content is on the disk; otherwise the name could outlive a power failure, and the content not.
-     */
-    private void sync() throws IOException {
-        try (FileChannel channel = FileChannel.open(temporary, StandardOpenOption.WRITE)) {
-            channel.force(true);
-        }
     }
 
     /** Stops what writes here, and removes what was not committed. */
@@ -296,21 +265,27 @@ public final class PendingFile implements Closeable {
     public synchronized void close() throws IOException {
         ended = true;
         try {
-            stopWriters();
-            Leftovers.removeTree(room);
+            for (Closeable writer : writers) {
+                try {
+                    writer.close();
+                } catch (IOException e) {
+                    // it is thrown away, so it need not be complete
+                }
+            }
+            writers.clear();
+            removeRoom();
         } finally {
             Unfinished.end(this);
         }
     }
 
-    private void stopWriters() {
-        for (Closeable writer : writers) {
-            try {
-                writer.close();
-            } catch (IOException e) {
-                // it is thrown away, so it need not be complete
+    private void removeRoom() throws IOException {
+        if (Files.exists(room)) {
+            try (Stream<Path> parts = Files.walk(room)) {
+                for (Path part : parts.sorted(Comparator.reverseOrder()).toList()) {
+                    Files.deleteIfExists(part);
+                }
             }
         }
-        writers.clear();
     }
 }

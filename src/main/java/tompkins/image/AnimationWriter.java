@@ -19,8 +19,7 @@ import tompkins.file.PendingFile;
  * }
  * }</pre>
  */
-public abstract sealed class AnimationWriter implements Closeable
-        permits ApngWriter, GifWriter, Mp4Writer, NumberedPngWriter {
+public abstract sealed class AnimationWriter implements Closeable permits GifWriter, Mp4Writer, NumberedPngWriter {
 
     private final PendingFile pending;
     private int width;
@@ -41,8 +40,8 @@ public abstract sealed class AnimationWriter implements Closeable
      * Adds a frame. All frames have the size of the first.
      *
      * @param frame as a screen shows it, of type {@link BufferedImage#TYPE_INT_RGB}
-     * @param info what the frame says about itself: numbered pictures keep it for each, an animated PNG for its first
-     *     frame, the other formats have no place for it
+     * @param info what the frame says about itself, which numbered pictures keep; the other formats have no place for
+     *     it
      * @throws FileException if the frame cannot be written; the animation is then closed
      * @throws IllegalArgumentException if the frame has another size than the first, or a size that the format does not
      *     allow

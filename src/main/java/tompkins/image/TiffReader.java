@@ -165,8 +165,9 @@ final class TiffReader {
                         + (least == 1 ? "some" : least));
             }
             if (!takes(taken, starts[i], sizes[i])) {
+                boolean isBeyond = starts[i] > taken.lastKey() - sizes[i];
                 throw new IOException(part + " " + i + " is said to lie at byte " + starts[i] + " and to have "
-                        + sizes[i] + ", which are not in the file or belong to something else");
+                        + sizes[i] + (isBeyond ? ", but the file ends before" : ", where the file has something else"));
             }
         }
     }

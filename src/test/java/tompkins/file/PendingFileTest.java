@@ -12,9 +12,6 @@ import java.nio.file.FileSystem;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.FileTime;
-import java.time.Duration;
-import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
@@ -48,30 +45,6 @@ class PendingFileTest {
         assertThat(place).isEqualTo(folder.resolve("a.b-4.png")).hasContent("mine");
         assertThat(target).hasContent("another's");
         assertThat(Samples.names(folder)).containsExactlyInAnyOrder("a.b.png", "a.b-2.png", "a.b-3.png", "a.b-4.png");
-    }
-
-    /** A process that was killed cannot tidy; a process that still works must not be disturbed. */
-    @Test
-    void whatWasLeftADayAgoIsRemovedByTheNext() throws IOException {
-        Path old = Files.createDirectories(folder.resolve(".tompkins-1234.part/frames"));
-        Files.writeString(old.resolve("frame0001.png"), "half");
-        Path atWork = Files.createDirectories(folder.resolve(".tompkins-5678.part"));
-        Path written = Files.writeString(atWork.resolve("film.gif"), "half");
-        Path file = Files.writeString(folder.resolve(".tompkins-9.part"), "somebody's");
-        Path outside = Files.createDirectories(folder.resolve("outside"));
-        Path link = Files.createSymbolicLink(folder.resolve(".tompkins-10.part"), outside);
-        FileTime before = FileTime.from(Instant.now().minus(Duration.ofHours(25)));
-        for (Path part : List.of(old.resolve("frame0001.png"), old, old.getParent(), atWork, file, outside)) {
-            Files.setLastModifiedTime(part, before);
-        }
-
-        written(folder.resolve("new.png"), "new").commit();
-
-        assertThat(old.getParent()).doesNotExist();
-        assertThat(Samples.names(folder))
-                .containsExactlyInAnyOrder(
-                        "new.png", "outside", link.getFileName().toString(), ".tompkins-9.part", ".tompkins-5678.part");
-        assertThat(written).hasContent("half");
     }
 
     @Test

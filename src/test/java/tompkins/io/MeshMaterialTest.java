@@ -8,12 +8,15 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Objects;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.image.LinearImage;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshDetail;
@@ -187,7 +190,9 @@ class MeshMaterialTest {
                 "mtllib model.mtl | model.mtl:12: \"d\" must be a number from 0 to 1, was \"7\"",
                 "mtllib model.mtl | model.mtl: a picture is not shown: there is no such file in ",
                 "mtllib model.mtl | model.mtl: a picture is not shown: bad.png: not a picture that can be read; ",
-                "mtllib model.mtl | model.mtl: \"map_Kd\" with options such as \"-s\" is not read"
+                "mtllib model.mtl | model.mtl: the option \"-s\" of \"map_Kd\" is not used",
+                "v 0 0 0 0.5 | model.obj:5: a vertex must have three coordinates, was \"v 0 0 0 0.5\"",
+                "v 0 0 0 1 0 0 | model.obj: colours of vertices are not shown"
             })
     void whatIsNotShownIsNotedOnce(String line, String note) throws IOException {
         Files.writeString(folder.resolve("bad.png"), "no picture");
@@ -196,6 +201,73 @@ class MeshMaterialTest {
                         + "newmtl c\nmap_Kd -s 2 2 2 tiles.png\nd 7\n");
         List<String> notes = StudioWriter.notes(studio(SQUARE + line + "\nf 1 2 3 4\n"));
         assertThat(notes).filteredOn(each -> each.startsWith(note)).hasSize(1);
+    }
+
+    /** A material may be named before its library is read, and again after. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "usemtl m\nmtllib model.mtl\nusemtl m\nf 1 2 3 4\n",
+                "usemtl m\nf 1 2 3 4\nmtllib model.mtl\n",
+                "mtllib \"model.mtl\"\nusemtl \"m\"\nf 1 2 3 4\n",
+                "usemtl lost\nusemtl m\nf 1 2 3 4\nmtllib model.mtl\n"
+            })
+    void aMaterialIsFoundWhereverItsLibraryStands(String lines) throws Exception {
+        materials("newmtl m\nKd 0.2 0.4 0.6\n");
+        Studio studio = studio(SQUARE + lines);
+        assertThat(pixel(photograph(studio), 4, 4)).containsExactly(new double[] {0.2, 0.4, 0.6}, within(1e-6));
+        assertThat(StudioWriter.notes(studio)).hasSize(lines.contains("lost") ? 1 : 0);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "map_Kd -clamp on -s 2 2 1 -O 0.5 wall pic.png|the option \"-clamp\" of|the option \"-s\" of|the option \"-O\" of",
+                "map_KD -mm 0 1 -imfchan r \"wall pic.png\"|the option \"-mm\" of|the option \"-imfchan\" of|",
+                "MAP_kd \"wall pic.png\"|||",
+                "map_Kd wall pic.png|||"
+            })
+    void aPictureIsShownWhateverItsOptions(String line, String first, String second, String third) throws Exception {
+        picture("wall pic.png", 0xffff0000, 0xffff0000, 0xffff0000, 0xffff0000);
+        materials("newmtl m\nkd 1 1 1\n" + line + "\n");
+        Studio studio = studio(SQUARE + "mtllib model.mtl\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1 4/1\n");
+
+        assertThat(pixel(photograph(studio), 4, 4)).containsExactly(new double[] {1, 0, 0}, within(1e-6));
+        List<String> notes = StudioWriter.notes(studio);
+        List<String> told =
+                Stream.of(first, second, third).filter(Objects::nonNull).toList();
+        assertThat(notes).hasSameSizeAs(told);
+        told.forEach(option -> assertThat(notes).anyMatch(note -> note.startsWith("model.mtl: " + option)));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "Tr 0.75|0.25|",
+                "tr 0|1|",
+                "d 0.25|0.25|",
+                "d 0.25, Tr 0.5|0.25|model.mtl: \"Tr\" is not read",
+                "Tr 1.5|1|model.mtl:3: \"Tr\" must be a number from 0 to 1, was \"1.5\"",
+                "Kd 0.5 0.5|1|model.mtl:3: \"Kd\" must be three numbers from 0 to 1, was \"0.5 0.5\"",
+                "Kd 1 1 1 1|1|model.mtl:3: \"Kd\" must be three numbers from 0 to 1, was \"1 1 1 1\""
+            })
+    void opacityAndColourAreWhatTheFormatSays(String lines, double opacity, String note) throws IOException {
+        materials("newmtl m\nKs 0\n" + lines.replace(", ", "\n") + "\n");
+        Studio studio = studio(SQUARE + "mtllib model.mtl\nusemtl m\nf 1 2 3 4\n");
+        assertThat(detail(studio).materials().get(0).opacity()).isEqualTo(opacity);
+        assertThat(StudioWriter.notes(studio)).isEqualTo(note == null ? List.of() : List.of(note));
+    }
+
+    /** Each once, however many vertices there are. */
+    @Test
+    void whatVerticesHaveBesidesIsToldOnce() throws IOException {
+        String coloured = "v -1 -1 -5 1 0 0\nv 1 -1 -5 1 0 0\nv 1 1 -5 0.5\nv -1 1 -5 1\n";
+        assertThat(StudioWriter.notes(studio(coloured + "f 1 2 3 4\n")))
+                .containsExactly(
+                        "model.obj: colours of vertices are not shown (2 times)",
+                        "model.obj:3: a vertex must have three coordinates, was \"v 1 1 -5 0.5\"");
     }
 
     @Test
