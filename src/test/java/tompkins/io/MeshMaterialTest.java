@@ -167,6 +167,84 @@ class MeshMaterialTest {
         }
     }
 
+    /** A ball of radius 1 about (x, 0, 8) with 10 faces from pole to pole and 20 around, and its normals. */
+    private static String ball(double x, int before) {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i <= 10; i++) {
+            for (int j = 0; j < 20; j++) {
+                double sine = Math.sin(Math.PI * i / 10);
+                double[] n = {
+                    sine * Math.cos(Math.PI * j / 10), Math.cos(Math.PI * i / 10), sine * Math.sin(Math.PI * j / 10)
+                };
+                text.append("v " + (x + n[0]) + " " + n[1] + " " + (n[2] - 8) + "\nvn " + n[0] + " " + n[1] + " " + n[2]
+                        + "\n");
+            }
+        }
+        for (int i = 0; i < 10; i++) {
+            for (int j = 0; j < 20; j++) {
+                int[] corner = {20 * i + j, 20 * i + (j + 1) % 20, 20 * i + 20 + (j + 1) % 20, 20 * i + 20 + j};
+                text.append("f");
+                for (int c : corner) {
+                    text.append(" " + (before + c + 1) + "//" + (before + c + 1));
+                }
+                text.append("\n");
+            }
+        }
+        return text.toString();
+    }
+
+    private LinearImage side(String obj) throws Exception {
+        Studio studio = studio(obj, "{\"type\": \"PointLight\", \"position\": [-100, 40, 3], \"highlightColour\": 0}");
+        return photograph(studio.withSettings(studio.settings().withSize(64, 64)));
+    }
+
+    /** What a sphere sends back by its own formula; 0 beside the middle of its picture. */
+    private static double sphere(double x, int column, int row) {
+        double tangent = Math.tan(Math.toRadians(11));
+        Vector3d look =
+                new Vector3d(tangent * ((column + 0.5) / 32 - 1), tangent * (1 - (row + 0.5) / 32), 1).normalize();
+        Vector3d centre = new Vector3d(x, 0, 8);
+        double along = look.dot(centre);
+        double miss = centre.lengthSquared() - along * along;
+        if (miss > 0.85) {
+            return Double.NaN;
+        }
+        Vector3d point = look.mul(along - Math.sqrt(1 - miss));
+        Vector3d lamp = new Vector3d(-100, 40, 3).sub(point).normalize();
+        return 0.8 * Math.max(0, point.sub(centre).dot(lamp));
+    }
+
+    /** Where light ends its flat faces look away from the lamp; the light of their normals ends as on a sphere. */
+    @Test
+    void aSmoothBallLooksLikeASphere() throws Exception {
+        LinearImage image = side(ball(0, 0));
+        int inside = 0;
+        for (int row = 0; row < 64; row++) {
+            for (int column = 0; column < 64; column++) {
+                double expected = sphere(0, column, row);
+                if (!Double.isNaN(expected)) {
+                    assertThat(image.value(column, row, 1))
+                            .as("pixel %d, %d", column, row)
+                            .isCloseTo((float) expected, within(0.03f));
+                    inside++;
+                }
+            }
+        }
+        assertThat(inside).isGreaterThan(1000);
+    }
+
+    /**
+     * The lamp stands at the left, and a little above: the right ball of the same mesh is in the shadow of the left.
+     */
+    @Test
+    void aBallThrowsItsShadowOnAnotherOfItsMesh() throws Exception {
+        LinearImage both = side(ball(-1.2, 0) + ball(0.4, 220));
+        LinearImage one = side(ball(0.4, 0));
+        // the middle of what the lamp sees of the right ball
+        assertThat(one.value(26, 32, 1)).isGreaterThan(0.3f);
+        assertThat(both.value(26, 32, 1)).isZero();
+    }
+
     @Test
     void normalsOfNoLengthAreNoted() throws IOException {
         assertThat(StudioWriter.notes(studio(SQUARE + "vn 0 0 0\nf 1//1 2//1 3//1\n")))
