@@ -10,6 +10,7 @@ import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
 import tompkins.image.FrameFolder;
 import tompkins.image.FramePicture;
+import tompkins.image.PhotographInfo;
 import tompkins.property.MistakeException;
 import tompkins.render.Progress;
 
@@ -94,7 +95,7 @@ public final class FilmAssembly {
                 throw new MistakeException(folder.file(frame) + ": must have the size of the first frame, "
                         + first.size() + ", was " + picture.size());
             }
-            writer.add(picture, folder.info(frame));
+            writer.add(picture, PhotographInfo.NONE);
             progress.setProgress((frame + 1.0) / count);
         }
     }

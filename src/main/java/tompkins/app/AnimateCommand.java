@@ -107,9 +107,7 @@ final class AnimateCommand extends LongCommand {
     @Option(names = "--back", description = "go back to the first value in the same time, so that it can run in a loop")
     private boolean back;
 
-    @Option(
-            names = "--same-noise",
-            description = "one seed for all pictures; without it, picture k has the seed of the scene plus k")
+    @Option(names = "--same-noise", description = "one seed; else that of picture k is larger by k")
     private boolean sameNoise;
 
     @Option(names = "--caption", description = "write beta, gamma and the number into the pictures")
@@ -237,6 +235,9 @@ final class AnimateCommand extends LongCommand {
                     + " animate SCENE --skip-existing --frames LIST takes these:");
             out().println(film.missing());
             return Failures.INCOMPLETE;
+        }
+        if (format() == AnimationFormat.NUMBERED_PNG) {
+            throw new MistakeException(output + ": --assemble makes a .gif or .mp4 of the frames; give -o such a name");
         }
         requireFree(IntStream.range(0, film.count()).mapToObj(new FrameFolder(assembled)::file));
         boolean isRateGiven = commandLine().getParseResult().hasMatchedOption("--fps");

@@ -9,18 +9,15 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.nio.file.attribute.FileAttribute;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.ThreadLocalRandom;
-import java.util.stream.Stream;
 
 /**
- * A file, or a folder of files, that appears in its place only when it is complete. Until {@link #commit} it lies,
- * under its own name, in a folder of its own beside that place, so that a name that is not allowed is refused at once
- * and not after the work. {@link #close} without a commit removes every trace, and what was there before stays; the end
- * of the program does the same.
+ * A file that appears in its place only when it is complete. Until {@link #commit} it lies, under its own name, in a
+ * folder of its own beside that place, so that a name that is not allowed is refused at once and not after the work.
+ * {@link #close} without a commit removes every trace, and what was there before stays; the end of the program does the
+ * same.
  */
 public final class PendingFile implements Closeable {
 
@@ -57,7 +54,7 @@ public final class PendingFile implements Closeable {
      */
     public static PendingFile replacing(Path target) throws IOException {
         requireReplaceable(target);
-        return beside(true, followed(target), Files::createFile);
+        return beside(true, followed(target));
     }
 
     /**
@@ -67,7 +64,7 @@ public final class PendingFile implements Closeable {
      * @throws IOException if there is no such folder, or nothing can be written there
      */
     public static PendingFile newFile(Path target) throws IOException {
-        return beside(false, target, Files::createFile);
+        return beside(false, target);
     }
 
     /** A pending file that replaces what has its name, or one that replaces nothing. */
@@ -102,20 +99,6 @@ public final class PendingFile implements Closeable {
     }
 
     /**
-     * A pending folder that will have the name of {@code target}, or the same with a number if somebody takes that name
-     * meanwhile. A link is followed: the empty folder that it points to is replaced.
-     *
-     * @throws IOException if there is no such folder to put it in, a file or a folder with content has the name, or it
-     *     is a link to nothing
-     */
-    public static PendingFile newFolder(Path target) throws IOException {
-        if (Files.exists(target) && !FileNames.isEmptyFolder(target)) {
-            throw new FileException(target + ": cannot be written: it exists; name a new or an empty folder");
-        }
-        return beside(false, followed(target), Files::createDirectory);
-    }
-
-    /**
      * Refuses a name that belongs to something that must not be replaced by a file.
      *
      * @throws IOException if the name is that of a folder, a device, a pipe, or a file that is write-protected
@@ -143,13 +126,7 @@ public final class PendingFile implements Closeable {
         return target.toRealPath();
     }
 
-    /** Makes an empty file or folder. */
-    private interface Beginning {
-
-        Path make(Path place, FileAttribute<?>... none) throws IOException;
-    }
-
-    private static PendingFile beside(boolean replaces, Path target, Beginning beginning) throws IOException {
+    private static PendingFile beside(boolean replaces, Path target) throws IOException {
         Path folder = target.toAbsolutePath().getParent();
         if (folder == null || !Files.isDirectory(folder)) {
             throw new FileException(target + ": cannot be written: there is no folder " + folder);
@@ -163,7 +140,7 @@ public final class PendingFile implements Closeable {
                 pending.requireOpen();
                 // Not Files.createTempDirectory nor createTempFile, which hide from everybody but the owner.
                 Files.createDirectory(pending.room);
-                beginning.make(pending.temporary);
+                Files.createFile(pending.temporary);
             }
         } catch (IOException refused) {
             pending.close();
@@ -195,25 +172,9 @@ public final class PendingFile implements Closeable {
     }
 
     /** A buffered stream into the pending file. */
-    public OutputStream open() throws IOException {
-        return open(temporary, StandardOpenOption.WRITE);
-    }
-
-    /** Writes all of the content. */
-    public void write(byte[] content) throws IOException {
-        try (OutputStream stream = open()) {
-            stream.write(content);
-        }
-    }
-
-    /** A buffered stream into a new file of the pending folder. */
-    public OutputStream open(String name) throws IOException {
-        return open(temporary.resolve(name), StandardOpenOption.CREATE_NEW);
-    }
-
-    private synchronized OutputStream open(Path file, StandardOpenOption option) throws IOException {
+    public synchronized OutputStream open() throws IOException {
         requireOpen();
-        OutputStream stream = stopAtEnd(Files.newOutputStream(file, StandardOpenOption.WRITE, option));
+        OutputStream stream = stopAtEnd(Files.newOutputStream(temporary));
         return new BufferedOutputStream(stream, BUFFER) {
             @Override
             public void close() throws IOException {
@@ -221,6 +182,13 @@ public final class PendingFile implements Closeable {
                 closed(stream);
             }
         };
+    }
+
+    /** Writes all of the content. */
+    public void write(byte[] content) throws IOException {
+        try (OutputStream stream = open()) {
+            stream.write(content);
+        }
     }
 
     private synchronized void closed(Closeable writer) {
@@ -242,18 +210,16 @@ public final class PendingFile implements Closeable {
     }
 
     /**
-     * Gives the complete file its name; all streams into it must be closed. A new file or folder replaces nothing: if
-     * its name has been taken meanwhile, it gets the same with the first free number before its ending.
+     * Gives the complete file its name; all streams into it must be closed. A new file replaces nothing: if its name
+     * has been taken meanwhile, it gets the same with the first free number before its ending.
      *
      * @return where it lies now
      */
     public synchronized Path commit() throws IOException {
         requireOpen();
-        if (Files.isRegularFile(temporary)) {
-            // otherwise the name could outlive a power failure, and the content not
-            try (FileChannel channel = FileChannel.open(temporary, StandardOpenOption.WRITE)) {
-                channel.force(true);
-            }
+        // otherwise the name could outlive a power failure, and the content not
+        try (FileChannel channel = FileChannel.open(temporary, StandardOpenOption.WRITE)) {
+            channel.force(true);
         }
         Path place = replaces ? FileNames.replace(temporary, target) : FileNames.take(temporary, target);
         close();
@@ -273,19 +239,10 @@ public final class PendingFile implements Closeable {
                 }
             }
             writers.clear();
-            removeRoom();
+            Files.deleteIfExists(temporary);
+            Files.deleteIfExists(room);
         } finally {
             Unfinished.end(this);
-        }
-    }
-
-    private void removeRoom() throws IOException {
-        if (Files.exists(room)) {
-            try (Stream<Path> parts = Files.walk(room)) {
-                for (Path part : parts.sorted(Comparator.reverseOrder()).toList()) {
-                    Files.deleteIfExists(part);
-                }
-            }
         }
     }
 }

@@ -86,12 +86,12 @@ public enum AnimationFormat {
         }
         try {
             return switch (this) {
-                case GIF -> new GifWriter(file(target, replace), framesPerSecond);
+                case GIF -> new GifWriter(target, file(target, replace), framesPerSecond);
                 case MP4 -> {
                     Path program = Mp4Writer.program();
-                    yield new Mp4Writer(file(target, replace), framesPerSecond, program);
+                    yield new Mp4Writer(target, file(target, replace), framesPerSecond, program);
                 }
-                case NUMBERED_PNG -> new NumberedPngWriter(PendingFile.newFolder(target));
+                case NUMBERED_PNG -> new NumberedPngWriter(target);
             };
         } catch (IOException e) {
             throw FileException.cannotWrite(target, e);

@@ -24,12 +24,14 @@ import tompkins.file.PendingFile;
 final class Mp4Writer extends AnimationWriter {
 
     private final Path program;
+    private final PendingFile pending;
     private final int framesPerSecond;
     private Process process;
     private CompletableFuture<String> complaints;
 
-    Mp4Writer(PendingFile pending, int framesPerSecond, Path program) {
-        super(pending);
+    Mp4Writer(Path target, PendingFile pending, int framesPerSecond, Path program) {
+        super(target);
+        this.pending = pending;
         this.program = program;
         this.framesPerSecond = framesPerSecond;
     }
@@ -83,13 +85,13 @@ final class Mp4Writer extends AnimationWriter {
         // without -xerror it counts a film as complete even if its end did not fit on the disk
         List<String> command = new ArrayList<>(List.of(program.toString(), "-y", "-loglevel", "error", "-xerror"));
         command.addAll(List.of(String.join(" ", input, shape, colours, output).split(" ")));
-        command.add(pending().path().toString());
+        command.add(pending.path().toString());
         process = new ProcessBuilder(command)
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD)
                 .start();
         complaints = CompletableFuture.supplyAsync(this::readComplaints);
         // not a wait that can be interrupted: an interruption is a usual way to get here
-        pending().stopAtEnd(() -> process.destroyForcibly().onExit().join());
+        pending.stopAtEnd(() -> process.destroyForcibly().onExit().join());
     }
 
     /** All that the program says, in one line and in memory, because the disk may be full. */
@@ -102,7 +104,7 @@ final class Mp4Writer extends AnimationWriter {
     }
 
     @Override
-    void complete(int frames) throws IOException {
+    Path complete(int frames) throws IOException {
         try (OutputStream end = process.getOutputStream()) {
             end.flush();
         } catch (IOException consequence) {
@@ -111,17 +113,22 @@ final class Mp4Writer extends AnimationWriter {
         if (process.onExit().join().exitValue() != 0) {
             throw failure();
         }
+        return pending.commit();
     }
 
     /** The reason is what ffmpeg says; that it no longer reads is only a consequence. */
     private IOException failure() {
         int exitCode = process.onExit().join().exitValue();
-        if (pending().isEnded()) {
+        if (pending.isEnded()) {
             return new InterruptedIOException(FileFailure.STOPPED);
         }
         // the hidden place means nothing to the user
-        String said =
-                complaints.join().replace(pending().path().toString(), pending().toString());
+        String said = complaints.join().replace(pending.path().toString(), pending.toString());
         return new IOException("ffmpeg failed with exit code " + exitCode + (said.isEmpty() ? "" : ": " + said));
+    }
+
+    @Override
+    void discard(int frames) throws IOException {
+        pending.close();
     }
 }

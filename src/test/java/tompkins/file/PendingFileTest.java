@@ -91,25 +91,6 @@ class PendingFileTest {
     }
 
     @Test
-    void aFolderTakesThePlaceOfAnEmptyOneOnly() throws IOException {
-        Path target = folder.resolve("frames");
-        PendingFile first = PendingFile.newFolder(target);
-        PendingFile second = PendingFile.newFolder(target);
-        PendingFile third = PendingFile.newFolder(target);
-        for (PendingFile pending : List.of(first, second, third)) {
-            pending.open("frame.png").close();
-        }
-        Files.createDirectory(target);
-        assertThat(first.commit()).isEqualTo(target);
-        assertThat(second.commit()).isEqualTo(folder.resolve("frames-2"));
-        Files.writeString(folder.resolve("frames-3"), "a file");
-
-        assertThat(third.commit()).isEqualTo(folder.resolve("frames-4"));
-        assertThat(folder.resolve("frames-3")).hasContent("a file");
-        assertThat(target.resolve("frame.png")).exists();
-    }
-
-    @Test
     void aPipeIsNeverReplaced() throws Exception {
         Path pipe = folder.resolve("pipe.png");
         assumeThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
@@ -123,8 +104,8 @@ class PendingFileTest {
     /** What is written on would come back after it was removed. */
     @Test
     void whoeverWritesIsStoppedBeforeTheRestIsRemoved() throws IOException {
-        PendingFile pending = PendingFile.newFolder(folder.resolve("frames"));
-        OutputStream open = pending.open("frame1.png");
+        PendingFile pending = PendingFile.newFile(folder.resolve("film.gif"));
+        OutputStream open = pending.open();
         boolean[] stopped = {false};
         pending.stopAtEnd(() -> {
             assertThat(Samples.names(folder)).as("still there").hasSize(1);
@@ -139,7 +120,7 @@ class PendingFileTest {
                     open.flush();
                 })
                 .isInstanceOf(IOException.class);
-        assertThatThrownBy(() -> pending.open("frame2.png")).isInstanceOf(InterruptedIOException.class);
+        assertThatThrownBy(pending::open).isInstanceOf(InterruptedIOException.class);
         assertThatThrownBy(pending::commit).isInstanceOf(InterruptedIOException.class);
         assertThat(folder).isEmptyDirectory();
     }

@@ -44,7 +44,8 @@ class Mp4WriterTest {
     }
 
     private AnimationWriter open(Path program) throws IOException {
-        return new Mp4Writer(PendingFile.replacing(folder.resolve("film.mp4")), 24, program);
+        Path film = folder.resolve("film.mp4");
+        return new Mp4Writer(film, PendingFile.replacing(film), 24, program);
     }
 
     @Test
