@@ -1,5 +1,6 @@
 package tompkins.animation;
 
+import tompkins.image.AnimationFormat;
 import tompkins.property.NumberText;
 import tompkins.property.Require;
 import tompkins.studio.Studio;
@@ -13,7 +14,7 @@ import tompkins.studio.StudioNumber;
  * @param to value at the end, or in the middle if the animation runs there and back
  * @param seconds how long it takes, from {@link #SHORTEST} to {@link #LONGEST}
  * @param course how it runs
- * @param frameRate pictures a second in a file, from 1 to {@link #HIGHEST_FRAME_RATE}
+ * @param frameRate pictures a second in a file, from 1 to {@link AnimationFormat#FASTEST}
  */
 public record Animation(StudioNumber number, double from, double to, double seconds, Course course, int frameRate) {
 
@@ -32,13 +33,10 @@ public record Animation(StudioNumber number, double from, double to, double seco
     /** The usual number of pictures a second in a file. */
     public static final int FRAME_RATE = 25;
 
-    /** The most pictures a second, which is what a usual screen shows. */
-    public static final int HIGHEST_FRAME_RATE = 60;
-
     /** Checks the seconds and the frame rate. */
     public Animation {
         Require.within("seconds", seconds, SHORTEST, LONGEST);
-        Require.within("frameRate", frameRate, 1, HIGHEST_FRAME_RATE);
+        Require.within("frameRate", frameRate, 1, AnimationFormat.FASTEST);
     }
 
     /** An animation with the usual number of pictures a second. */

@@ -17,6 +17,7 @@ import tompkins.render.PhotographTaker;
 import tompkins.render.Progress;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderReport;
+import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 
 /**
@@ -26,21 +27,20 @@ import tompkins.studio.Studio;
  * @param film the sequence
  * @param caption what is written into each photograph
  * @param decorations what is drawn over the photograph of a studio
+ * @param sameNoise whether all have the seed of the scene; otherwise that of a frame is larger by its number
  * @param threads number of threads, 1 or more
  */
 public record AnimationRecorder(
         FrameSequence film,
         FrameSequence.Caption caption,
         Function<Studio, PictureDecoration> decorations,
+        boolean sameNoise,
         int threads) {
 
-    /** What is in a folder under the name of a frame. */
+    /** What a folder has under the name of a frame: nothing or a damaged picture; the same frame; or anything else. */
     public enum Found {
-        /** Nothing, or the frame damaged. */
         NOTHING,
-        /** The frame. */
         SAME,
-        /** Anything else, such as a frame of another film or with other settings. */
         OTHER
     }
 
@@ -65,13 +65,10 @@ public record AnimationRecorder(
     }
 
     /**
-     * Takes some of the photographs into a folder, to which other processes may add at the same time.
+     * Takes some of the photographs into a folder, to which other processes may add at the same time; otherwise as the
+     * other. The frames before a failure stay.
      *
      * @param skips whether frames are left out that another process has meanwhile taken
-     * @return what the user should know about the photographs: all warnings of the first that has some, and how many
-     *     others have any
-     * @throws CancellationException if it is cancelled
-     * @throws FileException if a file cannot be written; the frames before stay
      */
     public List<String> record(
             FrameSelection frames, FrameFolder folder, boolean skips, Progress progress, FrameListener listener)
@@ -86,7 +83,7 @@ public record AnimationRecorder(
         }
         try {
             PhotographInfo there = folder.info(frame);
-            PhotographInfo wanted = info(frame, film.studio(frame));
+            PhotographInfo wanted = info(frame, moment(frame));
             boolean isSame = there.sceneJson().equals(wanted.sceneJson())
                     && there.description().equals(wanted.description());
             return !isSame ? Found.OTHER : folder.isWhole(frame) ? Found.SAME : Found.NOTHING;
@@ -109,14 +106,13 @@ public record AnimationRecorder(
                     continue;
                 }
                 listener.reached(frame, PictureState.BEGUN, null);
-                Studio moment = film.studio(frame);
+                Studio moment = moment(frame);
                 RenderJob photograph = taker.take(moment, progress, (double) i / count, 1.0 / count);
                 store.add(frame, painted(photograph, moment, frame), info(frame, moment));
                 RenderReport report = photograph.report();
                 if (warnings.isEmpty()) {
-                    report.warnings()
-                            .forEach(warning ->
-                                    warnings.add("frame " + frame + " of 0-" + (film.frames() - 1) + ": " + warning));
+                    String place = "frame " + frame + " of 0-" + (film.frames() - 1) + ": ";
+                    report.warnings().forEach(warning -> warnings.add(place + warning));
                 }
                 warned += report.warnings().isEmpty() ? 0 : 1;
                 listener.reached(frame, PictureState.DONE, report);
@@ -127,6 +123,12 @@ public record AnimationRecorder(
                     + ", too; render a single one to read them");
         }
         return warnings;
+    }
+
+    private Studio moment(int frame) {
+        Studio studio = film.studio(frame);
+        RenderSettings settings = studio.settings();
+        return sameNoise ? studio : studio.withSettings(settings.withSeed(settings.seed() + frame));
     }
 
     private FramePicture painted(RenderJob photograph, Studio moment, int frame) {

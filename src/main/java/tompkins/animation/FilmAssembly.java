@@ -6,16 +6,18 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
 import tompkins.file.FileException;
+import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
 import tompkins.image.FrameFolder;
 import tompkins.image.FramePicture;
+import tompkins.image.PhotographInfo;
 import tompkins.property.MistakeException;
 import tompkins.render.Progress;
 
 /** Makes one film of the frames in a folder, which may have been taken on several machines. */
 public final class FilmAssembly {
 
-    private static final int MOST_FRAMES = (int) (RideFilm.LONGEST * Animation.HIGHEST_FRAME_RATE) + 1;
+    private static final int MOST_FRAMES = (int) (RideFilm.LONGEST * AnimationFormat.FASTEST) + 1;
 
     private final FrameFolder folder;
     private final Optional<FramePlace> place;
@@ -93,7 +95,7 @@ public final class FilmAssembly {
                 throw new MistakeException(folder.file(frame) + ": must have the size of the first frame, "
                         + first.size() + ", was " + picture.size());
             }
-            writer.add(picture, folder.info(frame));
+            writer.add(picture, PhotographInfo.NONE);
             progress.setProgress((frame + 1.0) / count);
         }
     }

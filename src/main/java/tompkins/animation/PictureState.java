@@ -1,11 +1,8 @@
 package tompkins.animation;
 
-/** How far one of several pictures is. */
+/** How far one of several pictures is: it is being taken; is taken and saved; or was there already and is left. */
 public enum PictureState {
-    /** It is being taken. */
     BEGUN,
-    /** It is taken and saved. */
     DONE,
-    /** It was there already, and is left. */
     SKIPPED
 }

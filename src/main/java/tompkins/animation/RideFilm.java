@@ -2,6 +2,7 @@ package tompkins.animation;
 
 import java.util.ArrayList;
 import java.util.List;
+import tompkins.image.AnimationFormat;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Require;
 import tompkins.studio.ChallengeProgress;
@@ -39,7 +40,7 @@ public final class RideFilm implements FrameSequence {
 
     /** The film in a time of its own, in seconds; otherwise as {@link #RideFilm(Studio, int)}. */
     public RideFilm(Studio studio, double seconds, int frameRate) {
-        this.frameRate = Require.within("frameRate", frameRate, 1, Animation.HIGHEST_FRAME_RATE);
+        this.frameRate = Require.within("frameRate", frameRate, 1, AnimationFormat.FASTEST);
         legs = studio.ride();
         recorded = legs.stream().mapToDouble(RideLeg::seconds).sum();
         Require.within("ride", recorded, 0, LONGEST);
@@ -62,7 +63,7 @@ public final class RideFilm implements FrameSequence {
             Ride ride = studio.rides().get(i);
             ChallengeProgress progress = ChallengeProgress.start(ride);
             if (!ride.challenge().isEmpty()) {
-                progress = new RideFilm(ride.start(studio), Animation.HIGHEST_FRAME_RATE).after(progress);
+                progress = new RideFilm(ride.start(studio), AnimationFormat.FASTEST).after(progress);
                 if (!progress.isMet()) {
                     throw new InvalidPropertyException(
                             "rides[" + i + "].legs",

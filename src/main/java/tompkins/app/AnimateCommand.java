@@ -66,9 +66,8 @@ final class AnimateCommand extends LongCommand {
     @Option(
             names = {"-o", "--output"},
             paramLabel = "FILE",
-            description =
-                    "the animation: .png or .apng (exact), .gif (256 colours), .mp4 (if ffmpeg is installed); a name"
-                            + " without an ending is a new folder of PNG pictures")
+            description = "the animation: .gif (256 colours) or .mp4 (if ffmpeg is installed); a name"
+                    + " without an ending is a new folder of PNG pictures")
     private Path output;
 
     @Option(
@@ -107,6 +106,9 @@ final class AnimateCommand extends LongCommand {
 
     @Option(names = "--back", description = "go back to the first value in the same time, so that it can run in a loop")
     private boolean back;
+
+    @Option(names = "--same-noise", description = "one seed; else that of picture k is larger by k")
+    private boolean sameNoise;
 
     @Option(names = "--caption", description = "write beta, gamma and the number into the pictures")
     private boolean captioned;
@@ -148,6 +150,7 @@ final class AnimateCommand extends LongCommand {
                 recording.film,
                 recording.caption,
                 moment -> PictureDecoration.NONE,
+                sameNoise,
                 threads().number());
         Set<String> warnings = new LinkedHashSet<>(requirePossible(recording.film));
         if (frames.areGiven()) {
@@ -233,6 +236,9 @@ final class AnimateCommand extends LongCommand {
             out().println(film.missing());
             return Failures.INCOMPLETE;
         }
+        if (format() == AnimationFormat.NUMBERED_PNG) {
+            throw new MistakeException(output + ": --assemble makes a .gif or .mp4 of the frames; give -o such a name");
+        }
         requireFree(IntStream.range(0, film.count()).mapToObj(new FrameFolder(assembled)::file));
         boolean isRateGiven = commandLine().getParseResult().hasMatchedOption("--fps");
         int rate = isRateGiven ? frameRate() : film.frameRate().orElse(Animation.FRAME_RATE);
@@ -285,8 +291,7 @@ final class AnimateCommand extends LongCommand {
     }
 
     private int frameRate() {
-        return MistakeException.inOption(
-                "--fps", () -> Require.within("fps", frameRate, 1, Animation.HIGHEST_FRAME_RATE));
+        return MistakeException.inOption("--fps", () -> Require.within("fps", frameRate, 1, AnimationFormat.FASTEST));
     }
 
     private Recording ofRide(Studio studio) {

@@ -3,16 +3,13 @@ package tompkins.file;
 import java.io.IOException;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.FileAlreadyExistsException;
-import java.nio.file.FileSystemException;
 import java.nio.file.Files;
-import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.util.stream.Stream;
 
 /**
- * Gives a complete file or folder its name, in the same file system. Taking a name also checks that it is free, so that
- * neither of two programs that want one name loses what it has made.
+ * Gives a complete file its name, in the same file system. Taking a name also checks that it is free, so that neither
+ * of two programs that want one name loses what it has made.
  */
 final class FileNames {
 
@@ -28,14 +25,10 @@ final class FileNames {
         return name;
     }
 
-    /**
-     * Takes a name; if it is not free, takes the same with the first free number before its ending. The name of an
-     * empty folder is free for a folder.
-     */
+    /** Takes a name; if it is not free, takes the same with the first free number before its ending. */
     static Path take(Path complete, Path wanted) throws IOException {
-        boolean isFolder = Files.isDirectory(complete);
         Path name = wanted;
-        for (int number = 2; !(isFolder ? takesAsFolder(complete, name) : takes(complete, name)); number++) {
+        for (int number = 2; !takes(complete, name); number++) {
             name = numbered(wanted, number);
         }
         return name;
@@ -63,31 +56,5 @@ final class FileNames {
             throw failure;
         }
         return true;
-    }
-
-    /** The same for a folder: no system moves one to the place of another that has something in it. */
-    private static boolean takesAsFolder(Path complete, Path name) throws IOException {
-        try {
-            if (isEmptyFolder(name)) {
-                Files.delete(name);
-            }
-            Files.move(complete, name);
-            return true;
-        } catch (FileSystemException refused) {
-            if (Files.notExists(name, LinkOption.NOFOLLOW_LINKS)) {
-                throw refused;
-            }
-            return false;
-        }
-    }
-
-    /** Whether there is a folder with nothing in it. */
-    static boolean isEmptyFolder(Path path) throws IOException {
-        if (!Files.isDirectory(path)) {
-            return false;
-        }
-        try (Stream<Path> content = Files.list(path)) {
-            return content.findAny().isEmpty();
-        }
     }
 }

@@ -3,9 +3,8 @@ package tompkins.file;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.DirectoryNotEmptyException;
-import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
-import java.nio.file.LinkOption;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
 /**
@@ -15,10 +14,15 @@ import java.nio.file.Path;
 public final class OutputFolder implements Closeable {
 
     private final Path folder;
-    private boolean made;
+    private final boolean made;
 
-    private OutputFolder(Path folder) {
+    private OutputFolder(Path folder) throws IOException {
         this.folder = folder;
+        made = !Files.isDirectory(folder);
+        if (made) {
+            Unfinished.begin(this);
+            Files.createDirectory(folder);
+        }
     }
 
     /**
@@ -28,49 +32,27 @@ public final class OutputFolder implements Closeable {
      *     name
      */
     public static OutputFolder at(Path folder) throws FileException {
-        OutputFolder output = new OutputFolder(folder);
         try {
-            output.make();
-        } catch (IOException refused) {
-            throw FileException.cannotWrite(folder, refused);
-        }
-        return output;
-    }
-
-    private synchronized void make() throws IOException {
-        Path above = folder.toAbsolutePath().getParent();
-        if (above != null && !Files.isDirectory(above)) {
-            throw new FileException(folder + ": cannot be written: there is no folder " + above);
-        }
-        if (Files.isDirectory(folder)) {
-            return;
-        }
-        Unfinished.begin(this);
-        try {
-            Files.createDirectory(folder);
-            made = true;
-        } catch (IOException refused) {
-            Unfinished.end(this);
-            if (!(refused instanceof FileAlreadyExistsException)) {
-                throw refused;
+            Path above = folder.toAbsolutePath().getParent();
+            if (above != null && !Files.isDirectory(above)) {
+                throw new FileException(folder + ": cannot be written: there is no folder " + above);
             }
-            if (!Files.isDirectory(folder)) {
+            if (Files.exists(folder) && !Files.isDirectory(folder)) {
                 throw new FileException(folder + ": cannot be written: it is a file, not a folder");
             }
+            return new OutputFolder(folder);
+        } catch (IOException refused) {
+            throw FileException.cannotWrite(folder, refused);
         }
     }
 
     @Override
-    public synchronized void close() throws FileException {
-        if (!made) {
-            return;
-        }
-        made = false;
+    public void close() throws FileException {
         try {
-            if (Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
+            if (made && Files.isDirectory(folder)) {
                 Files.delete(folder);
             }
-        } catch (DirectoryNotEmptyException used) {
+        } catch (DirectoryNotEmptyException | NoSuchFileException used) {
             // as it should be
         } catch (IOException failure) {
             throw FileException.cannotWrite(folder, failure);

@@ -6,33 +6,29 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
 import java.nio.channels.FileChannel;
-import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
+import java.util.concurrent.ThreadLocalRandom;
 
 /**
- * A file, or a folder of files, that appears in its place only when it is complete. Until {@link #commit} it lies,
- * under its own name, in a folder of its own beside that place, so that a name that is not allowed is refused at once
- * and not after the work. {@link #close} without a commit removes every trace, and what was there before stays; the end
- * of the program does the same.
+ * A file that appears in its place only when it is complete. Until {@link #commit} it lies, under its own name, in a
+ * folder of its own beside that place, so that a name that is not allowed is refused at once and not after the work.
+ * {@link #close} without a commit removes every trace, and what was there before stays; the end of the program does the
+ * same.
  */
 public final class PendingFile implements Closeable {
 
     private static final int BUFFER = 1 << 16;
 
-    private enum Kind {
-        REPLACING_FILE,
-        NEW_FILE,
-        NEW_FOLDER
-    }
-
-    private final Kind kind;
+    private final boolean replaces;
     private final Path target;
+
+    /** A folder beside that place, and what will be moved from it. */
     private final Path room;
+
     private final Path temporary;
 
     /**
@@ -43,8 +39,8 @@ public final class PendingFile implements Closeable {
 
     private boolean ended;
 
-    private PendingFile(Kind kind, Path target, Path room) {
-        this.kind = kind;
+    private PendingFile(boolean replaces, Path target, Path room) {
+        this.replaces = replaces;
         this.target = target;
         this.room = room;
         temporary = room.resolve(target.getFileName());
@@ -58,7 +54,7 @@ public final class PendingFile implements Closeable {
      */
     public static PendingFile replacing(Path target) throws IOException {
         requireReplaceable(target);
-        return beside(Kind.REPLACING_FILE, followed(target));
+        return beside(true, followed(target));
     }
 
     /**
@@ -68,7 +64,7 @@ public final class PendingFile implements Closeable {
      * @throws IOException if there is no such folder, or nothing can be written there
      */
     public static PendingFile newFile(Path target) throws IOException {
-        return beside(Kind.NEW_FILE, target);
+        return beside(false, target);
     }
 
     /** A pending file that replaces what has its name, or one that replaces nothing. */
@@ -103,24 +99,9 @@ public final class PendingFile implements Closeable {
     }
 
     /**
-     * A pending folder that will have the name of {@code target}, or the same with a number if somebody takes that name
-     * meanwhile. A link is followed: the empty folder that it points to is replaced.
-     *
-     * @throws IOException if there is no such folder to put it in, a file or a folder with content has the name, or it
-     *     is a link to nothing
-     */
-    public static PendingFile newFolder(Path target) throws IOException {
-        if (Files.exists(target) && !FileNames.isEmptyFolder(target)) {
-            throw new FileException(target + ": cannot be written: it exists; name a new or an empty folder");
-        }
-        return beside(Kind.NEW_FOLDER, followed(target));
-    }
-
-    /**
      * Refuses a name that belongs to something that must not be replaced by a file.
      *
-     * @throws IOException if the name is that of a folder, a device, a pipe, a file that is write-protected, or a link
-     *     to nothing or to a file of another kind
+     * @throws IOException if the name is that of a folder, a device, a pipe, or a file that is write-protected
      */
     public static void requireReplaceable(Path target) throws IOException {
         if (Files.isDirectory(target)) {
@@ -131,9 +112,6 @@ public final class PendingFile implements Closeable {
         }
         if (Files.exists(target) && !Files.isWritable(target)) {
             throw new FileException(target + ": cannot be written: the file is write-protected");
-        }
-        if (Files.isSymbolicLink(target)) {
-            requireSameKind(target, followed(target));
         }
     }
 
@@ -148,44 +126,27 @@ public final class PendingFile implements Closeable {
         return target.toRealPath();
     }
 
-    private static void requireSameKind(Path link, Path place) throws IOException {
-        if (!ending(place).equals(ending(link))) {
-            throw new FileException(link + ": cannot be written: it is a link to " + place
-                    + ", a file of another kind, which would be lost");
-        }
-    }
-
-    private static String ending(Path file) {
-        String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
-        return name.substring(name.lastIndexOf('.') + 1);
-    }
-
-    private static PendingFile beside(Kind kind, Path target) throws IOException {
+    private static PendingFile beside(boolean replaces, Path target) throws IOException {
         Path folder = target.toAbsolutePath().getParent();
         if (folder == null || !Files.isDirectory(folder)) {
             throw new FileException(target + ": cannot be written: there is no folder " + folder);
         }
-        Leftovers.removeFrom(folder);
-        PendingFile pending = new PendingFile(kind, target, folder.resolve(Leftovers.newName()));
+        String name =
+                ".tompkins-" + Long.toHexString(ThreadLocalRandom.current().nextLong()) + ".part";
+        PendingFile pending = new PendingFile(replaces, target, folder.resolve(name));
         try {
             Unfinished.begin(pending);
-            pending.makeRoom();
+            synchronized (pending) {
+                pending.requireOpen();
+                // Not Files.createTempDirectory nor createTempFile, which hide from everybody but the owner.
+                Files.createDirectory(pending.room);
+                Files.createFile(pending.temporary);
+            }
         } catch (IOException refused) {
             pending.close();
             throw refused;
         }
         return pending;
-    }
-
-    private synchronized void makeRoom() throws IOException {
-        requireOpen();
-        // Not Files.createTempDirectory nor createTempFile, which hide from everybody but the owner.
-        Files.createDirectory(room);
-        if (kind == Kind.NEW_FOLDER) {
-            Files.createDirectory(temporary);
-        } else {
-            Files.createFile(temporary);
-        }
     }
 
     /** Whether it is complete, was given up, or the program is being stopped. */
@@ -211,25 +172,9 @@ public final class PendingFile implements Closeable {
     }
 
     /** A buffered stream into the pending file. */
-    public OutputStream open() throws IOException {
-        return open(temporary, StandardOpenOption.WRITE);
-    }
-
-    /** Writes all of the content. */
-    public void write(byte[] content) throws IOException {
-        try (OutputStream stream = open()) {
-            stream.write(content);
-        }
-    }
-
-    /** A buffered stream into a new file of the pending folder. */
-    public OutputStream open(String name) throws IOException {
-        return open(temporary.resolve(name), StandardOpenOption.CREATE_NEW);
-    }
-
-    private synchronized OutputStream open(Path file, StandardOpenOption option) throws IOException {
+    public synchronized OutputStream open() throws IOException {
         requireOpen();
-        OutputStream stream = stopAtEnd(Files.newOutputStream(file, StandardOpenOption.WRITE, option));
+        OutputStream stream = stopAtEnd(Files.newOutputStream(temporary));
         return new BufferedOutputStream(stream, BUFFER) {
             @Override
             public void close() throws IOException {
@@ -239,14 +184,15 @@ public final class PendingFile implements Closeable {
         };
     }
 
-    private synchronized void closed(Closeable writer) {
-        writers.remove(writer);
+    /** Writes all of the content. */
+    public void write(byte[] content) throws IOException {
+        try (OutputStream stream = open()) {
+            stream.write(content);
+        }
     }
 
-    /** The pending file, for those who change what they have written; it stays open until the end. */
-    public synchronized SeekableByteChannel openChannel() throws IOException {
-        requireOpen();
-        return stopAtEnd(Files.newByteChannel(temporary, StandardOpenOption.WRITE));
+    private synchronized void closed(Closeable writer) {
+        writers.remove(writer);
     }
 
     /**
@@ -264,31 +210,20 @@ public final class PendingFile implements Closeable {
     }
 
     /**
-     * Gives the complete file its name; all streams into it must be closed. A new file or folder replaces nothing: if
-     * its name has been taken meanwhile, it gets the same with the first free number before its ending.
+     * Gives the complete file its name; all streams into it must be closed. A new file replaces nothing: if its name
+     * has been taken meanwhile, it gets the same with the first free number before its ending.
      *
      * @return where it lies now
      */
     public synchronized Path commit() throws IOException {
         requireOpen();
-        if (kind != Kind.NEW_FOLDER) {
-            sync();
-        }
-        Path place = switch (kind) {
-            case REPLACING_FILE -> FileNames.replace(temporary, target);
-            case NEW_FILE, NEW_FOLDER -> FileNames.take(temporary, target);
-        };
-        close();
-        return place;
-    }
-
-    /**
-     * Waits until the content is on the disk; otherwise the name could outlive a power failure, and the content not.
-     */
-    private void sync() throws IOException {
+        // otherwise the name could outlive a power failure, and the content not
         try (FileChannel channel = FileChannel.open(temporary, StandardOpenOption.WRITE)) {
             channel.force(true);
         }
+        Path place = replaces ? FileNames.replace(temporary, target) : FileNames.take(temporary, target);
+        close();
+        return place;
     }
 
     /** Stops what writes here, and removes what was not committed. */
@@ -296,21 +231,18 @@ public final class PendingFile implements Closeable {
     public synchronized void close() throws IOException {
         ended = true;
         try {
-            stopWriters();
-            Leftovers.removeTree(room);
+            for (Closeable writer : writers) {
+                try {
+                    writer.close();
+                } catch (IOException e) {
+                    // it is thrown away, so it need not be complete
+                }
+            }
+            writers.clear();
+            Files.deleteIfExists(temporary);
+            Files.deleteIfExists(room);
         } finally {
             Unfinished.end(this);
         }
-    }
-
-    private void stopWriters() {
-        for (Closeable writer : writers) {
-            try {
-                writer.close();
-            } catch (IOException e) {
-                // it is thrown away, so it need not be complete
-            }
-        }
-        writers.clear();
     }
 }

@@ -3,9 +3,8 @@ package tompkins.file;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.InterruptedIOException;
-import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.List;
+import java.util.concurrent.ConcurrentLinkedDeque;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
@@ -14,7 +13,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
  */
 final class Unfinished {
 
-    private static final Deque<Closeable> OPEN = new ArrayDeque<>();
+    private static final Deque<Closeable> OPEN = new ConcurrentLinkedDeque<>();
 
     private static final AtomicBoolean STOPPED = new AtomicBoolean();
 
@@ -30,29 +29,20 @@ final class Unfinished {
      * @throws InterruptedIOException if the program is being stopped
      */
     static void begin(Closeable work) throws InterruptedIOException {
-        synchronized (OPEN) {
-            if (STOPPED.get()) {
-                throw new InterruptedIOException(FileFailure.STOPPED);
-            }
-            OPEN.push(work);
+        OPEN.push(work);
+        if (STOPPED.get()) {
+            throw new InterruptedIOException(FileFailure.STOPPED);
         }
     }
 
     /** Notes that something has ended, in whatever way. */
     static void end(Closeable work) {
-        synchronized (OPEN) {
-            OPEN.remove(work);
-        }
+        OPEN.remove(work);
     }
 
     private static void stop() {
-        List<Closeable> open;
-        synchronized (OPEN) {
-            STOPPED.set(true);
-            open = List.copyOf(OPEN);
-        }
-        // without the lock, which is needed by what ends by itself meanwhile
-        for (Closeable work : open) {
+        STOPPED.set(true);
+        for (Closeable work : OPEN) {
             try {
                 work.close();
             } catch (IOException | RuntimeException kept) {

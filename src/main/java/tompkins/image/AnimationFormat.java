@@ -3,16 +3,11 @@ package tompkins.image;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import tompkins.file.FileException;
 import tompkins.file.PendingFile;
 
 /** The formats in which animations are saved. They play forever if the format can say so. */
 public enum AnimationFormat {
-
-    /** Animated PNG: exact. The scene of the first frame travels inside. */
-    APNG("an animated PNG", List.of(".png", ".apng")),
 
     /** Animated GIF: at most 256 colours a frame, delays in hundredths of a second and not below two of them. */
     GIF("an animated GIF", List.of(".gif")),
@@ -54,11 +49,8 @@ public enum AnimationFormat {
         }
         Path name = target.getFileName();
         if (name != null && name.toString().lastIndexOf('.') > 0) {
-            String known = Stream.of(values())
-                    .flatMap(format -> format.endings.stream())
-                    .collect(Collectors.joining(", "));
-            throw new FileException(target + ": the name of an animation must end in one of " + known
-                    + ", or have no ending, for a folder of numbered PNG pictures");
+            throw new FileException(target + ": the name of an animation must end in .gif or .mp4, or have no ending,"
+                    + " for a folder of numbered PNG pictures");
         }
         return NUMBERED_PNG;
     }
@@ -90,17 +82,16 @@ public enum AnimationFormat {
         if (framesPerSecond > fastest()) {
             throw new FileException(target + ": " + description + " can show at most " + fastest()
                     + " pictures a second, the film has " + framesPerSecond
-                    + "; give the film fewer, or save it as .png (an animated PNG) or .mp4");
+                    + "; give the film fewer, or save it as .mp4 or as a folder of pictures");
         }
         try {
             return switch (this) {
-                case APNG -> new ApngWriter(file(target, replace), framesPerSecond);
-                case GIF -> new GifWriter(file(target, replace), framesPerSecond);
+                case GIF -> new GifWriter(target, file(target, replace), framesPerSecond);
                 case MP4 -> {
                     Path program = Mp4Writer.program();
-                    yield new Mp4Writer(file(target, replace), framesPerSecond, program);
+                    yield new Mp4Writer(target, file(target, replace), framesPerSecond, program);
                 }
-                case NUMBERED_PNG -> new NumberedPngWriter(PendingFile.newFolder(target));
+                case NUMBERED_PNG -> new NumberedPngWriter(target);
             };
         } catch (IOException e) {
             throw FileException.cannotWrite(target, e);

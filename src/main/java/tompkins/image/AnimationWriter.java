@@ -5,7 +5,6 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
 import tompkins.file.FileException;
-import tompkins.file.PendingFile;
 
 /**
  * An animation that is being saved frame by frame; only one frame is held in memory. It appears under its name with
@@ -19,17 +18,16 @@ import tompkins.file.PendingFile;
  * }
  * }</pre>
  */
-public abstract sealed class AnimationWriter implements Closeable
-        permits ApngWriter, GifWriter, Mp4Writer, NumberedPngWriter {
+public abstract sealed class AnimationWriter implements Closeable permits GifWriter, Mp4Writer, NumberedPngWriter {
 
-    private final PendingFile pending;
+    private final Path target;
     private int width;
     private int height;
     private int frames;
     private boolean ended;
 
-    AnimationWriter(PendingFile pending) {
-        this.pending = pending;
+    AnimationWriter(Path target) {
+        this.target = target;
     }
 
     /** As {@link #add(BufferedImage, PhotographInfo)}. */
@@ -41,8 +39,8 @@ public abstract sealed class AnimationWriter implements Closeable
      * Adds a frame. All frames have the size of the first.
      *
      * @param frame as a screen shows it, of type {@link BufferedImage#TYPE_INT_RGB}
-     * @param info what the frame says about itself: numbered pictures keep it for each, an animated PNG for its first
-     *     frame, the other formats have no place for it
+     * @param info what the frame says about itself, which numbered pictures keep; the other formats have no place for
+     *     it
      * @throws FileException if the frame cannot be written; the animation is then closed
      * @throws IllegalArgumentException if the frame has another size than the first, or a size that the format does not
      *     allow
@@ -78,8 +76,7 @@ public abstract sealed class AnimationWriter implements Closeable
             throw new IllegalStateException("an animation must have a frame");
         }
         try {
-            complete(frames);
-            Path place = pending.commit();
+            Path place = complete(frames);
             ended = true;
             return place;
         } catch (IOException e) {
@@ -89,7 +86,7 @@ public abstract sealed class AnimationWriter implements Closeable
 
     /** Gives the animation up after a failure: half a frame may be in the file, so that nothing can be added. */
     private FileException givenUp(IOException cause) {
-        FileException failure = FileException.cannotWrite(pending, cause);
+        FileException failure = FileException.cannotWrite(target, cause);
         try {
             close();
         } catch (FileException e) {
@@ -110,9 +107,9 @@ public abstract sealed class AnimationWriter implements Closeable
         }
         ended = true;
         try {
-            pending.close();
+            discard(frames);
         } catch (IOException e) {
-            throw FileException.cannotWrite(pending, e);
+            throw FileException.cannotWrite(target, e);
         }
     }
 
@@ -122,14 +119,12 @@ public abstract sealed class AnimationWriter implements Closeable
         }
     }
 
-    /** The file or folder to write to. */
-    final PendingFile pending() {
-        return pending;
-    }
-
     /** Writes one frame; {@code index} counts from 0. */
     abstract void write(BufferedImage frame, PhotographInfo info, int index) throws IOException;
 
-    /** Writes what comes after the last frame, and closes all streams. */
-    abstract void complete(int frames) throws IOException;
+    /** Writes what comes after the last frame, closes all streams, and says where the animation lies. */
+    abstract Path complete(int frames) throws IOException;
+
+    /** Removes what was written of so many frames. */
+    abstract void discard(int frames) throws IOException;
 }

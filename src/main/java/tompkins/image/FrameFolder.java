@@ -67,7 +67,7 @@ public record FrameFolder(Path folder) {
         }
     }
 
-    /** What a frame says about itself. */
+    /** The scene and the description of a frame. */
     public PhotographInfo info(int frame) throws FileException {
         Path file = file(frame);
         try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {

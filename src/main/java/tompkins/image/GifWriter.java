@@ -3,6 +3,7 @@ package tompkins.image;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.file.Path;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageTypeSpecifier;
 import javax.imageio.ImageWriteParam;
@@ -22,13 +23,15 @@ final class GifWriter extends AnimationWriter {
     /** Delays are hundredths of a second, and browsers take those below two for mistakes and play slowly. */
     static final int FASTEST = 50;
 
+    private final PendingFile pending;
     private final int framesPerSecond;
     private final OutputStream out;
     private final ImageOutputStream stream;
     private final ImageWriter writer;
 
-    GifWriter(PendingFile pending, int framesPerSecond) throws IOException {
-        super(pending);
+    GifWriter(Path target, PendingFile pending, int framesPerSecond) throws IOException {
+        super(target);
+        this.pending = pending;
         this.framesPerSecond = framesPerSecond;
         this.writer = ImageProviders.gifWriter();
         this.out = pending.open();
@@ -86,11 +89,17 @@ final class GifWriter extends AnimationWriter {
     }
 
     @Override
-    void complete(int frames) throws IOException {
+    Path complete(int frames) throws IOException {
         writer.endWriteSequence();
         writer.dispose();
         try (out) {
             stream.close();
         }
+        return pending.commit();
+    }
+
+    @Override
+    void discard(int frames) throws IOException {
+        pending.close();
     }
 }

@@ -1,9 +1,6 @@
 package tompkins.image;
 
 import java.util.Locale;
-import java.util.Optional;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 
 /**
  * How much of the sphere around the camera a picture shows, whose columns are even steps of longitude and whose rows
@@ -16,20 +13,6 @@ public record Panorama(double longitudes, double latitudes) {
 
     /** Where viewers of panoramas look for such a text in a PNG file. */
     static final String KEYWORD = "XML:com.adobe.xmp";
-
-    private static final Pattern FULL_AND_SHOWN = Pattern.compile("FullPanoWidthPixels=\"([0-9]{1,9})\"\\s+"
-            + "GPano:FullPanoHeightPixels=\"([0-9]{1,9})\"\\s+GPano:CroppedAreaImageWidthPixels=\"([0-9]{1,9})\"\\s+"
-            + "GPano:CroppedAreaImageHeightPixels=\"([0-9]{1,9})\"");
-
-    /** The panorama of a text that {@link #xmp} wrote; empty for any other. Its text for the same size is the same. */
-    static Optional<Panorama> parse(String xmp) {
-        Matcher pixels = FULL_AND_SHOWN.matcher(xmp);
-        return pixels.find()
-                ? Optional.of(new Panorama(
-                        360 * Double.parseDouble(pixels.group(3)) / Double.parseDouble(pixels.group(1)),
-                        180 * Double.parseDouble(pixels.group(4)) / Double.parseDouble(pixels.group(2))))
-                : Optional.empty();
-    }
 
     /**
      * The text in XMP for a picture of a size, by which viewers show it on a sphere (Photo Sphere XMP Metadata,

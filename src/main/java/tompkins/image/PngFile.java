@@ -129,23 +129,16 @@ final class PngFile {
                 readTexts(file, Set.of(SCENE_KEYWORD), "IEND").get(SCENE_KEYWORD));
     }
 
-    /** What a PNG file says about itself before its pixels, as {@link #write} does; empty where it says nothing. */
+    /** The scene and the description in a PNG file, which is read up to its pixels; empty where it has none. */
     static PhotographInfo readInfo(InputStream file) throws IOException {
-        Set<String> keywords = Set.of(
-                TITLE_KEYWORD, SOFTWARE_KEYWORD, SCENE_KEYWORD, DESCRIPTION_KEYWORD, Panorama.KEYWORD, STEREO_CHUNK);
-        Map<String, String> texts = readTexts(file, keywords, "IDAT");
-        return new PhotographInfo(
-                OneLine.of(texts.getOrDefault(TITLE_KEYWORD, "")),
-                OneLine.of(texts.getOrDefault(SOFTWARE_KEYWORD, "")),
-                texts.getOrDefault(SCENE_KEYWORD, ""),
-                Panorama.parse(texts.getOrDefault(Panorama.KEYWORD, "")),
-                texts.containsKey(STEREO_CHUNK),
-                OneLine.of(texts.getOrDefault(DESCRIPTION_KEYWORD, "")));
+        Map<String, String> texts = readTexts(file, Set.of(SCENE_KEYWORD, DESCRIPTION_KEYWORD), "IDAT");
+        return new PhotographInfo("", "", texts.getOrDefault(SCENE_KEYWORD, ""))
+                .withDescription(OneLine.of(texts.getOrDefault(DESCRIPTION_KEYWORD, "")));
     }
 
     /**
-     * The texts with some keywords, and empty ones for chunks of a type that is among these, read until all are found
-     * or a chunk of the last type comes; the JDK is not used, because it cuts texts at 256 kB.
+     * The texts with some keywords, read until all are found or a chunk of the last type comes; the JDK is not used,
+     * because it cuts texts at 256 kB.
      */
     private static Map<String, String> readTexts(InputStream file, Set<String> keywords, String lastType)
             throws IOException {
@@ -174,9 +167,6 @@ final class PngFile {
                 }
             } else {
                 in.skipNBytes(length + 4L);
-                if (keywords.contains(type)) {
-                    texts.put(type, "");
-                }
             }
             place += length + PngChunk.FRAME;
         }

@@ -21,6 +21,7 @@ final class PngReader {
     private static final int PALETTE = 3;
     private static final String COLOURS = "PLTE";
     private static final String TRANSPARENCY = "tRNS";
+    private static final String HEADER = "IHDR";
     private static final String APPLE = "CgBI";
 
     /** After the signature and the length of the first chunk. */
@@ -37,10 +38,10 @@ final class PngReader {
     static Pixels read(byte[] file, String name) throws IOException {
         String firstType = new String(file, FIRST_TYPE_AT, APPLE.length(), StandardCharsets.ISO_8859_1);
         PictureEncoding.PNG.require(
-                !firstType.equals(APPLE),
+                firstType.equals(HEADER),
                 name,
-                "is packed in a way that only Apple devices read (" + APPLE + ")",
-                "be an ordinary one");
+                "begins with " + (firstType.equals(APPLE) ? "what only Apple devices read (" + APPLE + ")" : firstType),
+                "begin with its header (" + HEADER + ")");
         ByteBuffer header = ByteBuffer.wrap(file).position(FIRST_TYPE_AT + APPLE.length());
         Pixels.requireSize(Integer.toUnsignedLong(header.getInt()), Integer.toUnsignedLong(header.getInt()), name);
         int bitDepth = header.get();
@@ -71,7 +72,7 @@ final class PngReader {
 
     private static boolean tellsPixels(String type, int colourType) {
         return switch (type) {
-            case "IHDR", "IDAT", "IEND" -> true;
+            case HEADER, "IDAT", "IEND" -> true;
             case COLOURS, TRANSPARENCY -> colourType == PALETTE;
             default -> false;
         };

@@ -8,6 +8,8 @@ import com.twelvemonkeys.imageio.metadata.tiff.TIFFReader;
 import com.twelvemonkeys.imageio.stream.ByteArrayImageInputStream;
 import java.io.IOException;
 import java.lang.reflect.Array;
+import java.nio.ByteOrder;
+import java.util.TreeMap;
 import javax.imageio.stream.ImageInputStream;
 
 /**
@@ -18,8 +20,21 @@ final class TiffDirectory {
 
     private final Directory directory;
 
-    private TiffDirectory(Directory directory) {
-        this.directory = directory;
+    /** Where the bytes of the file begin that are no pixels, and where they end; the last are its end. */
+    private final TreeMap<Long, Long> places = new TreeMap<>();
+
+    private TiffDirectory(ImageInputStream file) throws IOException {
+        Directory all = new TIFFReader().read(file);
+        directory = all instanceof CompoundDirectory pictures ? pictures.getDirectory(0) : all;
+        file.seek(0);
+        file.setByteOrder(file.read() == 'I' ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
+        file.seek(2);
+        boolean isBig = file.readShort() == TIFF.BIGTIFF_MAGIC;
+        file.seek(isBig ? 8 : 4);
+        long start = isBig ? file.readLong() : file.readUnsignedInt();
+        places.put(0L, isBig ? 16L : 8L);
+        places.put(start, start + (isBig ? 16 + 20L * directory.size() : 6 + 12L * directory.size()));
+        places.put(file.length(), file.length());
     }
 
     /** Reads the tags of a file, or of a part of one, that begins with the header of TIFF. */
@@ -31,8 +46,7 @@ final class TiffDirectory {
 
     /** Reads the tags of a file that begins with the header of TIFF. */
     static TiffDirectory read(ImageInputStream file) throws IOException {
-        Directory all = new TIFFReader().read(file);
-        return new TiffDirectory(all instanceof CompoundDirectory pictures ? pictures.getDirectory(0) : all);
+        return new TiffDirectory(file);
     }
 
     /** The orientation in Exif data; damaged Exif data do not turn the picture. */
@@ -47,6 +61,16 @@ final class TiffDirectory {
     /** How rows and columns lie in the picture. */
     Orientation orientation() throws IOException {
         return Orientation.ofTag(number(TIFF.TAG_ORIENTATION, 1));
+    }
+
+    /** The places of the file that no pixels can have: its header, its directory and its end, each with its own end. */
+    TreeMap<Long, Long> places() {
+        return new TreeMap<>(places);
+    }
+
+    /** Whether there is such a tag. */
+    boolean has(int tag) {
+        return directory.getEntryById(tag) != null;
     }
 
     /** The value of a tag as the library gives it; null if there is no such tag. */

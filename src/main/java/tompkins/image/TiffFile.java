@@ -30,6 +30,8 @@ final class TiffFile {
             ImageWriteParam compression = writer.getDefaultWriteParam();
             compression.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
             compression.setCompressionType("ZLib");
+            // the lowest level: the highest takes seconds, and saves a tenth of the bytes at most
+            compression.setCompressionQuality(0);
             TIFFDirectory directory = TIFFDirectory.createFromMetadata(
                     writer.getDefaultImageMetadata(new ImageTypeSpecifier(image), compression));
             addText(directory, BaselineTIFFTagSet.TAG_DOCUMENT_NAME, info.title());

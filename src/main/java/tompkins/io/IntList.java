@@ -24,14 +24,6 @@ final class IntList {
         size++;
     }
 
-    /** Adds the numbers of another list, those from 0 upwards larger by an offset. */
-    void addAll(IntList others, int offset) {
-        for (int i = 0; i < others.size; i++) {
-            int number = others.get(i);
-            add(number < 0 ? number : number + offset);
-        }
-    }
-
     int get(int index) {
         return hasOthers() ? numbers[index] : -1;
     }

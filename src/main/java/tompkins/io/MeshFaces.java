@@ -2,7 +2,7 @@ package tompkins.io;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -33,12 +33,11 @@ final class MeshFaces {
     private final String name;
     private final ObjNotes notes = new ObjNotes();
     private final ObjMaterials library;
-    private final List<MeshMaterial> materials = new ArrayList<>();
-    private final Map<String, Integer> materialNumbers = new HashMap<>();
-    private int material = NONE;
 
-    /** Whether a face counts backwards from its line. */
-    private boolean isRelative;
+    /** The names of materials, which may stand before their library, in order. */
+    private final Map<String, Integer> materialNames = new LinkedHashMap<>();
+
+    private int material = NONE;
 
     private final ResizableDoubleArray coordinates = new ResizableDoubleArray();
     private final ResizableDoubleArray textureCoordinates = new ResizableDoubleArray();
@@ -72,58 +71,18 @@ final class MeshFaces {
         library = new ObjMaterials(files, notes);
     }
 
-    /** Takes all statements. */
+    /**
+     * Takes all statements.
+     *
+     * @throws ObjMistake if one is a vertex or face that cannot be used
+     */
     void addAll(ObjStatements statements) {
         while (statements.next()) {
             add(statements);
         }
     }
 
-    /**
-     * The faces of the second half of a file, read without the first; null if they need it, or if something of them
-     * cannot be used.
-     */
-    static MeshFaces ofSecondHalf(String name, ObjStatements statements) {
-        MeshFaces faces = new MeshFaces(name, FileKind.Files.NONE);
-        try {
-            faces.addAll(statements);
-        } catch (ObjMistake needsItsLine) {
-            return null;
-        }
-        return faces.isRelative || !faces.notes.sentences().isEmpty() ? null : faces;
-    }
-
-    /**
-     * Adds the faces of the second half.
-     *
-     * @param linesBefore number of lines of the first
-     * @return false if they are too many
-     */
-    boolean append(MeshFaces second, int linesBefore) {
-        long triangles = (long) corners.size() + second.corners.size() - 2L * (ends.size() + second.ends.size());
-        if (triangles > MOST_TRIANGLES) {
-            return false;
-        }
-        coordinates.addElements(second.coordinates.getElements());
-        textureCoordinates.addElements(second.textureCoordinates.getElements());
-        normals.addElements(second.normals.getElements());
-        ends.addAll(second.ends, corners.size());
-        lines.addAll(second.lines, linesBefore);
-        corners.addAll(second.corners, 0);
-        textureCorners.addAll(second.textureCorners, 0);
-        normalCorners.addAll(second.normalCorners, 0);
-        while (faceMaterials.size() < ends.size()) {
-            faceMaterials.add(material);
-        }
-        return true;
-    }
-
-    /**
-     * Takes a statement.
-     *
-     * @throws ObjMistake if it is a vertex or face that cannot be used
-     */
-    void add(ObjStatements statement) {
+    private void add(ObjStatements statement) {
         if (!statement.nextWord()) {
             return;
         }
@@ -138,20 +97,10 @@ final class MeshFaces {
         } else if (statement.wordIs("mtllib")) {
             library.read(name, statement.rest());
         } else if (statement.wordIs("usemtl")) {
-            material = materialNumbers.computeIfAbsent(statement.rest(), this::newMaterial);
+            material = materialNames.computeIfAbsent(statement.rest(), named -> materialNames.size());
         } else if (!SILENT.contains(statement.word())) {
             notes.add(name, Problems.quoted(statement.word()) + " is not read");
         }
-    }
-
-    private int newMaterial(String material) {
-        MeshMaterial known = library.material(material);
-        if (known == null) {
-            notes.add(name, "there is no material " + Problems.quoted(material));
-            return NONE;
-        }
-        materials.add(known);
-        return materials.size() - 1;
     }
 
     private void addVertex(ObjStatements statement) {
@@ -167,6 +116,14 @@ final class MeshFaces {
                         : statement.mistake("coordinates must be finite, one was " + Problems.shortened(word));
             }
             coordinates.addElement(coordinate);
+        }
+        if (statement.nextWord()) {
+            double weight = number(statement);
+            if (statement.nextWord()) {
+                notes.add(name, "colours of vertices are not shown");
+            } else if (weight != 1) {
+                notes.add(name, statement.firstLine(), "a vertex must have three coordinates", statement.statement());
+            }
         }
     }
 
@@ -237,8 +194,7 @@ final class MeshFaces {
     }
 
     /** A number counted from 1, or backwards from the last so far, as one counted from 0; -1 if there is none. */
-    private int index(long number, int known) {
-        isRelative |= number < 0;
+    private static int index(long number, int known) {
         long index = number > 0 ? number - 1 : number < 0 ? known + number : NONE;
         return index < 0 || index > Integer.MAX_VALUE ? NONE : (int) index;
     }
@@ -326,14 +282,33 @@ final class MeshFaces {
                 unitNormals[axis] /= length;
             }
         }
+        List<MeshMaterial> materials = new ArrayList<>();
+        int[] numbers = materialNames.keySet().stream()
+                .mapToInt(named -> number(named, materials))
+                .toArray();
         return new MeshDetail(
                 textureValues,
                 usable(textureCorners, textureValues, 2, "vt"),
                 unitNormals,
                 usable(normalCorners, unitNormals, 3, "vn"),
-                List.copyOf(materials),
-                materials.isEmpty() ? new int[0] : triangleMaterials.toArray(),
+                materials,
+                materials.isEmpty()
+                        ? new int[0]
+                        : Arrays.stream(triangleMaterials.toArray())
+                                .map(named -> named == NONE ? NONE : numbers[named])
+                                .toArray(),
                 notes.sentences());
+    }
+
+    /** The number that a material gets in a list, or none if there is no such material. */
+    private int number(String named, List<MeshMaterial> materials) {
+        MeshMaterial known = library.material(named);
+        if (known == null) {
+            notes.add(name, "there is no material " + Problems.quoted(named));
+            return NONE;
+        }
+        materials.add(known);
+        return materials.size() - 1;
     }
 
     /** The numbers at the corners of the triangles: -1 where there are none; empty if all are. */

@@ -2,7 +2,6 @@ package tompkins.io;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.concurrent.CompletableFuture;
 import tompkins.file.FileException;
 import tompkins.file.WholeFile;
 import tompkins.io.ObjStatements.ObjMistake;
@@ -17,9 +16,6 @@ public final class MeshFile {
 
     /** The bytes of smaller files are kept, so that photographs hold the mesh. */
     static final int LARGEST_KEPT_FILE = 1 << 20;
-
-    /** From this length another thread reads the second half. */
-    static final int LARGE_FILE = 1 << 20;
 
     private MeshFile() {}
 
@@ -48,18 +44,7 @@ public final class MeshFile {
     static MeshData read(byte[] file, String name, FileKind.Files others) throws FileException {
         MeshFaces faces = new MeshFaces(name, others);
         try {
-            ObjStatements statements = new ObjStatements(file);
-            ObjStatements second = file.length < LARGE_FILE ? null : statements.secondHalf();
-            CompletableFuture<MeshFaces> reading = second == null
-                    ? CompletableFuture.completedFuture(null)
-                    : CompletableFuture.supplyAsync(() -> MeshFaces.ofSecondHalf(name, second));
-            faces.addAll(statements);
-            // what fails there, for want of memory, fails here as well
-            MeshFaces half = reading.exceptionally(failure -> null).join();
-            if (half == null || !faces.append(half, statements.linesRead())) {
-                statements.takeSecondHalf();
-                faces.addAll(statements);
-            }
+            faces.addAll(new ObjStatements(file));
             faces.requireVertices();
             faces.cut();
         } catch (ObjMistake mistake) {

@@ -2,10 +2,12 @@ package tompkins.io;
 
 import java.io.IOException;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import tompkins.image.PictureFile;
 import tompkins.io.ObjStatements.ObjMistake;
 import tompkins.property.NumberText;
@@ -20,6 +22,16 @@ import tompkins.ray.PixelPicture;
 final class ObjMaterials {
 
     private static final Colour USUAL = Colour.grey(0.8);
+
+    private static final String NUMBER = "(?:\\s+[-+.0-9e]+)";
+
+    /**
+     * An option before the name of a picture, and what belongs to it (MTL material format, "Options for texture maps").
+     */
+    private static final Pattern OPTION = Pattern.compile(
+            "(-(?:type|imfchan|blend[uv]|cc|clamp|texres|boost|bm)\\s+\\S+|-mm" + NUMBER + "{2}|-[ost]" + NUMBER
+                    + "{1,3})\\s+",
+            Pattern.CASE_INSENSITIVE | Pattern.UNICODE_CHARACTER_CLASS);
 
     /** What stands behind a key, in a line counted from 1. */
     private record Property(int line, String text) {}
@@ -47,7 +59,7 @@ final class ObjMaterials {
             read(name, new ObjStatements(files.bytes(name, "a file of materials")));
         } catch (IOException | ObjMistake missing) {
             if (words.size() > 1 && words.stream().allMatch(ObjMaterials::endsAsUsual)) {
-                words.forEach(word -> read(mesh, word));
+                words.forEach(word -> read(mesh, ObjStatements.unquoted(word)));
             } else {
                 notes.add(name, "its materials are not shown: " + missing.getMessage());
             }
@@ -55,22 +67,21 @@ final class ObjMaterials {
     }
 
     private static boolean endsAsUsual(String name) {
-        return name.toLowerCase(Locale.ROOT).endsWith(".mtl");
+        return ObjStatements.unquoted(name).toLowerCase(Locale.ROOT).endsWith(".mtl");
     }
 
     private void read(String file, ObjStatements statements) {
-        Map<String, Property> properties = new LinkedHashMap<>();
+        Map<String, Property> properties = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
         String material = null;
         while (statements.next()) {
             if (!statements.nextWord()) {
                 continue;
             }
-            String key = statements.word();
-            if (key.equals("newmtl")) {
+            if (statements.wordIs("newmtl")) {
                 add(file, material, properties);
                 material = statements.rest();
             } else {
-                properties.put(key, new Property(statements.firstLine(), statements.rest()));
+                properties.put(statements.word(), new Property(statements.firstLine(), statements.rest()));
             }
         }
         add(file, material, properties);
@@ -80,17 +91,14 @@ final class ObjMaterials {
         if (material != null) {
             Colour diffuse = colour(file, properties, "Kd", USUAL);
             Colour specular = colour(file, properties, "Ks", Colour.BLACK);
-            Property dissolved = properties.remove("d");
-            double opacity = dissolved == null ? 1 : number(dissolved.text);
-            if (!(opacity >= 0 && opacity <= 1)) {
-                notes.add(file, dissolved.line, "\"d\" must be a number from 0 to 1", dissolved.text);
-                opacity = 1;
-            }
+            double opacity = properties.containsKey("d")
+                    ? share(file, properties, "d", 1)
+                    : 1 - share(file, properties, "Tr", 0);
             PixelPicture picture = picture(file, properties.remove("map_Kd"));
             if (picture != null && !specular.equals(Colour.BLACK)) {
                 notes.add(file, "highlights on pictures are not shown (Ks with map_Kd)");
             }
-            materials.put(
+            materials.putIfAbsent(
                     material,
                     new MeshMaterial(
                             material,
@@ -103,6 +111,17 @@ final class ObjMaterials {
         properties.clear();
     }
 
+    /** A number from 0 to 1. */
+    private double share(String file, Map<String, Property> properties, String key, double otherwise) {
+        Property property = properties.remove(key);
+        double share = property == null ? otherwise : number(property.text);
+        if (!(share >= 0 && share <= 1)) {
+            notes.add(file, property.line, Problems.quoted(key) + " must be a number from 0 to 1", property.text);
+            return otherwise;
+        }
+        return share;
+    }
+
     /** Three numbers, or one for all channels. */
     private Colour colour(String file, Map<String, Property> properties, String key, Colour otherwise) {
         Property property = properties.remove(key);
@@ -111,8 +130,9 @@ final class ObjMaterials {
         }
         List<String> words = ObjStatements.words(property.text);
         double red = number(words.get(0));
-        double green = words.size() < 3 ? red : number(words.get(1));
-        double blue = words.size() < 3 ? red : number(words.get(2));
+        boolean isGrey = words.size() == 1;
+        double green = isGrey ? red : number(words.get(1));
+        double blue = isGrey ? red : words.size() == 3 ? number(words.get(2)) : Double.NaN;
         if (red >= 0 && green >= 0 && blue >= 0 && Math.max(red, Math.max(green, blue)) <= 1) {
             return new Colour(red, green, blue);
         }
@@ -132,13 +152,14 @@ final class ObjMaterials {
         if (property == null) {
             return null;
         }
-        String text = property.text;
-        if (text.startsWith("-")) {
-            String option = ObjStatements.words(text).get(0);
-            notes.add(file, "\"map_Kd\" with options such as " + Problems.quoted(option) + " is not read");
-            return null;
+        Matcher options = OPTION.matcher(property.text);
+        int start = 0;
+        for (; options.lookingAt(); options.region(start, property.text.length())) {
+            String option = ObjStatements.words(options.group()).get(0);
+            notes.add(file, "the option " + Problems.quoted(option) + " of \"map_Kd\" is not used");
+            start = options.end();
         }
-        String name = beside(file, text);
+        String name = beside(file, ObjStatements.unquoted(property.text.substring(start)));
         try {
             if (!pictures.containsKey(name)) {
                 // also if it fails: once is enough

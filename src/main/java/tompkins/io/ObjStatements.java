@@ -38,9 +38,6 @@ final class ObjStatements {
 
     private final String file;
 
-    /** Where lines that are read end: that of the file, or the middle while another thread reads the second half. */
-    private int limit;
-
     private int linesRead;
     private int firstLine;
 
@@ -65,40 +62,12 @@ final class ObjStatements {
      * @throws ObjMistake if its text is in another encoding
      */
     ObjStatements(byte[] file) {
-        this(new String(file, StandardCharsets.UTF_8));
+        this.file = new String(file, StandardCharsets.UTF_8);
         Optional<String> wrong = SceneText.wrongEncoding(file);
         if (wrong.isPresent()) {
             throw new ObjMistake(1, wrong.get());
         }
         next = this.file.startsWith(BYTE_ORDER_MARK) ? 1 : 0;
-    }
-
-    private ObjStatements(String file) {
-        this.file = file;
-        limit = file.length();
-    }
-
-    /** Ends these statements near the middle of the file, and gives those behind; null if no line can end there. */
-    ObjStatements secondHalf() {
-        int middle = file.indexOf('\n', file.length() / 2) + 1;
-        String line = file.substring(file.lastIndexOf('\n', middle - 2) + 1, Math.max(0, middle));
-        if (middle <= next || line.indexOf('\\') >= 0) {
-            return null;
-        }
-        ObjStatements second = new ObjStatements(file);
-        second.next = middle;
-        limit = middle;
-        return second;
-    }
-
-    /** Takes the statements of the second half as well. */
-    void takeSecondHalf() {
-        limit = file.length();
-    }
-
-    /** How many lines were read. */
-    int linesRead() {
-        return linesRead;
     }
 
     /** Goes to the next statement, before its first word; false after the last one. */
@@ -134,7 +103,7 @@ final class ObjStatements {
 
     /** Goes to the next line, without its comment and the blanks at its end; false after the last one. */
     private boolean nextLine() {
-        if (next >= limit) {
+        if (next >= file.length()) {
             return false;
         }
         linesRead++;
@@ -183,7 +152,7 @@ final class ObjStatements {
         return text.substring(wordStart, wordEnd);
     }
 
-    /** What follows the word, without the blanks around it. */
+    /** What follows the word, without the blanks around it, and without quotation marks around all of it. */
     String rest() {
         int from = wordEnd;
         int to = end;
@@ -193,7 +162,13 @@ final class ObjStatements {
         while (from < to && isBlank(text.charAt(to - 1))) {
             to--;
         }
-        return text.substring(from, to);
+        return unquoted(text.substring(from, to));
+    }
+
+    /** A name, which some programs write in quotation marks. */
+    static String unquoted(String name) {
+        boolean isQuoted = name.length() > 2 && name.startsWith("\"") && name.indexOf('"', 1) == name.length() - 1;
+        return isQuoted ? name.substring(1, name.length() - 1) : name;
     }
 
     /** The words of a {@linkplain #rest rest}. */

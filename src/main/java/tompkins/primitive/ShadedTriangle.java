@@ -69,6 +69,15 @@ public final class ShadedTriangle extends FlatPrimitive {
     }
 
     private void smooth(SurfaceCoordinates flat, Ray ray, Hit hit) {
+        Vector3d normal = normal(flat).normalize();
+        double seen = normal.x * ray.dx + normal.y * ray.dy + normal.z * ray.dz;
+        if (seen * hit.cosine(ray) > 0) {
+            hit.shade(normal.x, normal.y, normal.z);
+        }
+    }
+
+    /** The normal between the corners, of any length. */
+    private Vector3d normal(SurfaceCoordinates flat) {
         double first = 1 - flat.u() - flat.v();
         Vector3d sum = new Vector3d();
         for (int axis = 0; axis < 3; axis++) {
@@ -78,10 +87,35 @@ public final class ShadedTriangle extends FlatPrimitive {
                             + flat.u() * detail.normal(triangle, 1, axis)
                             + flat.v() * detail.normal(triangle, 2, axis));
         }
-        Vector3d normal = placement.direction(sum).normalize();
-        double seen = normal.x * ray.dx + normal.y * ray.dy + normal.z * ray.dz;
-        if (seen * hit.cosine(ray) > 0) {
-            hit.shade(normal.x, normal.y, normal.z);
+        return placement.direction(sum);
+    }
+
+    /**
+     * Where light ends, a triangle looks away from a lamp that its normals see, and its light would come through the
+     * inside of the mesh. The triangles through whose backs it comes out throw no shadow then: the smooth surface that
+     * the mesh stands for is nowhere in the way.
+     */
+    @Override
+    public boolean shadows(Ray ray, double limit) {
+        return super.shadows(ray, limit)
+                && !(ray.boundary instanceof ShadedTriangle start
+                        && start.detail == detail
+                        && start.placement == placement
+                        && start.isLitFromInside(ray)
+                        && outwards(ray, distance(ray, limit)) > 0);
+    }
+
+    private boolean isLitFromInside(Ray ray) {
+        return outwards(ray, 0) < 0 && normal(coordinates(ray, 0)).dot(ray.dx, ray.dy, ray.dz) > 0;
+    }
+
+    /** How far a ray runs to the side of the flat triangle to which its normals point; 0 if it has none. */
+    private double outwards(Ray ray, double distance) {
+        if (!detail.hasNormals(triangle)) {
+            return 0;
         }
+        Hit flat = super.hit(ray, distance, Hit.blank());
+        Vector3d normal = normal(coordinates(ray, distance));
+        return Math.signum(normal.dot(flat.normalX, flat.normalY, flat.normalZ)) * flat.cosine(ray);
     }
 }

@@ -12,9 +12,6 @@ import java.nio.file.FileSystem;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.FileTime;
-import java.time.Duration;
-import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
@@ -48,30 +45,6 @@ class PendingFileTest {
         assertThat(place).isEqualTo(folder.resolve("a.b-4.png")).hasContent("mine");
         assertThat(target).hasContent("another's");
         assertThat(Samples.names(folder)).containsExactlyInAnyOrder("a.b.png", "a.b-2.png", "a.b-3.png", "a.b-4.png");
-    }
-
-    /** A process that was killed cannot tidy; a process that still works must not be disturbed. */
-    @Test
-    void whatWasLeftADayAgoIsRemovedByTheNext() throws IOException {
-        Path old = Files.createDirectories(folder.resolve(".tompkins-1234.part/frames"));
-        Files.writeString(old.resolve("frame0001.png"), "half");
-        Path atWork = Files.createDirectories(folder.resolve(".tompkins-5678.part"));
-        Path written = Files.writeString(atWork.resolve("film.gif"), "half");
-        Path file = Files.writeString(folder.resolve(".tompkins-9.part"), "somebody's");
-        Path outside = Files.createDirectories(folder.resolve("outside"));
-        Path link = Files.createSymbolicLink(folder.resolve(".tompkins-10.part"), outside);
-        FileTime before = FileTime.from(Instant.now().minus(Duration.ofHours(25)));
-        for (Path part : List.of(old.resolve("frame0001.png"), old, old.getParent(), atWork, file, outside)) {
-            Files.setLastModifiedTime(part, before);
-        }
-
-        written(folder.resolve("new.png"), "new").commit();
-
-        assertThat(old.getParent()).doesNotExist();
-        assertThat(Samples.names(folder))
-                .containsExactlyInAnyOrder(
-                        "new.png", "outside", link.getFileName().toString(), ".tompkins-9.part", ".tompkins-5678.part");
-        assertThat(written).hasContent("half");
     }
 
     @Test
@@ -118,25 +91,6 @@ class PendingFileTest {
     }
 
     @Test
-    void aFolderTakesThePlaceOfAnEmptyOneOnly() throws IOException {
-        Path target = folder.resolve("frames");
-        PendingFile first = PendingFile.newFolder(target);
-        PendingFile second = PendingFile.newFolder(target);
-        PendingFile third = PendingFile.newFolder(target);
-        for (PendingFile pending : List.of(first, second, third)) {
-            pending.open("frame.png").close();
-        }
-        Files.createDirectory(target);
-        assertThat(first.commit()).isEqualTo(target);
-        assertThat(second.commit()).isEqualTo(folder.resolve("frames-2"));
-        Files.writeString(folder.resolve("frames-3"), "a file");
-
-        assertThat(third.commit()).isEqualTo(folder.resolve("frames-4"));
-        assertThat(folder.resolve("frames-3")).hasContent("a file");
-        assertThat(target.resolve("frame.png")).exists();
-    }
-
-    @Test
     void aPipeIsNeverReplaced() throws Exception {
         Path pipe = folder.resolve("pipe.png");
         assumeThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
@@ -150,8 +104,8 @@ class PendingFileTest {
     /** What is written on would come back after it was removed. */
     @Test
     void whoeverWritesIsStoppedBeforeTheRestIsRemoved() throws IOException {
-        PendingFile pending = PendingFile.newFolder(folder.resolve("frames"));
-        OutputStream open = pending.open("frame1.png");
+        PendingFile pending = PendingFile.newFile(folder.resolve("film.gif"));
+        OutputStream open = pending.open();
         boolean[] stopped = {false};
         pending.stopAtEnd(() -> {
             assertThat(Samples.names(folder)).as("still there").hasSize(1);
@@ -166,7 +120,7 @@ class PendingFileTest {
                     open.flush();
                 })
                 .isInstanceOf(IOException.class);
-        assertThatThrownBy(() -> pending.open("frame2.png")).isInstanceOf(InterruptedIOException.class);
+        assertThatThrownBy(pending::open).isInstanceOf(InterruptedIOException.class);
         assertThatThrownBy(pending::commit).isInstanceOf(InterruptedIOException.class);
         assertThat(folder).isEmptyDirectory();
     }

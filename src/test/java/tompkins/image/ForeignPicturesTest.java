@@ -63,15 +63,17 @@ class ForeignPicturesTest {
             value = {
                 "hdr-xyze.hdr|its colours are CIE XYZ (32-bit_rle_xyze), not red, green and blue (32-bit_rle_rgbe); save it as RGB",
                 "bmp-no-blue-bits.bmp|is a BMP picture; allowed are PNG, JPEG, TIFF and Radiance HDR; convert it to PNG, for example with ImageMagick or GIMP",
-                "tiff-12bit.tif|has 12 bits a sample; a TIFF picture must have 8 or 16, or 32 in floating point; convert it, for example with ImageMagick or GIMP",
-                "tiff-12bit-rgb.tif|has 12 bits a sample; a TIFF picture must have 8 or 16, or 32 in floating point; convert it, for example with ImageMagick or GIMP",
-                "tiff-14bit.tif|has 14 bits a sample; a TIFF picture must have 8 or 16, or 32 in floating point; convert it, for example with ImageMagick or GIMP",
-                "tiff-palette-alpha.tif|has a palette and opacity; a TIFF picture must have either; convert it, for example with ImageMagick or GIMP",
-                "tiff-int8.tif|its numbers are signed; a TIFF picture must have unsigned or floating point numbers; convert it, for example with ImageMagick or GIMP",
-                "tiff-float24.tif|its numbers are floating point with 24 bits; a TIFF picture must have 32; convert it, for example with ImageMagick or GIMP",
-                "tiff-zstd.tif|its compression is Zstandard (50000); a TIFF picture must have none, LZW, Deflate or PackBits; convert it, for example with ImageMagick or GIMP"
+                "tiff-12bit.tif|has unsigned samples of 12 bits; a TIFF picture must have unsigned ones of 8 or 16 bits, or of 1, 2, 4 or 8 for a palette or grey alone, or floating-point ones of 32 bits with 0 as black; convert it, for example with ImageMagick or GIMP",
+                "tiff-12bit-rgb.tif|has unsigned samples of 12 bits; a TIFF picture must have unsigned ones of 8 or 16 bits, or of 1, 2, 4 or 8 for a palette or grey alone, or floating-point ones of 32 bits with 0 as black; convert it, for example with ImageMagick or GIMP",
+                "tiff-14bit.tif|has unsigned samples of 14 bits; a TIFF picture must have unsigned ones of 8 or 16 bits, or of 1, 2, 4 or 8 for a palette or grey alone, or floating-point ones of 32 bits with 0 as black; convert it, for example with ImageMagick or GIMP",
+                "tiff-palette-alpha.tif|has 2 samples a pixel for a palette; a TIFF picture must have one for each colour, and one more at most, for opacity, which a palette does not have; convert it, for example with ImageMagick or GIMP",
+                "tiff-int8.tif|has signed samples of 8 bits; a TIFF picture must have unsigned ones of 8 or 16 bits, or of 1, 2, 4 or 8 for a palette or grey alone, or floating-point ones of 32 bits with 0 as black; convert it, for example with ImageMagick or GIMP",
+                "tiff-float24.tif|has floating-point samples of 24 bits; a TIFF picture must have unsigned ones of 8 or 16 bits, or of 1, 2, 4 or 8 for a palette or grey alone, or floating-point ones of 32 bits with 0 as black; convert it, for example with ImageMagick or GIMP",
+                "tiff-zstd.tif|has compression number 50000; a TIFF picture must have none (1), LZW (5), Deflate (8) or PackBits (32773); convert it, for example with ImageMagick or GIMP",
+                "tiff-short-strip.tif|TIFF picture cannot be read: bytes are missing: strip 0 has 50, and needs 162",
+                "tiff-sparse-tile.tif|TIFF picture cannot be read: bytes are missing: tile 5 has 0, and needs 256"
             })
-    void whatIsWholeAndNotReadIsNotDamaged(String name, String reason) {
+    void whatIsNotReadIsRefusedForItsReason(String name, String reason) {
         assertThatThrownBy(() -> PictureFile.read(file(name)))
                 .isInstanceOf(FileException.class)
                 .hasMessage(name + ": " + reason);

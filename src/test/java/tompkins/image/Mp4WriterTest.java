@@ -44,7 +44,8 @@ class Mp4WriterTest {
     }
 
     private AnimationWriter open(Path program) throws IOException {
-        return new Mp4Writer(PendingFile.replacing(folder.resolve("film.mp4")), 24, program);
+        Path film = folder.resolve("film.mp4");
+        return new Mp4Writer(film, PendingFile.replacing(film), 24, program);
     }
 
     @Test
@@ -60,15 +61,17 @@ class Mp4WriterTest {
         }
 
         byte[] received = Files.readAllBytes(folder.resolve("film.mp4"));
-        assertThat(received).hasSize(2 * 3 * 31 * 17);
+        assertThat(received).hasSize(2 * 4 * 31 * 17);
         for (int i = 0; i < received.length; i++) {
             LinearImage frame = Samples.random(31, 17, i < received.length / 2 ? 1 : 2);
-            float light = frame.rgb()[i % (received.length / 2)];
-            assertThat(received[i] & 0xff).isEqualTo(ToneCurve.LINEAR.quantise(light, 255));
+            int channel = i % 4 - 1;
+            int pixel = i / 4 % (31 * 17);
+            int level = channel < 0 ? 255 : ToneCurve.LINEAR.quantise(frame.rgb()[3 * pixel + channel], 255);
+            assertThat(received[i] & 0xff).isEqualTo(level);
         }
         String said = String.join(" ", Files.readAllLines(arguments));
         assertThat(said)
-                .contains("-f rawvideo -pix_fmt rgb24 -s 31x17 -r 24 -i -")
+                .contains("-f rawvideo -pix_fmt 0rgb -s 31x17 -r 24 -i -")
                 .contains("-pix_fmt yuv420p -crf 18");
         assertThat(Samples.names(folder)).containsExactly("film.mp4");
     }
@@ -79,48 +82,31 @@ class Mp4WriterTest {
         String elsewhere = folder.toString();
 
         assertThat(Mp4Writer.findProgram(elsewhere + File.pathSeparator + programs))
-                .contains(program);
-        assertThat(Mp4Writer.findProgram(elsewhere)).isEmpty();
-        assertThat(Mp4Writer.findProgram(null)).isEmpty();
+                .isEqualTo(program);
+        assertThat(Mp4Writer.findProgram(elsewhere)).isNull();
+        assertThat(Mp4Writer.findProgram(null)).isNull();
     }
 
     @Test
     void whatTheProgramComplainsOfIsTheMessage() throws IOException {
         Path program = program("cat > /dev/null\necho first >&2\necho 'Conversion failed!' >&2\nexit 9\n");
 
-        assertFails(program, "ffmpeg failed with exit code 9: Conversion failed!");
-    }
-
-    /** What ffmpeg 6 says if it was built without the encoder: the reason comes before its consequences. */
-    @Test
-    void anEncoderThatIsMissingIsNamedWithWhatElse() throws IOException {
-        Path program = program("""
-                        cat > /dev/null
-                        echo "[vost#0:0 @ 0x5581] Unknown encoder 'libx264'" >&2
-                        echo '[vost#0:0 @ 0x5581] Error selecting an encoder' >&2
-                        echo 'Error opening output files: Encoder not found' >&2
-                        exit 8
-                        """);
-
-        assertFails(
-                program,
-                "ffmpeg cannot make such videos: [vost#0:0 @ 0x5581] Unknown encoder 'libx264';"
-                        + " install one that can, or save an animated PNG, an animated GIF or numbered pictures");
+        assertFails(program, "ffmpeg failed with exit code 9: first; Conversion failed!");
     }
 
     /** The program names the hidden place; and its complaints must not need the disk either. */
     @Test
     void aFullDiskIsTheReason() throws IOException {
-        assertFails(program("""
+        assertFails(
+                program("""
                         for last do :; done
                         cat > /dev/null
                         echo "Error writing trailer of $last: No space left on device" >&2
                         echo 'Conversion failed!' >&2
                         exit 1
-                        """), "No space left on device");
-        assertFails(
-                program("for last do :; done\ncat > /dev/null\necho \"$last: odd\" >&2\nexit 1\n"),
-                "ffmpeg failed with exit code 1: " + folder.resolve("film.mp4") + ": odd");
+                        """),
+                "ffmpeg failed with exit code 1: Error writing trailer of " + folder.resolve("film.mp4")
+                        + ": No space left on device; Conversion failed!");
     }
 
     @Test
@@ -172,7 +158,7 @@ class Mp4WriterTest {
     @Test
     void ffmpegMakesAFilmOrAMessageSaysWhatElse() throws IOException {
         Path film = folder.resolve("film.mp4");
-        if (Mp4Writer.findProgram(System.getenv("PATH")).isEmpty()) {
+        if (Mp4Writer.findProgram(System.getenv("PATH")) == null) {
             assertThatThrownBy(() -> AnimationFormat.MP4.open(film, 25, true))
                     .isInstanceOf(FileException.class)
                     .hasMessageContaining("install it")

@@ -205,6 +205,16 @@ class PngReaderTest {
     }
 
     @Test
+    void aHeaderThatIsNotTheFirstChunkIsTheReason() throws IOException {
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        PngChunk.writeSignature(file);
+        chunk(file, "tEXt", new byte[] {'a', 0, 'b'});
+        chunk(file, "IHDR", new byte[] {0, 0, 0, 1, 0, 0, 0, 1, 8, 0, 0, 0, 0});
+        assertThatThrownBy(() -> PictureFile.read(file.toByteArray(), "p.png"))
+                .hasMessageStartingWith("p.png: begins with tEXt; a PNG picture must begin with its header (IHDR); ");
+    }
+
+    @Test
     void aFormOfAppleIsNamed() throws IOException {
         byte[] file = png(8, 0, new int[] {1});
         byte[] apple = new byte[file.length + 16];
@@ -215,7 +225,7 @@ class PngReaderTest {
         System.arraycopy(file, 8, apple, 24, file.length - 8);
         assertThatThrownBy(() -> PictureFile.read(apple, "p.png"))
                 .hasMessage(
-                        "p.png: is packed in a way that only Apple devices read (CgBI); a PNG picture must be an ordinary one"
+                        "p.png: begins with what only Apple devices read (CgBI); a PNG picture must begin with its header (IHDR)"
                                 + "; convert it, for example with ImageMagick or GIMP");
     }
 

@@ -8,12 +8,15 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Objects;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.image.LinearImage;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshDetail;
@@ -164,6 +167,84 @@ class MeshMaterialTest {
         }
     }
 
+    /** A ball of radius 1 about (x, 0, 8) with 10 faces from pole to pole and 20 around, and its normals. */
+    private static String ball(double x, int before) {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i <= 10; i++) {
+            for (int j = 0; j < 20; j++) {
+                double sine = Math.sin(Math.PI * i / 10);
+                double[] n = {
+                    sine * Math.cos(Math.PI * j / 10), Math.cos(Math.PI * i / 10), sine * Math.sin(Math.PI * j / 10)
+                };
+                text.append("v " + (x + n[0]) + " " + n[1] + " " + (n[2] - 8) + "\nvn " + n[0] + " " + n[1] + " " + n[2]
+                        + "\n");
+            }
+        }
+        for (int i = 0; i < 10; i++) {
+            for (int j = 0; j < 20; j++) {
+                int[] corner = {20 * i + j, 20 * i + (j + 1) % 20, 20 * i + 20 + (j + 1) % 20, 20 * i + 20 + j};
+                text.append("f");
+                for (int c : corner) {
+                    text.append(" " + (before + c + 1) + "//" + (before + c + 1));
+                }
+                text.append("\n");
+            }
+        }
+        return text.toString();
+    }
+
+    private LinearImage side(String obj) throws Exception {
+        Studio studio = studio(obj, "{\"type\": \"PointLight\", \"position\": [-100, 40, 3], \"highlightColour\": 0}");
+        return photograph(studio.withSettings(studio.settings().withSize(64, 64)));
+    }
+
+    /** What a sphere sends back by its own formula; 0 beside the middle of its picture. */
+    private static double sphere(double x, int column, int row) {
+        double tangent = Math.tan(Math.toRadians(11));
+        Vector3d look =
+                new Vector3d(tangent * ((column + 0.5) / 32 - 1), tangent * (1 - (row + 0.5) / 32), 1).normalize();
+        Vector3d centre = new Vector3d(x, 0, 8);
+        double along = look.dot(centre);
+        double miss = centre.lengthSquared() - along * along;
+        if (miss > 0.85) {
+            return Double.NaN;
+        }
+        Vector3d point = look.mul(along - Math.sqrt(1 - miss));
+        Vector3d lamp = new Vector3d(-100, 40, 3).sub(point).normalize();
+        return 0.8 * Math.max(0, point.sub(centre).dot(lamp));
+    }
+
+    /** Where light ends its flat faces look away from the lamp; the light of their normals ends as on a sphere. */
+    @Test
+    void aSmoothBallLooksLikeASphere() throws Exception {
+        LinearImage image = side(ball(0, 0));
+        int inside = 0;
+        for (int row = 0; row < 64; row++) {
+            for (int column = 0; column < 64; column++) {
+                double expected = sphere(0, column, row);
+                if (!Double.isNaN(expected)) {
+                    assertThat(image.value(column, row, 1))
+                            .as("pixel %d, %d", column, row)
+                            .isCloseTo((float) expected, within(0.03f));
+                    inside++;
+                }
+            }
+        }
+        assertThat(inside).isGreaterThan(1000);
+    }
+
+    /**
+     * The lamp stands at the left, and a little above: the right ball of the same mesh is in the shadow of the left.
+     */
+    @Test
+    void aBallThrowsItsShadowOnAnotherOfItsMesh() throws Exception {
+        LinearImage both = side(ball(-1.2, 0) + ball(0.4, 220));
+        LinearImage one = side(ball(0.4, 0));
+        // the middle of what the lamp sees of the right ball
+        assertThat(one.value(26, 32, 1)).isGreaterThan(0.3f);
+        assertThat(both.value(26, 32, 1)).isZero();
+    }
+
     @Test
     void normalsOfNoLengthAreNoted() throws IOException {
         assertThat(StudioWriter.notes(studio(SQUARE + "vn 0 0 0\nf 1//1 2//1 3//1\n")))
@@ -187,7 +268,9 @@ class MeshMaterialTest {
                 "mtllib model.mtl | model.mtl:12: \"d\" must be a number from 0 to 1, was \"7\"",
                 "mtllib model.mtl | model.mtl: a picture is not shown: there is no such file in ",
                 "mtllib model.mtl | model.mtl: a picture is not shown: bad.png: not a picture that can be read; ",
-                "mtllib model.mtl | model.mtl: \"map_Kd\" with options such as \"-s\" is not read"
+                "mtllib model.mtl | model.mtl: the option \"-s\" of \"map_Kd\" is not used",
+                "v 0 0 0 0.5 | model.obj:5: a vertex must have three coordinates, was \"v 0 0 0 0.5\"",
+                "v 0 0 0 1 0 0 | model.obj: colours of vertices are not shown"
             })
     void whatIsNotShownIsNotedOnce(String line, String note) throws IOException {
         Files.writeString(folder.resolve("bad.png"), "no picture");
@@ -196,6 +279,73 @@ class MeshMaterialTest {
                         + "newmtl c\nmap_Kd -s 2 2 2 tiles.png\nd 7\n");
         List<String> notes = StudioWriter.notes(studio(SQUARE + line + "\nf 1 2 3 4\n"));
         assertThat(notes).filteredOn(each -> each.startsWith(note)).hasSize(1);
+    }
+
+    /** A material may be named before its library is read, and again after. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "usemtl m\nmtllib model.mtl\nusemtl m\nf 1 2 3 4\n",
+                "usemtl m\nf 1 2 3 4\nmtllib model.mtl\n",
+                "mtllib \"model.mtl\"\nusemtl \"m\"\nf 1 2 3 4\n",
+                "usemtl lost\nusemtl m\nf 1 2 3 4\nmtllib model.mtl\n"
+            })
+    void aMaterialIsFoundWhereverItsLibraryStands(String lines) throws Exception {
+        materials("newmtl m\nKd 0.2 0.4 0.6\n");
+        Studio studio = studio(SQUARE + lines);
+        assertThat(pixel(photograph(studio), 4, 4)).containsExactly(new double[] {0.2, 0.4, 0.6}, within(1e-6));
+        assertThat(StudioWriter.notes(studio)).hasSize(lines.contains("lost") ? 1 : 0);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "map_Kd -clamp on -s 2 2 1 -O 0.5 wall pic.png|the option \"-clamp\" of|the option \"-s\" of|the option \"-O\" of",
+                "map_KD -mm 0 1 -imfchan r \"wall pic.png\"|the option \"-mm\" of|the option \"-imfchan\" of|",
+                "MAP_kd \"wall pic.png\"|||",
+                "map_Kd wall pic.png|||"
+            })
+    void aPictureIsShownWhateverItsOptions(String line, String first, String second, String third) throws Exception {
+        picture("wall pic.png", 0xffff0000, 0xffff0000, 0xffff0000, 0xffff0000);
+        materials("newmtl m\nkd 1 1 1\n" + line + "\n");
+        Studio studio = studio(SQUARE + "mtllib model.mtl\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1 4/1\n");
+
+        assertThat(pixel(photograph(studio), 4, 4)).containsExactly(new double[] {1, 0, 0}, within(1e-6));
+        List<String> notes = StudioWriter.notes(studio);
+        List<String> told =
+                Stream.of(first, second, third).filter(Objects::nonNull).toList();
+        assertThat(notes).hasSameSizeAs(told);
+        told.forEach(option -> assertThat(notes).anyMatch(note -> note.startsWith("model.mtl: " + option)));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "Tr 0.75|0.25|",
+                "tr 0|1|",
+                "d 0.25|0.25|",
+                "d 0.25, Tr 0.5|0.25|model.mtl: \"Tr\" is not read",
+                "Tr 1.5|1|model.mtl:3: \"Tr\" must be a number from 0 to 1, was \"1.5\"",
+                "Kd 0.5 0.5|1|model.mtl:3: \"Kd\" must be three numbers from 0 to 1, was \"0.5 0.5\"",
+                "Kd 1 1 1 1|1|model.mtl:3: \"Kd\" must be three numbers from 0 to 1, was \"1 1 1 1\""
+            })
+    void opacityAndColourAreWhatTheFormatSays(String lines, double opacity, String note) throws IOException {
+        materials("newmtl m\nKs 0\n" + lines.replace(", ", "\n") + "\n");
+        Studio studio = studio(SQUARE + "mtllib model.mtl\nusemtl m\nf 1 2 3 4\n");
+        assertThat(detail(studio).materials().get(0).opacity()).isEqualTo(opacity);
+        assertThat(StudioWriter.notes(studio)).isEqualTo(note == null ? List.of() : List.of(note));
+    }
+
+    /** Each once, however many vertices there are. */
+    @Test
+    void whatVerticesHaveBesidesIsToldOnce() throws IOException {
+        String coloured = "v -1 -1 -5 1 0 0\nv 1 -1 -5 1 0 0\nv 1 1 -5 0.5\nv -1 1 -5 1\n";
+        assertThat(StudioWriter.notes(studio(coloured + "f 1 2 3 4\n")))
+                .containsExactly(
+                        "model.obj: colours of vertices are not shown (2 times)",
+                        "model.obj:3: a vertex must have three coordinates, was \"v 1 1 -5 0.5\"");
     }
 
     @Test

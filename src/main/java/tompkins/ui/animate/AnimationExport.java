@@ -1,7 +1,6 @@
 package tompkins.ui.animate;
 
 import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
@@ -66,9 +65,7 @@ public final class AnimationExport {
     }
 
     private void ask(Studio studio, FilmMaker maker, Function<FrameSequence, FrameSequence.Caption> caption) {
-        // every program shows an animated GIF
         List<FormatFilter<AnimationFormat>> formats = Stream.of(AnimationFormat.values())
-                .sorted(Comparator.comparing(format -> format != AnimationFormat.GIF))
                 .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
                 .toList();
         AnimationOptions options =
@@ -108,7 +105,7 @@ public final class AnimationExport {
             throws Exception {
         int threads = Runtime.getRuntime().availableProcessors();
         try (AnimationWriter writer = file.call()) {
-            List<String> warnings = new AnimationRecorder(film, caption, decorations, threads)
+            List<String> warnings = new AnimationRecorder(film, caption, decorations, false, threads)
                     .record(writer, progress, FrameListener.NONE);
             return new Exported(writer.finish(), warnings);
         }

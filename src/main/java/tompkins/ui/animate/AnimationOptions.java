@@ -3,6 +3,7 @@ package tompkins.ui.animate;
 import java.util.function.IntUnaryOperator;
 import javax.swing.BorderFactory;
 import tompkins.animation.Animation;
+import tompkins.image.AnimationFormat;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.ui.exchange.PictureSize;
@@ -20,7 +21,7 @@ final class AnimationOptions extends Part {
     private final NumberField rate = NumberField.within(
             "frameRate",
             1,
-            Animation.HIGHEST_FRAME_RATE,
+            AnimationFormat.FASTEST,
             Texts.get("export.frameRate"),
             Texts.get("export.frameRateTip"),
             refused,
