@@ -123,13 +123,26 @@ class AdaptiveScheduleTest {
 
     @Test
     void nothingIsTakenWhenTheErrorIsReached() {
-        Film film = new Film(4, 4, 1, true);
+        Film film = new Film(8, 8, 1, true);
         AdaptiveSchedule schedule = new AdaptiveSchedule(film, true, false, 0.05, endless());
         assertThat(schedule.next(() -> false).samples()).isEqualTo(16);
         fill(film, 1, 8);
         fill(film, 1.01, 8);
 
         assertThat(schedule.next(() -> false)).isNull();
+    }
+
+    /** Sixteen pixels tell less of each other than the 64 of a region. */
+    @Test
+    void smallPicturesGetMoreFirstSamples() {
+        AdaptiveSchedule schedule = new AdaptiveSchedule(new Film(16, 1, 1, true), true, false, 0.05, endless());
+        int samples = 0;
+        for (Pass pass = schedule.next(() -> false);
+                pass.inAll() == 64 && samples < 64;
+                pass = schedule.next(() -> false)) {
+            samples += pass.samples();
+        }
+        assertThat(samples).isEqualTo(64);
     }
 
     @Test
