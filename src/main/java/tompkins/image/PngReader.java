@@ -41,6 +41,7 @@ final class PngReader {
                 name,
                 "is packed in a way that only Apple devices read (" + APPLE + ")",
                 "be an ordinary one");
+        PictureEncoding.PNG.require(firstType.equals("IHDR"), name, "does not begin with its header (IHDR)", "do so");
         ByteBuffer header = ByteBuffer.wrap(file).position(FIRST_TYPE_AT + APPLE.length());
         Pixels.requireSize(Integer.toUnsignedLong(header.getInt()), Integer.toUnsignedLong(header.getInt()), name);
         int bitDepth = header.get();
