@@ -41,6 +41,7 @@ final class ExplainCommand extends ProgramCommand {
         for (String sentence : new Explanation(plan).sentences()) {
             out().println("- " + sentence);
         }
+        UnseenObjects.sentence(plan).ifPresent(sentence -> out().println("- " + sentence));
         UnseenObjects.warning(plan).ifPresent(warning -> out().println("- Warning: " + warning + "."));
         out().println("- " + wish.sentence(plan));
         out().println("- " + cost(plan, wish));

@@ -2,6 +2,7 @@ package tompkins.measure;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -43,7 +44,22 @@ public final class UnseenObjects {
 
     /** The warning, without a full stop; none if a coarse picture shows an object, or there is none. */
     public static Optional<String> warning(RenderPlan plan) {
-        boolean isSeen = IntStream.range(0, TRIED * TRIED)
+        return seen(plan).findAny().isPresent()
+                ? Optional.empty()
+                : missing(plan, Set.of()).map(places -> "the picture shows no object, at most planes: " + places);
+    }
+
+    /** A sentence about the objects that a coarse picture does not show, if it shows others. */
+    public static Optional<String> sentence(RenderPlan plan) {
+        Set<String> seen = seen(plan).collect(Collectors.toSet());
+        return seen.isEmpty()
+                ? Optional.empty()
+                : missing(plan, seen).map(places -> "Not all objects are in the picture: " + places + ".");
+    }
+
+    /** The names of the objects that a coarse picture shows, some of them again and again. */
+    private static Stream<String> seen(RenderPlan plan) {
+        return IntStream.range(0, TRIED * TRIED)
                 .mapToObj(i -> RayLife.of(
                         plan,
                         (i % TRIED + 0.5) / TRIED * plan.width(),
@@ -52,19 +68,28 @@ public final class UnseenObjects {
                         0))
                 .filter(life -> life != null)
                 .flatMap(life -> life.hits().stream())
-                .anyMatch(hit -> hit.frame() == Frame.SCENE && !(hit.object() instanceof Plane));
-        if (isSeen) {
-            return Optional.empty();
-        }
+                .filter(hit -> hit.frame() == Frame.SCENE && !(hit.object() instanceof Plane))
+                .map(hit -> hit.object().description());
+    }
+
+    /** Where the first objects are that have none of these names; nothing if others are in the picture, too small. */
+    private static Optional<String> missing(RenderPlan plan, Set<String> seen) {
         UnseenObjects unseen = new UnseenObjects(plan.studio());
-        List<SceneShapes.Thing> things = SceneShapes.of(plan.world().frames()).objects();
-        if (things.isEmpty() || things.stream().anyMatch(unseen::isInPicture)) {
+        List<SceneShapes.Thing> things = SceneShapes.of(plan.world().frames()).objects().stream()
+                .filter(thing -> !seen.contains(thing.name()))
+                .toList();
+        List<SceneShapes.Thing> outside =
+                things.stream().filter(thing -> !unseen.isInPicture(thing)).toList();
+        if (outside.isEmpty() || seen.isEmpty() && outside.size() < things.size()) {
             return Optional.empty();
         }
-        List<String> places = things.stream().map(unseen::told).distinct().toList();
+        List<String> places = outside.stream()
+                .map(unseen::told)
+                .distinct()
+                .limit(MOST_NAMED + 1)
+                .toList();
         String others = places.size() > MOST_NAMED ? "; and others" : "";
-        return Optional.of("the picture shows no object, at most planes: "
-                + places.stream().limit(MOST_NAMED).collect(Collectors.joining("; ")) + others);
+        return Optional.of(places.stream().limit(MOST_NAMED).collect(Collectors.joining("; ")) + others);
     }
 
     /** Whether the middle of an object, or a corner of the box around it, lies in the picture, however small it is. */
