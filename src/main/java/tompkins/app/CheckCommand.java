@@ -6,7 +6,6 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 import tompkins.animation.RideFilm;
-import tompkins.explain.Explanation;
 import tompkins.file.FileException;
 import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
@@ -43,8 +42,7 @@ final class CheckCommand extends ProgramCommand {
             current = scene;
             try {
                 Studio studio = option.read(scene, List.of());
-                new Explanation(ScenePlan.of(studio, scene))
-                        .warnings()
+                ScenePlan.warnings(ScenePlan.of(studio, scene))
                         .forEach(warning -> err().println(scene + ": warning: " + warning));
                 StudioWriter.notes(studio).forEach(note -> err().println(scene + ": note: " + note));
                 requireWhatIsTaught(studio);

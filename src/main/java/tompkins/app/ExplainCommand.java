@@ -5,8 +5,8 @@ import java.util.Locale;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
-import tompkins.camera.Camera;
 import tompkins.explain.Explanation;
+import tompkins.measure.UnseenObjects;
 import tompkins.property.NumberText;
 import tompkins.render.CostForecast;
 import tompkins.render.Quality;
@@ -41,34 +41,35 @@ final class ExplainCommand extends ProgramCommand {
         for (String sentence : new Explanation(plan).sentences()) {
             out().println("- " + sentence);
         }
+        UnseenObjects.sentence(plan).ifPresent(sentence -> out().println("- " + sentence));
+        UnseenObjects.warning(plan).ifPresent(warning -> out().println("- Warning: " + warning + "."));
         out().println("- " + wish.sentence(plan));
-        out().println("- " + cost("On this machine it will", plan, wish));
-        if (plan.blursInTime()) {
-            Camera instant = studio.camera().withExposureTime(0);
-            RenderPlan sharp = RenderPlan.of(studio.withCamera(instant));
-            out().println("- " + cost("Opened for an instant it would", sharp, wish));
-        }
+        out().println("- " + cost(plan, wish));
         return 0;
     }
 
-    private static String cost(String beginning, RenderPlan plan, Quality quality) throws InterruptedException {
+    private static String cost(RenderPlan plan, Quality quality) throws InterruptedException {
         try (Renderer renderer = new Renderer()) {
             return CostForecast.of(plan, quality, renderer)
-                    .map(forecast -> beginning + cost(plan, quality, forecast))
-                    .orElse(beginning + " take too long to predict:"
+                    .map(forecast -> "On this machine it will" + cost(plan, quality, forecast))
+                    .orElse("On this machine it will take too long to predict:"
                             + " after several seconds not one sample was complete.");
         }
     }
 
     private static String cost(RenderPlan plan, Quality quality, CostForecast forecast) {
+        boolean isFixed = quality instanceof Quality.Samples;
         double samples = forecast.samplesPerPixel() * plan.width() * plan.height();
         return String.format(
                 Locale.ROOT,
-                " take %s with %s samples, %s per pixel.",
-                forecast.duration(),
+                " take %s with %s samples, %s%s per pixel.",
+                quality instanceof Quality.TimeLimit limit
+                        ? NumberText.of(limit.seconds()) + " s"
+                        : forecast.duration(),
                 samples < MILLION
-                        ? NumberText.plain(samples, quality instanceof Quality.Samples ? 6 : 3)
-                        : NumberText.plain(samples / MILLION, 3) + " million",
-                NumberText.plain(forecast.samplesPerPixel(), 3));
+                        ? NumberText.plain(samples, isFixed ? 6 : 2)
+                        : NumberText.plain(samples / MILLION, isFixed ? 3 : 2) + " million",
+                isFixed ? "" : "about ",
+                NumberText.plain(forecast.samplesPerPixel(), isFixed ? 3 : 2));
     }
 }

@@ -57,6 +57,9 @@ final class OptionValues {
             if (Double.isInfinite(number)) {
                 throw new TypeConversionException("at most " + NumberText.of(Double.MAX_VALUE));
             }
+            if (NumberText.vanishes(text)) {
+                throw new TypeConversionException(NumberText.NOT_VANISHING);
+            }
             return number;
         } catch (NumberFormatException word) {
             throw new TypeConversionException("a number");

@@ -2,9 +2,12 @@ package tompkins.app;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import tompkins.explain.Explanation;
 import tompkins.io.StudioReader;
 import tompkins.measure.LessonStudio;
+import tompkins.measure.UnseenObjects;
 import tompkins.property.MistakeException;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
@@ -24,9 +27,16 @@ final class ScenePlan {
         return StudioReader.used(scene, () -> RenderPlan.of(studio, before));
     }
 
-    /** Prints what may be wrong with the picture of a plan, and with what is measured in it. */
+    /** Prints the {@link #warnings}. */
     static void warn(RenderPlan plan, PrintWriter err) {
-        new Explanation(plan).warnings().forEach(warning -> err.println("warning: " + warning));
+        warnings(plan).forEach(warning -> err.println("warning: " + warning));
+    }
+
+    /** What may be wrong with the picture of a plan, and with what is measured in it. */
+    static List<String> warnings(RenderPlan plan) {
+        List<String> warnings = new ArrayList<>(new Explanation(plan).warnings());
+        UnseenObjects.warning(plan).ifPresent(warnings::add);
+        return warnings;
     }
 
     /** What the lesson of a scene file measures; none is a mistake. */

@@ -40,11 +40,9 @@ final class ValueReader {
         if (Character.isLetter(number.text().charAt(number.text().length() - 1))) {
             return refuse(value, path, "a finite number");
         }
-        double result = Double.parseDouble(number.text());
-        if (result == 0 && !number.text().equals("0") && number.text().matches("[^eE]*[1-9].*")) {
-            return refuse(value, path, "0 or a number that is not smaller than " + NumberText.of(Double.MIN_VALUE));
-        }
-        return result;
+        return NumberText.vanishes(number.text())
+                ? refuse(value, path, NumberText.NOT_VANISHING)
+                : (Double) Double.parseDouble(number.text());
     }
 
     /** A number that is not too large. */

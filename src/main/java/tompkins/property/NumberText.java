@@ -42,6 +42,14 @@ public final class NumberText {
         return Double.parseDouble(plain);
     }
 
+    /** What is allowed where {@link #vanishes} refuses a number. */
+    public static final String NOT_VANISHING = "0 or a number that is not smaller than " + of(Double.MIN_VALUE);
+
+    /** Whether the text of a number other than 0 is read as 0: it is too small. */
+    public static boolean vanishes(String text) {
+        return text.matches("[^eE]*[1-9].*") && parse(text) == 0;
+    }
+
     /**
      * The text of a number with a decimal comma, such as {@code 0,9}, with a point instead. Any other text stays as it
      * is, even {@code 1,500}, in which the comma may also separate thousands.

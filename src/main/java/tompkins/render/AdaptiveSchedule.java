@@ -25,6 +25,9 @@ final class AdaptiveSchedule implements Schedule {
      */
     static final int FIRST_SAMPLES = 16;
 
+    /** A smaller picture than this, in pixels, gets as many first samples: those of its pixels tell of each other. */
+    private static final int SMALLEST = 64;
+
     /**
      * One of this many pixels is looked at: a prime, so that all rows, columns and diagonals have such pixels. What is
      * found in one pixel leads to its neighbours.
@@ -43,6 +46,7 @@ final class AdaptiveSchedule implements Schedule {
     private final Queue<Pass> waiting = new ArrayDeque<>();
     private final Film film;
     private final double targetError;
+    private final int firstSamples;
     private final TimeBudget time;
     private boolean hasLooked;
     private boolean expectsUnseen;
@@ -65,9 +69,10 @@ final class AdaptiveSchedule implements Schedule {
         this.time = time;
         hasLooked = severalFirst;
         expectsUnseen = targetError == 0;
+        firstSamples = FIRST_SAMPLES * Math.max(1, Integer.highestOneBit(SMALLEST / film.pixels()));
         // a single sample as wide as its pixel would blur what it does not resolve, and the pixel would pass for
         // settled
-        waiting.addAll(Pass.of(severalFirst ? FIRST_SAMPLES : 1, FIRST_SAMPLES, coarseFirst));
+        waiting.addAll(Pass.of(severalFirst ? firstSamples : 1, firstSamples, coarseFirst));
         expectedWork = 2 * waiting.stream().mapToDouble(Pass::work).sum();
     }
 
@@ -102,7 +107,7 @@ final class AdaptiveSchedule implements Schedule {
                 }
             }
         }
-        waiting.add(Pass.refining(0, FIRST_SAMPLES, looked, film.sampledPixels()));
+        waiting.add(Pass.refining(0, firstSamples, looked, film.sampledPixels()));
     }
 
     private void plan(BooleanSupplier stopped) {
@@ -114,7 +119,7 @@ final class AdaptiveSchedule implements Schedule {
             BitSet untested = specks.untested();
             if (!untested.isEmpty()) {
                 untested.stream().forEach(film::restart);
-                waiting.add(Pass.refining(0, FIRST_SAMPLES, untested, film.sampledPixels()));
+                waiting.add(Pass.refining(0, firstSamples, untested, film.sampledPixels()));
                 return;
             }
             roughness.expect(specks);
@@ -140,7 +145,7 @@ final class AdaptiveSchedule implements Schedule {
         }
         chosen.forEach((samples, mask) -> {
             if (samples == 1) {
-                waiting.add(Pass.refining(0, FIRST_SAMPLES, mask, roughness.sampled()));
+                waiting.add(Pass.refining(0, firstSamples, mask, roughness.sampled()));
             } else {
                 waiting.add(Pass.refining(samples, samples, mask, roughness.sampled()));
             }

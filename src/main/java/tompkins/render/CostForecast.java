@@ -8,14 +8,25 @@ import tompkins.ray.RayPacket;
 import tompkins.trace.RenderPlan;
 
 /**
- * What a picture will cost on this machine, estimated by rendering blocks of it for about three seconds.
+ * What a picture will cost on this machine, estimated by rendering blocks of it for about three seconds. Times are
+ * those that the program would need without others that share the processors now.
  *
  * @param samplesPerPixel mean number of samples of a pixel
  * @param seconds time of the render
  */
 public record CostForecast(double samplesPerPixel, double seconds) {
 
+    /** Seconds in which the program has warmed up. */
     private static final double PATIENCE = 3;
+
+    /** So many times longer the wait may be where others keep the processors. */
+    private static final double BUSY = 2;
+
+    /** The time of blocks may be so many times that of the picture, which is warm and keeps all threads at work. */
+    private static final double MOST_TOO_LONG = 2;
+
+    private static final double MOST_TOO_SHORT = 1.5;
+
     /** Short enough to distinguish the speed of the program before and after it has warmed up. */
     private static final double PART = 1;
 
@@ -49,12 +60,12 @@ public record CostForecast(double samplesPerPixel, double seconds) {
         PartCosts costs = new PartCosts();
         long start = System.nanoTime();
         int taken = take(blocks.subList(0, Math.min(blocks.size(), FIRST_BLOCKS)), plan, wish, renderer, costs);
-        double seconds = secondsSince(start);
-        while (taken < blocks.size() && seconds < patience) {
+        double seconds = costs.tracing();
+        while (taken < blocks.size() && seconds < patience && secondsSince(start) < BUSY * patience) {
             double possible = taken * Math.min(PART, patience - seconds) / seconds;
             int next = (int) Math.min(blocks.size(), taken + Math.ceil(possible));
             taken += take(blocks.subList(taken, next), plan, wish, renderer, costs);
-            seconds = secondsSince(start);
+            seconds = costs.tracing();
         }
         if (costs.isEmpty()) {
             return Optional.empty();
@@ -67,28 +78,39 @@ public record CostForecast(double samplesPerPixel, double seconds) {
         return Optional.of(new CostForecast(perPixel, costs.seconds(perPixel * pixels)));
     }
 
-    /** The time in words, to two digits. */
+    /** The time in words: from the least to the most that is likely. */
     public String duration() {
-        return "about " + NumberText.plain(seconds, 2) + " s";
+        double most = MOST_TOO_SHORT * seconds;
+        return most < 1
+                ? "less than a second"
+                : NumberText.plain(seconds / MOST_TOO_LONG, 1) + " to " + NumberText.plain(most, 1) + " s";
     }
 
     /** Takes some blocks, and says how many. */
     private static int take(List<Tile> blocks, RenderPlan plan, Quality quality, Renderer renderer, PartCosts costs)
             throws InterruptedException {
         long start = System.nanoTime();
-        RenderListener notes = RenderListener.afterEachPass(
-                part -> costs.note(part.samples(), secondsSince(start) - part.planningSeconds()));
+        double before = renderer.processorSeconds();
+        RenderListener notes = RenderListener.afterEachPass(part -> {
+            double planning = part.planningSeconds();
+            double wait = secondsSince(start);
+            double share = renderer.share(renderer.processorSeconds() - before, wait, planning);
+            costs.note(part.samples(), share * (wait - planning));
+        });
         RenderJob job = renderer.start(plan, quality, false, blocks, notes);
         job.await(LONGEST_PART);
         job.cancel();
         job.await();
+        double planning = job.planningSeconds();
+        double wait = secondsSince(start);
+        double share = renderer.share(renderer.processorSeconds() - before, wait, planning);
         RenderReport report = job.report();
         costs.add(
                 blocks.stream().mapToInt(Tile::pixels).sum(),
                 report.counts().samples,
                 job.progress(),
-                report.time().toNanos() / 1e9,
-                job.planningSeconds());
+                share * wait,
+                share * planning);
         return blocks.size();
     }
 

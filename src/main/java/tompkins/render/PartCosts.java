@@ -53,6 +53,11 @@ final class PartCosts {
         notedTracing = 0;
     }
 
+    /** Seconds of tracing so far. */
+    double tracing() {
+        return tracing;
+    }
+
     /** Whether no sample has been taken yet, so that there is nothing to estimate from. */
     boolean isEmpty() {
         return samples == 0;

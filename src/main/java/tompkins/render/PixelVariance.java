@@ -28,6 +28,9 @@ final class PixelVariance {
     /** Rows that one thread takes at a time, so that each region of specks is asked by one thread alone. */
     private static final int BAND = Specks.SIDE;
 
+    /** Counts are taken to be those of chance within this factor. */
+    private static final double CHANCE = 0.5;
+
     private final int width;
     private final int height;
     private final Film film;
@@ -92,6 +95,63 @@ final class PixelVariance {
         differences = new float[own.length];
         measure();
         shared = withNeighbours(own);
+        fillGaps();
+    }
+
+    /**
+     * Where all samples of a pixel and of its neighbours agree, they may have missed what others met by chance, such as
+     * a short flash or a thin bar: such a pixel takes the mean of the smallest square in which this is likely.
+     */
+    private void fillGaps() {
+        for (int side = Specks.SIDE; side / 2 < Math.max(width, height); side *= 2) {
+            Cancellation.stopIf(stopped);
+            int part = side;
+            IntStream.range(0, (height + side - 1) / side).parallel().forEach(band -> {
+                for (int left = 0; left < width; left += part) {
+                    int bottom = Math.min(height, (band + 1) * part);
+                    fillGaps(band * part, bottom, left, Math.min(width, left + part));
+                }
+            });
+        }
+    }
+
+    /**
+     * Fills the gaps of a part of the picture if chance explains them: as many pixels that vary lie alone, and as few
+     * are gaps, as if each pixel varied by itself with the same probability. Along edges neither is so.
+     */
+    private void fillGaps(int top, int bottom, int left, int right) {
+        double sum = 0;
+        int several = 0;
+        int varied = 0;
+        int alone = 0;
+        int gaps = 0;
+        for (int row = top; row < bottom; row++) {
+            for (int column = left; column < right; column++) {
+                int pixel = film.pixel(column, row);
+                if (film.samples(pixel) > 1) {
+                    double roughness = own[bordered(row, column)];
+                    several++;
+                    sum += roughness;
+                    varied += roughness > 0 ? 1 : 0;
+                    alone += roughness > 0 && sumAround(own, row, column) == 0 ? 1 : 0;
+                    gaps += shared[pixel] == 0 ? 1 : 0;
+                }
+            }
+        }
+        double constant = 1 - (double) varied / several;
+        int others = Math.min(3, width) * Math.min(3, height) - 1;
+        boolean byChance = alone > CHANCE * varied * Math.pow(constant, others)
+                && CHANCE * gaps < several * Math.pow(constant, others + 1);
+        if (!byChance || 2 * several < (bottom - top) * (right - left)) {
+            return;
+        }
+        for (int row = top; row < bottom; row++) {
+            for (int pixel = film.pixel(left, row); pixel < film.pixel(right, row); pixel++) {
+                if (film.samples(pixel) > 1 && shared[pixel] == 0) {
+                    shared[pixel] = (float) (sum / several);
+                }
+            }
+        }
     }
 
     /** Finds what each pixel's own samples and the differences from its neighbours show. */
@@ -245,21 +305,31 @@ final class PixelVariance {
         return mean;
     }
 
-    /** The mean of a pixel and those of its neighbours that have samples. */
+    /**
+     * The mean of those neighbours of a pixel that have samples; of the pixel, too, if none of them shows anything. If
+     * a pixel with samples that met little light were the first to stop, pictures would be too dark.
+     */
     private float meanAround(float[] own, int row, int column) {
-        double sum = 0;
+        double sum = sumAround(own, row, column);
         int count = 0;
         for (int y = row - 1; y <= row + 1; y++) {
-            int start = bordered(y, column - 1);
-            for (int place = start; place < start + 3; place++) {
-                float value = own[place];
-                if (value >= 0) {
-                    sum += value;
-                    count++;
-                }
+            for (int x = column - 1; x <= column + 1; x++) {
+                count += own[bordered(y, x)] >= 0 ? 1 : 0;
             }
         }
-        return (float) (sum / count);
+        return (float) (sum > 0 ? sum / (count - 1) : own[bordered(row, column)] / count);
+    }
+
+    /** The sum of those neighbours of a pixel that have samples. */
+    private double sumAround(float[] own, int row, int column) {
+        double sum = 0;
+        for (int y = row - 1; y <= row + 1; y++) {
+            for (int x = column - 1; x <= column + 1; x++) {
+                float value = own[bordered(y, x)];
+                sum += value >= 0 && (x != column || y != row) ? value : 0;
+            }
+        }
+        return sum;
     }
 
     /** The roughness of a pixel, shared with its neighbours. */

@@ -10,6 +10,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import tompkins.image.FramePicture;
 import tompkins.image.LinearImage;
 import tompkins.light.ColourLaw;
@@ -306,9 +307,11 @@ public final class RenderJob extends Padded {
         synchronized (counts) {
             now.add(counts);
         }
+        boolean missesScene = complete && now.sceneHits == 0 && plan.world().hasObjects();
         return new RenderReport(
                 now,
-                complete && now.sceneHits == 0 && plan.world().hasObjects(),
+                missesScene,
+                complete && plan.blursInTime() && (missesScene || plan.hasFlashes() && isDark()),
                 plan.studio().settings().pixels(),
                 sampledPixels,
                 clipping.black(),
@@ -316,6 +319,11 @@ public final class RenderJob extends Padded {
                 error,
                 complete ? schedule.wantedError() : 0,
                 Duration.ofNanos(until - startTime));
+    }
+
+    private boolean isDark() {
+        float[] rgb = image().rgb();
+        return IntStream.range(0, rgb.length).noneMatch(i -> rgb[i] > 0);
     }
 
     /**

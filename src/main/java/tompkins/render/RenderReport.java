@@ -12,6 +12,7 @@ import tompkins.ray.RayCounts;
  *
  * @param counts what happened to its rays
  * @param missesScene whether the picture is complete, the scene has objects, and no ray met any of them
+ * @param missesMoment whether the picture is complete, and its exposure showed nothing, or nothing that a flash lit
  * @param pixels pixels of the picture
  * @param sampledPixels those that have samples; time may be over before all of them have
  * @param blackPixels those that are too faint for a screen, where the motion changes brightness; otherwise 0, and while
@@ -25,6 +26,7 @@ import tompkins.ray.RayCounts;
 public record RenderReport(
         RayCounts counts,
         boolean missesScene,
+        boolean missesMoment,
         long pixels,
         long sampledPixels,
         long blackPixels,
@@ -58,6 +60,11 @@ public record RenderReport(
         if (missesScene) {
             warnings.add("no ray met an object of the scene: another direction, a wider field of view or a lower speed"
                     + " may show some");
+        }
+        if (missesMoment) {
+            warnings.add(
+                    "no sample met anything in the exposure: what is there, or lit, for a short part of it takes more"
+                            + " samples, or a shorter exposureTime");
         }
         if (sampledPixels < pixels) {
             warnings.add(String.format(

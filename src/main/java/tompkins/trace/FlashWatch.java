@@ -1,10 +1,8 @@
 package tompkins.trace;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import tompkins.light.Lighting;
 import tompkins.light.PointLight;
 import tompkins.light.Pulse;
@@ -49,12 +47,14 @@ final class FlashWatch {
         for (int i = 0, lamp = 0; i < lamps.size(); i++) {
             lamp += lamps.get(i) instanceof PointLight ? 1 : 0;
             if (lamps.get(i).flash() instanceof Pulse flash) {
-                boolean arrives = (frame == Frame.SCENE ? inScene : inCamera).find(i, hit, sight);
+                Lighting lighting = frame == Frame.SCENE ? inScene : inCamera;
+                boolean arrives = lighting.find(i, hit, sight);
                 double emission = arrives ? sight.emission : Double.NaN;
                 sights.add(new FlashSight(
                         lamp,
                         flash,
                         emission,
+                        reaches(lighting, i, ray, hit),
                         isStraight,
                         isStraight ? spans(i, flash, emission, frame, ray, hit) : List.of()));
             }
@@ -85,27 +85,19 @@ final class FlashWatch {
         return alongNormal * hit.cosine(ray) < 0 && lighting.isClear(source, hit, sight);
     }
 
-    /** The spans of the flash that began last and of the next, if there is a next: those that are nearer. */
+    /** The spans of the flash that began last, and of those before and after it, if there are such. */
     private List<LitSpan> spans(int source, Pulse flash, double emission, Frame frame, Ray ray, Hit hit) {
         double cycle = Double.isNaN(emission) ? 0 : flash.cycle(emission);
-        return IntStream.rangeClosed(0, flash.period() > 0 ? 1 : 0)
-                .mapToObj(next -> frame == Frame.SCENE
-                        ? times.of(source, flash, cycle + next, ray, hit)
-                        : inCamera(flash, cycle + next, emission))
-                .filter(spans -> !spans.isEmpty())
-                .min(Comparator.comparingDouble(FlashWatch::distance))
-                .orElse(List.of());
+        return (flash.period() > 0 ? IntStream.rangeClosed(-1, 2) : IntStream.of(0))
+                .mapToObj(later -> frame == Frame.SCENE
+                        ? times.of(source, flash, cycle + later, ray, hit)
+                        : inCamera(flash, cycle + later, emission))
+                .flatMap(List::stream)
+                .toList();
     }
 
     private static List<LitSpan> inCamera(Pulse flash, double cycle, double emission) {
         double begin = flash.start() + cycle * flash.period() - emission;
         return List.of(new LitSpan(begin, begin + flash.duration()));
-    }
-
-    private static double distance(List<LitSpan> spans) {
-        return Stream.of(spans.get(0), spans.get(spans.size() - 1))
-                .mapToDouble(LitSpan::distance)
-                .min()
-                .getAsDouble();
     }
 }

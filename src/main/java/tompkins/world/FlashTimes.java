@@ -1,7 +1,10 @@
 package tompkins.world;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.light.Pulse;
 import tompkins.ray.Hit;
@@ -32,33 +35,57 @@ public final class FlashTimes {
      * @param cycle the number of the flash, as {@link Pulse#cycle} counts
      */
     public List<LitSpan> of(int source, Pulse flash, double cycle, Ray ray, Hit hit) {
-        Lamp lamp = world.lamps().get(source);
-        Vector3dc place = lamp.position();
         Hit event = hit.event == null ? hit : hit.event;
-        int lightFrame = hasOneCarrier ? routes.camera() : event.frame;
-        double begin = flash.start() + cycle * flash.period();
-        Event[] ends = DoubleStream.of(begin, begin + flash.duration())
-                .mapToObj(time -> new Event(place.x(), place.y(), place.z(), time + lamp.zero()))
-                .map(routes.route(lamp.frame(), lightFrame)::transform)
-                .toArray(Event[]::new);
-        Event met = routes.route(event.frame, lightFrame).transform(new Event(event.x, event.y, event.z, event.time));
         // in one unit of camera time the event goes with the camera, and along the ray to where the surface is
         Event camera = routes.route(routes.camera(), hit.frame).worldLine();
         double across = camera.x() * hit.normalX + camera.y() * hit.normalY + camera.z() * hit.normalZ;
         double farther = -across / hit.cosine(ray);
         Event along = new Event(farther * ray.dx, farther * ray.dy, farther * ray.dz, -farther * ray.slowness);
-        Event shift = routes.route(hit.frame, lightFrame).difference(camera.plus(along));
+        Event shift = camera.plus(along);
+        double begin = flash.start() + cycle * flash.period();
+        Lamp lamp = world.lamps().get(source);
+        LightTimes times = (hasOneCarrier ? IntStream.of(routes.camera()) : IntStream.of(lamp.frame(), event.frame))
+                .mapToObj(frame -> lightTimes(frame, lamp, begin, begin + flash.duration(), hit, shift))
+                .min(Comparator.comparingDouble(LightTimes::rounding))
+                .orElseThrow();
         double square = hasOneCarrier
-                ? product(shift, shift)
+                ? product(times.shift, times.shift)
                 : 2 * product(camera, along) - 1 + farther * farther * (1 - ray.slowness * ray.slowness);
         // when the camera gets to the surface, or came from it, the ray does not meet it any more
         double reached = -hit.distance / farther;
-        return LitSpan.of(ends[0], ends[1], met, shift, square).stream()
+        return LitSpan.of(times.begin, times.end, times.met, times.shift, square).stream()
                 .map(span -> farther > 0
                         ? new LitSpan(Math.max(span.from(), reached), span.to())
                         : farther < 0 ? new LitSpan(span.from(), Math.min(span.to(), reached)) : span)
                 .filter(span -> span.from() < span.to())
                 .toList();
+    }
+
+    private LightTimes lightTimes(int frame, Lamp lamp, double begin, double end, Hit hit, Event shift) {
+        Vector3dc place = lamp.position();
+        Hit event = hit.event == null ? hit : hit.event;
+        Event[] ends = DoubleStream.of(begin, end)
+                .mapToObj(time -> new Event(place.x(), place.y(), place.z(), time + lamp.zero()))
+                .map(routes.route(lamp.frame(), frame)::transform)
+                .toArray(Event[]::new);
+        Event met = routes.route(event.frame, frame).transform(new Event(event.x, event.y, event.z, event.time));
+        return new LightTimes(
+                ends[0], ends[1], met, routes.route(hit.frame, frame).difference(shift));
+    }
+
+    /** Switching on, switching off, the hit, and its change in a unit of the camera's time, in one frame. */
+    private record LightTimes(Event begin, Event end, Event met, Event shift) {
+
+        /** By how much rounding moves the times: at high speed one frame can be many times better than another. */
+        double rounding() {
+            Vector3d way = met.minus(begin).position();
+            double rate = shift.time() - way.dot(shift.position()) / way.length();
+            return (size(begin) + size(end) + size(met)) / Math.abs(rate);
+        }
+
+        private static double size(Event event) {
+            return event.position().length() + Math.abs(event.time());
+        }
     }
 
     private static double product(Event one, Event other) {

@@ -64,9 +64,4 @@ public record LitSpan(double from, double to) {
         }
         return new LitSpan(last, Double.POSITIVE_INFINITY);
     }
-
-    /** How far 0 is from the span. */
-    public double distance() {
-        return Math.max(0, Math.max(from, -to));
-    }
 }

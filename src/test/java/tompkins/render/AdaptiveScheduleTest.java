@@ -123,13 +123,25 @@ class AdaptiveScheduleTest {
 
     @Test
     void nothingIsTakenWhenTheErrorIsReached() {
-        Film film = new Film(4, 4, 1, true);
+        Film film = new Film(8, 8, 1, true);
         AdaptiveSchedule schedule = new AdaptiveSchedule(film, true, false, 0.05, endless());
         assertThat(schedule.next(() -> false).samples()).isEqualTo(16);
         fill(film, 1, 8);
         fill(film, 1.01, 8);
 
         assertThat(schedule.next(() -> false)).isNull();
+    }
+
+    /** Sixteen pixels tell less of each other than the 64 of a region. */
+    @Test
+    void smallPicturesGetMoreFirstSamples() {
+        Film film = new Film(16, 1, 1, true);
+        AdaptiveSchedule schedule = new AdaptiveSchedule(film, true, false, 0.05, endless());
+        int samples = 0;
+        for (int pass = 0; pass < 3; pass++) {
+            samples += schedule.next(() -> false).samples();
+        }
+        assertThat(samples).isEqualTo(64);
     }
 
     @Test

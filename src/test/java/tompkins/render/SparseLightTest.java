@@ -15,16 +15,25 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
 import tompkins.image.PictureDifference;
+import tompkins.light.AlwaysOn;
+import tompkins.light.Flash;
+import tompkins.light.PointLight;
+import tompkins.light.Pulse;
 import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.ray.PixelPicture;
+import tompkins.sceneobject.Parallelogram;
+import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
+import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.Lighting;
 import tompkins.studio.PanoramaBackground;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
+import tompkins.surface.ColouredSurface;
 import tompkins.surface.LuminousSurface;
 import tompkins.trace.RenderPlan;
 
@@ -94,6 +103,57 @@ class SparseLightTest {
         assertThat(mean(job.image())).isCloseTo(mean(right), withinPercentage(3));
         assertThat(PictureDifference.ofLight(job.image(), right)).isLessThan(1.25 * 0.003);
         assertThat(job.report().error()).isBetween(0.5 * PictureDifference.ofLight(job.image(), right), 0.003);
+    }
+
+    /**
+     * A flash of 1 % of the exposure, which lights all that a lamp that is always on does: pixels whose first samples
+     * missed it must not stop first, or the mean of many seeds would be too dark.
+     */
+    @Test
+    void aShortFlashIsNotDarkened() throws InterruptedException {
+        Pulse flash = new Pulse(0, 0.1, 0);
+        Studio studio = Studios.dark()
+                .withScene(List.of(
+                        new Plane("wall", new Vector3d(0, 0, 10), new Vector3d(0, 0, -1), ColouredSurface.DEFAULT)))
+                .withCamera(ThinLensCamera.DEFAULT.withExposureTime(10).withShutter(new AperturePlaneShutter(15)))
+                .withSettings(RenderSettings.DEFAULT.withSize(48, 36));
+        Studio lit = Lighting.of(studio, List.of(lamp(AlwaysOn.DEFAULT)));
+        double always =
+                mean(RENDERER.render(RenderPlan.of(lit), new Quality.Samples(1)).image());
+
+        assertThat(meanOfSeeds(Lighting.of(studio, List.of(lamp(flash)))))
+                .isCloseTo(0.01 * always, withinPercentage(0.5));
+    }
+
+    /** A bar that covers 1/60 of each of sixteen pixels. */
+    @Test
+    void aThinBarIsNotDarkened() throws InterruptedException {
+        double high = 2 * HALF_WIDTH / 16 / 60;
+        Studio studio = studio(60)
+                .withScene(List.of(new Parallelogram(
+                        "bar",
+                        new Vector3d(-2, -0.005, 1),
+                        new Vector3d(4, 0, 0),
+                        new Vector3d(0, high, 0),
+                        new LuminousSurface(Colour.WHITE, false))))
+                .withSettings(RenderSettings.DEFAULT.withSize(16, 1));
+
+        assertThat(meanOfSeeds(studio)).isCloseTo(1.0 / 60, withinPercentage(0.5));
+    }
+
+    private static PointLight lamp(Flash flash) {
+        return new PointLight(new Vector3d(0, 0, -1), Colour.WHITE, Colour.BLACK, 1, flash);
+    }
+
+    /** The mean light of twenty pictures with an error of 0.005. */
+    private static double meanOfSeeds(Studio studio) throws InterruptedException {
+        double sum = 0;
+        for (int seed = 0; seed < 20; seed++) {
+            Studio seeded = studio.withSettings(studio.settings().withSeed(seed));
+            sum += mean(RENDERER.render(RenderPlan.of(seeded), new Quality.TargetError(0.005))
+                    .image());
+        }
+        return sum / 20;
     }
 
     private static Studio studio(double angle) {

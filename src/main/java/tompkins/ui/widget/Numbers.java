@@ -23,7 +23,12 @@ public final class Numbers {
      */
     static double parse(String property, String text) {
         try {
-            return NumberText.parse(text.strip().replace('\u2212', '-'));
+            String plain = text.strip().replace('\u2212', '-');
+            double number = NumberText.parse(plain);
+            if (NumberText.vanishes(plain)) {
+                throw new InvalidPropertyException(property, NumberText.NOT_VANISHING, plain);
+            }
+            return number;
         } catch (NumberFormatException e) {
             throw noNumber(property, "a number such as 0.5 or 2e-3", text);
         }

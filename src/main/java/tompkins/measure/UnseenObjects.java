@@ -1,0 +1,148 @@
+package tompkins.measure;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.joml.Vector2dc;
+import tompkins.camera.Camera;
+import tompkins.property.NumberText;
+import tompkins.sceneobject.Plane;
+import tompkins.studio.Studio;
+import tompkins.trace.Frame;
+import tompkins.trace.RayLife;
+import tompkins.trace.RenderPlan;
+import tompkins.world.SeenFrame;
+
+/**
+ * Says where the objects of a scene are if its picture shows none of them: beside it, behind the camera, or in it at
+ * another time. Planes do not count: they are floors and walls.
+ */
+public final class UnseenObjects {
+
+    /** Rows, and columns, of the coarse picture. */
+    private static final int TRIED = 16;
+
+    /** The most objects that are named. */
+    private static final int MOST_NAMED = 3;
+
+    /** Opening times that are tried, up to this many times the way to an object before and after the present one. */
+    private static final double LONGEST = 4;
+
+    private static final int TIMES = 128;
+
+    private final Studio studio;
+    private final List<Projection> eyes;
+
+    private UnseenObjects(Studio studio) {
+        this.studio = studio;
+        eyes = Projection.ofEyes(studio);
+    }
+
+    /** The warning, without a full stop; none if a coarse picture shows an object, or there is none. */
+    public static Optional<String> warning(RenderPlan plan) {
+        return seen(plan).findAny().isPresent()
+                ? Optional.empty()
+                : missing(plan, Set.of()).map(places -> "the picture shows no object, at most planes: " + places);
+    }
+
+    /** A sentence about the objects that a coarse picture does not show, if it shows others. */
+    public static Optional<String> sentence(RenderPlan plan) {
+        Set<String> seen = seen(plan).collect(Collectors.toSet());
+        return seen.isEmpty()
+                ? Optional.empty()
+                : missing(plan, seen).map(places -> "Not all objects are in the picture: " + places + ".");
+    }
+
+    /** The names of the objects that a coarse picture shows, some of them again and again. */
+    private static Stream<String> seen(RenderPlan plan) {
+        return IntStream.range(0, TRIED * TRIED)
+                .mapToObj(i -> RayLife.of(
+                        plan,
+                        (i % TRIED + 0.5) / TRIED * plan.width(),
+                        (i / TRIED + 0.5) / TRIED * plan.height(),
+                        0,
+                        0))
+                .filter(life -> life != null)
+                .flatMap(life -> life.hits().stream())
+                .filter(hit -> hit.frame() == Frame.SCENE && !(hit.object() instanceof Plane))
+                .map(hit -> hit.object().description());
+    }
+
+    /** Where the first objects are that have none of these names; nothing if others are in the picture, too small. */
+    private static Optional<String> missing(RenderPlan plan, Set<String> seen) {
+        UnseenObjects unseen = new UnseenObjects(plan.studio());
+        List<SceneShapes.Thing> things = SceneShapes.of(plan.world().frames()).objects().stream()
+                .filter(thing -> !seen.contains(thing.name()))
+                .toList();
+        List<SceneShapes.Thing> outside =
+                things.stream().filter(thing -> !unseen.isInPicture(thing)).toList();
+        if (outside.isEmpty() || seen.isEmpty() && outside.size() < things.size()) {
+            return Optional.empty();
+        }
+        List<String> places = outside.stream()
+                .map(unseen::told)
+                .distinct()
+                .limit(MOST_NAMED + 1)
+                .toList();
+        String others = places.size() > MOST_NAMED ? "; and others" : "";
+        return Optional.of(places.stream().limit(MOST_NAMED).collect(Collectors.joining("; ")) + others);
+    }
+
+    /** Whether the middle of an object, or a corner of the box around it, lies in the picture, however small it is. */
+    private boolean isInPicture(SceneShapes.Thing thing) {
+        SeenFrame frame = new SeenFrame(studio, thing.motion());
+        return Stream.concat(Stream.of(thing.middle()), Stream.of(thing.bounds().corners()))
+                .anyMatch(point -> eyes.stream().anyMatch(eye -> eye.shows(eye.position(frame, point))));
+    }
+
+    private String told(SceneShapes.Thing thing) {
+        SeenFrame frame = new SeenFrame(studio, thing.motion());
+        Projection eye = eyes.get(0);
+        return "\"" + thing.name() + "\" is " + side(eye, eye.position(frame, thing.middle()))
+                + openingTime(thing, frame)
+                        .map(time -> ", and in it with an opening time of about " + time)
+                        .orElse("");
+    }
+
+    private static String side(Projection eye, Vector2dc position) {
+        if (position == null) {
+            return "behind the camera";
+        }
+        double right = (position.x() - eye.middle().x()) / eye.view().width();
+        double down = (position.y() - eye.middle().y()) / eye.view().height();
+        if (Math.abs(right) > Math.abs(down)) {
+            return right < 0 ? "to the left of the picture" : "to the right of the picture";
+        }
+        return down < 0 ? "above the picture" : "below the picture";
+    }
+
+    /** The opening time, of those around the present one, at which an object that moves is nearest to the middle. */
+    private Optional<String> openingTime(SceneShapes.Thing thing, SeenFrame frame) {
+        Camera camera = studio.camera();
+        if (!camera.shutter().hasOpeningTime()) {
+            return Optional.empty();
+        }
+        double now = camera.shutter().openingTime();
+        double way = frame.fromCamera(eyes.get(0).lensEvent()).position().distance(thing.middle());
+        double best = Double.NaN;
+        double least = Double.POSITIVE_INFINITY;
+        double[] times = DoubleStream.iterate(-TIMES, step -> step <= TIMES, step -> step + 1)
+                .map(step -> now + step / TIMES * LONGEST * way)
+                .toArray();
+        for (double time : times) {
+            Projection then = Projection.of(
+                    studio.withCamera(camera.withShutter(camera.shutter().openedAt(NumberText.rounded(time, 2)))));
+            Vector2dc position = then.position(frame, thing.middle());
+            double distance = then.shows(position) ? position.distance(then.middle()) : Double.POSITIVE_INFINITY;
+            if (distance < least) {
+                least = distance;
+                best = time;
+            }
+        }
+        return Double.isNaN(best) ? Optional.empty() : Optional.of(NumberText.plain(best, 2));
+    }
+}
