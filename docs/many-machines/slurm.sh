@@ -15,9 +15,14 @@ set -u
 code=0
 tompkins animate "$@" --part "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" \
     --threads "$SLURM_CPUS_PER_TASK" --skip-existing -o frames || code=$?
-if [ "$code" = 1 ] && [ "${SLURM_RESTART_COUNT:-0}" -lt 3 ]; then
-    # a failure of the machine, which another may not have; Slurm stops this script when it begins again
-    scontrol requeue "${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID"
-    sleep 30
-fi
+case $code in
+    0 | 2 | 3) ;; # done, a mistake, or frames that are missing: trying again changes nothing
+    *)
+        # a failure of the machine, such as a process that was killed (137); Slurm stops this script when it begins again
+        if [ "${SLURM_RESTART_COUNT:-0}" -lt 3 ]; then
+            scontrol requeue "${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID"
+            sleep 30
+        fi
+        ;;
+esac
 exit "$code"

@@ -13,13 +13,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.AccessTarget.CodeUnitAccessTarget;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
-import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.syntax.elements.GivenClassesConjunction;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.lang.reflect.Executable;
 import java.lang.reflect.Field;
 import java.lang.reflect.GenericArrayType;
 import java.lang.reflect.Modifier;
@@ -27,15 +28,20 @@ import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
 import java.lang.reflect.WildcardType;
+import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Random;
+import java.util.Set;
+import java.util.concurrent.ThreadFactory;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -106,12 +112,17 @@ class ArchitectureTest {
     private static final Pattern WILDCARD_IMPORT = Pattern.compile("^\\s*import\\s.*\\*\\s*;.*");
 
     private static final Path SOURCES = Path.of(System.getProperty("basedir", ""), "src");
-    private static final JavaClasses CLASSES = new ClassFileImporter()
-            .withImportOption(new ImportOption.DoNotIncludeTests())
-            .importPackages("tompkins");
+    private static final JavaClasses CLASSES_AND_TESTS = new ClassFileImporter().importPackages("tompkins");
+    private static final JavaClasses CLASSES = CLASSES_AND_TESTS.that(DescribedPredicate.describe(
+            "belong to the program",
+            type -> !type.getSource().orElseThrow().getUri().getPath().contains("/test-classes/")));
+
+    /** What Java takes from the system, unless it is named as one parameter more. */
+    private static final Set<Class<?>> OF_THE_SYSTEM = Set.of(Locale.class, Charset.class, ThreadFactory.class);
 
     @Test
     void rulesSeeTheProgram() {
+        assertThat(CLASSES_AND_TESTS).hasSizeGreaterThan(CLASSES.size() + 50);
         assertThat(CLASSES).hasSizeGreaterThan(50);
         assertThat(sourceFiles("main")).hasSizeGreaterThan(50);
         assertThat(defaultedRecords()).hasSizeGreaterThan(10);
@@ -245,6 +256,45 @@ class ArchitectureTest {
                 .check(CLASSES);
     }
 
+    /**
+     * Locale, charset and thread factory are told, where Java can be told: those of the system are not the same
+     * everywhere.
+     */
+    @Test
+    void nothingIsLeftToTheSystem() {
+        noClasses()
+                .should()
+                .callCodeUnitWhere(DescribedPredicate.describe(
+                        "a locale, a charset or a thread factory could be named",
+                        call -> asksTheSystem(call.getTarget())))
+                .orShould()
+                .callMethod(String.class, "formatted", Object[].class)
+                .check(CLASSES_AND_TESTS);
+    }
+
+    @Test
+    void picturesAreReadAndWrittenByANamedFormat() {
+        // of several providers for one format the first may lose range or fail
+        noClasses()
+                .should()
+                .callMethodWhere(target(owner(assignableTo(ImageIO.class))).and(target(name("read"))))
+                .orShould()
+                .callMethodWhere(target(owner(assignableTo(ImageIO.class))).and(target(name("write"))))
+                .check(CLASSES);
+    }
+
+    @Test
+    void nothingNeedsWhatThePackagesLack() {
+        noClasses()
+                .should()
+                .dependOnClassesThat()
+                .haveNameMatching("java\\.awt\\.(SplashScreen|image\\.(AffineTransform|Convolve|Lookup)Op)")
+                .orShould()
+                .dependOnClassesThat()
+                .resideInAnyPackage("javax.sound..", "sun..", "com.sun..", "jdk.internal..")
+                .check(CLASSES);
+    }
+
     @Test
     void noStateIsShared() {
         fields().that().areStatic().should().beFinal().check(CLASSES);
@@ -318,6 +368,38 @@ class ArchitectureTest {
         assertThat(defaultedRecords().filter(Predicate.not(ArchitectureTest::hasDefault)))
                 .as("records without a public static final DEFAULT of their own type")
                 .isEmpty();
+    }
+
+    /**
+     * Whether a method or constructor of Java has a sibling that is told one thing more, which it takes from the system
+     * instead.
+     */
+    private static boolean asksTheSystem(CodeUnitAccessTarget target) {
+        String room = target.getOwner().getPackageName();
+        // Swing's is the locale of the window; files are read and written in UTF-8 on every system
+        if (!room.startsWith("java.")
+                || room.startsWith("java.awt")
+                || target.getOwner().isEquivalentTo(Files.class)) {
+            return false;
+        }
+        List<String> types =
+                target.getRawParameterTypes().stream().map(JavaClass::getName).toList();
+        Class<?> owner = target.getOwner().reflect();
+        Stream<? extends Executable> all = target.getName().equals("<init>")
+                ? Stream.of(owner.getConstructors())
+                : Stream.of(owner.getMethods())
+                        .filter(method -> method.getName().equals(target.getName()));
+        return all.map(Executable::getParameterTypes)
+                .filter(others -> others.length == types.size() + 1)
+                .anyMatch(others -> IntStream.range(0, others.length)
+                        .anyMatch(i -> OF_THE_SYSTEM.contains(others[i]) && types.equals(without(others, i))));
+    }
+
+    private static List<String> without(Class<?>[] types, int left) {
+        return IntStream.range(0, types.length)
+                .filter(i -> i != left)
+                .mapToObj(i -> types[i].getName())
+                .toList();
     }
 
     private static GivenClassesConjunction classesOutside(String... packages) {

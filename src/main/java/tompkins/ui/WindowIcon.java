@@ -34,7 +34,7 @@ final class WindowIcon {
         return IntStream.of(SIZES).<Image>mapToObj(WindowIcon::image).toList();
     }
 
-    private static BufferedImage image(int size) {
+    static BufferedImage image(int size) {
         BufferedImage image = new BufferedImage(size, size, BufferedImage.TYPE_INT_ARGB);
         Graphics2D g = image.createGraphics();
         Drawing.smooth(g);

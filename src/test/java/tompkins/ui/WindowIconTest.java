@@ -4,11 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
-import java.io.File;
-import java.io.IOException;
-import java.nio.file.Path;
 import java.util.List;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 
 class WindowIconTest {
@@ -32,18 +28,5 @@ class WindowIconTest {
         assertThat(behind.getRed()).isGreaterThan(2 * behind.getBlue());
         assertThat(ahead.getBlue()).isGreaterThan(2 * ahead.getRed());
         assertThat(image.getRGB(0, 0) >>> 24).as("nothing is in the corners").isZero();
-    }
-
-    /** The file that desktops show for the packaged program; {@code -Dtompkins.regenerate=true} writes it. */
-    @Test
-    void thePackageHasTheSameSign() throws IOException {
-        File file = Path.of(System.getProperty("basedir", ""), "src/package/linux/tompkins.png")
-                .toFile();
-        BufferedImage image = images.get(images.size() - 1);
-        if (Boolean.getBoolean("tompkins.regenerate")) {
-            ImageIO.write(image, "png", file);
-        }
-        BufferedImage packaged = ImageIO.read(file);
-        assertThat(packaged.getRGB(0, 0, 128, 128, null, 0, 128)).isEqualTo(image.getRGB(0, 0, 128, 128, null, 0, 128));
     }
 }
