@@ -19,6 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.OnLinux;
 import tompkins.animation.Animation;
 import tompkins.image.ToneCurve;
 import tompkins.io.StudioReader;
@@ -47,6 +48,7 @@ import tompkins.studio.StudioNumber;
 import tompkins.studio.View;
 import tompkins.surface.LorentzWindow;
 
+@OnLinux
 class WindowCommandLineTest {
 
     private static final Studio OPENED =

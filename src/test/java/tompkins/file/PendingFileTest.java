@@ -22,6 +22,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.OnLinux;
 import tompkins.image.Samples;
 
 class PendingFileTest {
@@ -36,6 +37,7 @@ class PendingFileTest {
     }
 
     @Test
+    @OnLinux
     void whatAppearsMeanwhileIsNotReplaced() throws IOException {
         Path target = folder.resolve("a.b.png");
         PendingFile pending = written(target, "mine");
@@ -52,6 +54,7 @@ class PendingFileTest {
 
     /** A process that was killed cannot tidy; a process that still works must not be disturbed. */
     @Test
+    @OnLinux
     void whatWasLeftADayAgoIsRemovedByTheNext() throws IOException {
         Path old = Files.createDirectories(folder.resolve(".tompkins-1234.part/frames"));
         Files.writeString(old.resolve("frame0001.png"), "half");
@@ -137,6 +140,7 @@ class PendingFileTest {
     }
 
     @Test
+    @OnLinux
     void aPipeIsNeverReplaced() throws Exception {
         Path pipe = folder.resolve("pipe.png");
         assumeThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())

@@ -24,6 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.w3c.dom.NodeList;
+import tompkins.OnLinux;
 import tompkins.file.FileException;
 
 class PhotographFileTest {
@@ -195,6 +196,7 @@ class PhotographFileTest {
     }
 
     @Test
+    @OnLinux
     void aNewFileIsAsOpenToOthersAsAnyOther() throws IOException {
         Path ordinary = Files.createFile(folder.resolve("ordinary"));
 
@@ -204,6 +206,7 @@ class PhotographFileTest {
     }
 
     @Test
+    @OnLinux
     void aLinkStaysAndWhatItPointsToIsReplaced() throws IOException {
         Path real = Files.writeString(folder.resolve("real.png"), "old");
         Files.createSymbolicLink(file, real);
@@ -216,6 +219,7 @@ class PhotographFileTest {
 
     /** A scene behind the name of a picture would be lost. */
     @Test
+    @OnLinux
     void aLinkToAFileOfAnotherKindIsRefused() throws IOException {
         Path scene = Files.writeString(folder.resolve("scene.json"), "{}");
         Files.createSymbolicLink(file, scene);
@@ -267,6 +271,7 @@ class PhotographFileTest {
     }
 
     @Test
+    @OnLinux
     void aFolderWithoutPermissionIsNamed() throws IOException {
         Path closed = folder.resolve("closed");
         Files.createDirectory(closed);
@@ -284,6 +289,7 @@ class PhotographFileTest {
 
     /** A real failure in the middle: the shell lets no file of the process grow beyond 2 blocks of 512 bytes. */
     @ParameterizedTest
+    @OnLinux
     @EnumSource
     void whenThereIsNoSpaceTheOldFileStays(PictureFormat format) throws IOException, InterruptedException {
         Path target = folder.resolve("photo" + format.endings().get(0));
