@@ -122,6 +122,8 @@ public final class Package {
         if (Files.exists(folder)) {
             try (Stream<Path> all = Files.walk(folder)) {
                 for (Path path : all.sorted(Comparator.reverseOrder()).toList()) {
+                    // of what jlink writes, some may only be read, which Windows would not delete
+                    path.toFile().setWritable(true);
                     Files.delete(path);
                 }
             }

@@ -11,8 +11,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.OnLinux;
 
 /** Names of files that cannot be taken as they are. */
+@OnLinux
 class FileNamesTest {
 
     @ParameterizedTest

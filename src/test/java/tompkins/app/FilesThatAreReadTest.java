@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.OnLinux;
 
 /** No command writes over what it reads, not even with {@code --force}. */
 class FilesThatAreReadTest {
@@ -57,6 +58,7 @@ class FilesThatAreReadTest {
     }
 
     @Test
+    @OnLinux
     void tablesAndSheetsDoNotReplaceTheirScene() throws IOException {
         Path mesh = folder.resolve("wall.obj");
         Path link = Files.createSymbolicLink(folder.resolve("link.html"), scene);

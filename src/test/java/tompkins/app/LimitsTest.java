@@ -17,11 +17,13 @@ import java.util.zip.CRC32;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.GeneratedDocument;
+import tompkins.OnLinux;
 
 /**
  * Every kind of bad input, what the program says, and that it says no more than that. The table stands in
  * {@code docs/limits.md}; {@code mvn -q test -Dtest=LimitsTest -Dtompkins.regenerate=true} writes it again.
  */
+@OnLinux
 class LimitsTest {
 
     private static final String BEGIN = "<!-- generated: LimitsTest -->\n";

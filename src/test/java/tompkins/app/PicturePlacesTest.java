@@ -14,6 +14,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.OnLinux;
 import tompkins.Waiting;
 import tompkins.io.StudioReader;
 import tompkins.trace.SampleTracer;
@@ -25,6 +26,7 @@ class PicturePlacesTest {
     private Path folder;
 
     @Test
+    @OnLinux
     @Timeout(600)
     void unwritablePlacesAreRefusedFirst() throws IOException {
         Path missing = folder.resolve("no");
@@ -111,6 +113,7 @@ class PicturePlacesTest {
     }
 
     @Test
+    @OnLinux
     @Timeout(600)
     void aPipeIsKeptByAllCommands() throws Exception {
         Path pipe = folder.resolve("pipe.png");
@@ -172,6 +175,7 @@ class PicturePlacesTest {
     }
 
     @Test
+    @OnLinux
     void thePlaceOfAPictureIsToldWithoutDetours() throws IOException {
         Path inner = Files.createDirectory(folder.resolve("inner"));
         Path detour = inner.resolve("..").resolve(".").resolve("short.png");

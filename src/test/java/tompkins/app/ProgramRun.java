@@ -31,6 +31,11 @@ record ProgramRun(int code, String out, String err) {
         StringWriter out = new StringWriter();
         StringWriter err = new StringWriter();
         int code = Main.run(new PrintWriter(out, true), new PrintWriter(err, true), display, words);
-        return new ProgramRun(code, out.toString(), err.toString());
+        return new ProgramRun(code, lines(out), lines(err));
+    }
+
+    /** What was printed, with the ends of lines of Linux on every system. */
+    private static String lines(StringWriter printed) {
+        return printed.toString().replace(System.lineSeparator(), "\n");
     }
 }

@@ -50,7 +50,7 @@ class RenderCommandTest {
                 ProgramRun.of("render", FIG1B, "-o", folder.resolve("pixel.png"), "--size", "1x1", "--samples", 1);
 
         assertThat(run.code()).as(run.err()).isZero();
-        assertThat(run.out()).endsWith(", 1 sample per pixel)" + System.lineSeparator());
+        assertThat(run.out()).endsWith(", 1 sample per pixel)\n");
     }
 
     @Test

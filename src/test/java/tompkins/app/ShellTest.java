@@ -4,8 +4,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.OnLinux;
 
 /** Tests of the program as a process of its own, in a folder that only they use. */
+@OnLinux
 abstract class ShellTest {
 
     @TempDir

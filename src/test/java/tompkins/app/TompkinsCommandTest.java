@@ -114,8 +114,7 @@ class TompkinsCommandTest {
         Matcher project = Pattern.compile("<artifactId>tompkins</artifactId>\\s*<version>(.+)</version>")
                 .matcher(Files.readString(Path.of("pom.xml")));
         assertThat(project.find()).isTrue();
-        assertThat(ProgramRun.of("--version").out())
-                .startsWith("Tompkins " + project.group(1) + System.lineSeparator());
+        assertThat(ProgramRun.of("--version").out()).startsWith("Tompkins " + project.group(1) + "\n");
     }
 
     /** A command that is called is the only one that the program makes ready; the help makes all of them ready. */

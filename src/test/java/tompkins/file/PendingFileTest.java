@@ -19,6 +19,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.OnLinux;
 import tompkins.image.Samples;
 
 class PendingFileTest {
@@ -33,6 +34,7 @@ class PendingFileTest {
     }
 
     @Test
+    @OnLinux
     void whatAppearsMeanwhileIsNotReplaced() throws IOException {
         Path target = folder.resolve("a.b.png");
         PendingFile pending = written(target, "mine");
@@ -91,6 +93,7 @@ class PendingFileTest {
     }
 
     @Test
+    @OnLinux
     void aPipeIsNeverReplaced() throws Exception {
         Path pipe = folder.resolve("pipe.png");
         assumeThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())

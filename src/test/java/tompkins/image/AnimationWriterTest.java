@@ -19,6 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.w3c.dom.Node;
+import tompkins.OnLinux;
 import tompkins.file.FileException;
 
 class AnimationWriterTest {
@@ -124,6 +125,7 @@ class AnimationWriterTest {
     }
 
     @Test
+    @OnLinux
     void aLinkToAnEmptyFolderStaysAndTheFolderIsFilled() throws IOException {
         Path real = Files.createDirectory(folder.resolve("real"));
         Path link = Files.createSymbolicLink(target(AnimationFormat.NUMBERED_PNG), real);

@@ -16,6 +16,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.OnLinux;
 import tompkins.file.FileException;
 import tompkins.file.PendingFile;
 
@@ -49,6 +50,7 @@ class Mp4WriterTest {
     }
 
     @Test
+    @OnLinux
     void ffmpegGetsAllFramesTheirSizeAndRate() throws IOException {
         Path arguments = programs.resolve("arguments");
         Path program =
@@ -77,6 +79,7 @@ class Mp4WriterTest {
     }
 
     @Test
+    @OnLinux
     void theProgramIsLookedForInTheFoldersOfThePath() throws IOException {
         Path program = program("exit 0\n");
         String elsewhere = folder.toString();
@@ -88,6 +91,7 @@ class Mp4WriterTest {
     }
 
     @Test
+    @OnLinux
     void whatTheProgramComplainsOfIsTheMessage() throws IOException {
         Path program = program("cat > /dev/null\necho first >&2\necho 'Conversion failed!' >&2\nexit 9\n");
 
@@ -96,6 +100,7 @@ class Mp4WriterTest {
 
     /** The program names the hidden place; and its complaints must not need the disk either. */
     @Test
+    @OnLinux
     void aFullDiskIsTheReason() throws IOException {
         assertFails(
                 program("""
@@ -110,6 +115,7 @@ class Mp4WriterTest {
     }
 
     @Test
+    @OnLinux
     void aProgramThatDoesNotReadIsBlamedAndNotThePipe() throws IOException {
         assertFails(program("echo 'no such option' >&2\nexit 1\n"), "ffmpeg failed with exit code 1: no such option");
     }
@@ -135,6 +141,7 @@ class Mp4WriterTest {
     }
 
     @Test
+    @OnLinux
     void closingUnfinishedEndsFfmpegWithoutTrace() throws IOException {
         Path identity = programs.resolve("identity");
         Path program = program("echo $$ > '" + identity + "'\nexec cat > /dev/null\n");

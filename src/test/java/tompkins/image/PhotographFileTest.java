@@ -23,6 +23,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.w3c.dom.NodeList;
+import tompkins.OnLinux;
 import tompkins.file.FileException;
 
 class PhotographFileTest {
@@ -191,6 +192,7 @@ class PhotographFileTest {
     }
 
     @Test
+    @OnLinux
     void aNewFileIsAsOpenToOthersAsAnyOther() throws IOException {
         Path ordinary = Files.createFile(folder.resolve("ordinary"));
 
@@ -200,6 +202,7 @@ class PhotographFileTest {
     }
 
     @Test
+    @OnLinux
     void aLinkStaysAndWhatItPointsToIsReplaced() throws IOException {
         Path real = Files.writeString(folder.resolve("real.png"), "old");
         Files.createSymbolicLink(file, real);
@@ -211,6 +214,7 @@ class PhotographFileTest {
     }
 
     @Test
+    @OnLinux
     void aLinkToNothingIsRefused() throws IOException {
         Files.createSymbolicLink(file, file);
         assertThatThrownBy(() ->
@@ -251,6 +255,7 @@ class PhotographFileTest {
     }
 
     @Test
+    @OnLinux
     void aFolderWithoutPermissionIsNamed() throws IOException {
         Path closed = folder.resolve("closed");
         Files.createDirectory(closed);
@@ -268,6 +273,7 @@ class PhotographFileTest {
 
     /** A real failure in the middle: the shell lets no file of the process grow beyond 2 blocks of 512 bytes. */
     @ParameterizedTest
+    @OnLinux
     @EnumSource
     void whenThereIsNoSpaceTheOldFileStays(PictureFormat format) throws IOException, InterruptedException {
         Path target = folder.resolve("photo" + format.endings().get(0));

@@ -22,6 +22,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.OnLinux;
 import tompkins.TestRun;
 import tompkins.file.FileException;
 import tompkins.ray.Colour;
@@ -187,6 +188,7 @@ class PictureFileTest {
     }
 
     @Test
+    @OnLinux
     void aFileIsReadByItsContentAndNamedInMessages() throws IOException {
         byte[] png = photograph(Samples.random(9, 9, 2), PictureFormat.PNG);
         Path file = Files.write(folder.resolve("wrong.jpg"), png);

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.OnLinux;
 import tompkins.file.FileException;
 import tompkins.image.PictureFile;
 import tompkins.property.MistakeException;
@@ -319,6 +320,7 @@ class MeshFileTest {
 
     /** It would never end. */
     @Test
+    @OnLinux
     void aDeviceIsNoMesh() {
         assertThatThrownBy(() -> MeshFile.read(Path.of("/dev/zero"))).hasMessage("/dev/zero: not a file");
     }

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.OnLinux;
 import tompkins.property.MistakeException;
 import tompkins.ray.PixelPicture;
 import tompkins.sceneobject.Sphere;
@@ -87,6 +88,7 @@ class SceneSourcesTest {
 
     /** Nobody can follow a link that leads to itself, not even the administrator who may look into every folder. */
     @ParameterizedTest
+    @OnLinux
     @ValueSource(strings = {"circle.json", "circle.png", "circle/scene.json", "circle/photograph.png"})
     void whatCannotBeReadIsNotSaidToBeMissing(String name) throws IOException {
         Path circle = folder.resolve(name.replaceFirst("/.*", ""));
@@ -158,6 +160,7 @@ class SceneSourcesTest {
     }
 
     @ParameterizedTest
+    @OnLinux
     @ValueSource(
             strings = {
                 "../x.png",

@@ -13,6 +13,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.OnLinux;
 import tompkins.ui.widget.Look;
 
 class SettingsTest {
@@ -94,6 +95,7 @@ class SettingsTest {
     }
 
     @Test
+    @OnLinux
     @Timeout(600)
     void whatIsNoFileIsToldOnceAndKept() throws Exception {
         Path pipe = folder.resolve("window.properties");
@@ -108,6 +110,7 @@ class SettingsTest {
     }
 
     @Test
+    @OnLinux
     void onlyWhatCanBeAFileIsRecent() throws IOException {
         Path file = Files.writeString(
                 folder.resolve("window.properties"), "recent.0=/\nrecent.1=\nrecent.2=/a/b.json\nrecent.3=\\u0000\n");
@@ -116,6 +119,7 @@ class SettingsTest {
     }
 
     @Test
+    @OnLinux
     void theFolderIsWhereItIsWantedOrThatIsTold() {
         Path home = Path.of("/home/me/.config/tompkins");
         assertThat(found(null, null)).isEqualTo(new SettingsFolder(home, ""));
