@@ -17,7 +17,7 @@ import tompkins.render.Quality;
 import tompkins.studio.Studio;
 
 /** Looks for mistakes in scene files, and for damage in saved photographs. */
-@Command(description = "Looks for mistakes in scene files, and for damage in saved photographs.")
+@Command(header = "Looks for mistakes in scene files, and for damage in photographs.")
 final class CheckCommand extends ProgramCommand {
 
     @Parameters(
@@ -43,7 +43,7 @@ final class CheckCommand extends ProgramCommand {
             current = scene;
             try {
                 Studio studio = option.read(scene, List.of());
-                new Explanation(ScenePlan.of(studio, scene))
+                new Explanation(ScenePlan.toCheck(studio, scene))
                         .warnings()
                         .forEach(warning -> err().println(scene + ": warning: " + warning));
                 StudioWriter.notes(studio).forEach(note -> err().println(scene + ": note: " + note));

@@ -36,8 +36,14 @@ public final class Main {
                 return;
             }
         }
-        WatchedStream out = new WatchedStream(new FileOutputStream(FileDescriptor.out));
-        PrintWriter err = printer(System.err);
+        // help keeps to the width of the terminal
+        System.setProperty("picocli.usage.width", "AUTO");
+        WorkingLine line = new WorkingLine(System.err, ProgressLine.isWatched());
+        WatchedStream out = new WatchedStream(new FileOutputStream(FileDescriptor.out), line);
+        PrintWriter err = printer(new WatchedStream(System.err, line));
+        if (TompkinsCommand.isQuiet(arguments)) {
+            line.start();
+        }
         int code = run(printer(out), err, Displays::usable, arguments);
         if (out.failure() != null) {
             code = Failures.reportLostOutput(out.failure(), err, code);

@@ -6,11 +6,15 @@ import tompkins.explain.Explanation;
 import tompkins.io.StudioReader;
 import tompkins.measure.LessonStudio;
 import tompkins.property.MistakeException;
+import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
 /** Plans the pictures and lessons of scene files. */
 final class ScenePlan {
+
+    /** A tree of so many primitives takes a second. */
+    private static final double MANY = 1e6;
 
     private ScenePlan() {}
 
@@ -22,6 +26,14 @@ final class ScenePlan {
     /** As above; takes over what it can from the plan of another picture, which may be null. */
     static RenderPlan of(Studio studio, RenderPlan before, Path scene) {
         return StudioReader.used(scene, () -> RenderPlan.of(studio, before));
+    }
+
+    /** A plan to look for mistakes with: many objects need no tree for that, unless rays of flashes are followed. */
+    static RenderPlan toCheck(Studio studio, Path scene) {
+        double primitives =
+                studio.scene().stream().mapToDouble(SceneObject::primitiveCount).sum();
+        RenderPlan plain = primitives < MANY ? null : StudioReader.used(scene, () -> RenderPlan.plain(studio));
+        return plain == null || plain.hasFlashes() ? of(studio, scene) : plain;
     }
 
     /** Prints what may be wrong with the picture of a plan, and with what is measured in it. */

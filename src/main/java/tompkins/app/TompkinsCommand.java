@@ -8,10 +8,10 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Parameters;
 import tompkins.io.BundledScenes;
 import tompkins.io.StudioReader;
@@ -21,7 +21,7 @@ import tompkins.ui.TompkinsWindow;
 
 /** The program as a whole. */
 @Command(
-        name = "tompkins",
+        name = TompkinsCommand.NAME,
         description = "Takes photographs with a camera that moves at nearly the speed of light.",
         footer = {
             "",
@@ -33,9 +33,15 @@ final class TompkinsCommand extends ProgramCommand {
     /** The name of the command that shows the help of another one. */
     static final String HELP = "help";
 
+    /** The name of the program. */
+    static final String NAME = "tompkins";
+
     private static final String RENDER = "render";
 
-    /** The commands by name, in the order in which the help lists them before itself. */
+    /** Commands that compute without telling how far they are. */
+    private static final Set<String> QUIET = Set.of("check", "explain", "trace", "measure");
+
+    /** The commands by name, in the order in which the help lists them. */
     private static final Map<String, Class<?>> COMMANDS = new LinkedHashMap<>();
 
     static {
@@ -47,6 +53,8 @@ final class TompkinsCommand extends ProgramCommand {
         COMMANDS.put("measure", MeasureCommand.class);
         COMMANDS.put("sheet", SheetCommand.class);
         COMMANDS.put("study", StudyCommand.class);
+        COMMANDS.put("completion", CompletionCommand.class);
+        COMMANDS.put(HELP, HelpCommand.class);
     }
 
     @Parameters(arity = "0..1", paramLabel = "SCENE", description = "scene file or saved photograph to open")
@@ -76,7 +84,17 @@ final class TompkinsCommand extends ProgramCommand {
             return commandLine.addSubcommand(first, COMMANDS.get(first));
         }
         COMMANDS.forEach(commandLine::addSubcommand);
-        return commandLine.addSubcommand(HELP, HelpCommand.class);
+        return commandLine;
+    }
+
+    /** The command line with all commands. */
+    static CommandLine withAllCommands() {
+        return commandLine(() -> false, "");
+    }
+
+    /** Whether some arguments call a command that computes without telling how far it is. */
+    static boolean isQuiet(String... arguments) {
+        return isNamedBy(arguments) && QUIET.contains(arguments[0]);
     }
 
     /** Whether some arguments call one of the commands, none of which opens a window. */
@@ -93,11 +111,7 @@ final class TompkinsCommand extends ProgramCommand {
 
     /** Whether some arguments ask for a window, provided that there is nothing wrong with them; quickly decided. */
     static boolean opensWindow(String... arguments) {
-        return arguments.length == 0
-                || arguments.length == 1
-                        && !isNamedBy(arguments)
-                        && !arguments[0].equals(HELP)
-                        && !arguments[0].startsWith("-");
+        return arguments.length == 0 || arguments.length == 1 && !isNamedBy(arguments) && !arguments[0].startsWith("-");
     }
 
     /**

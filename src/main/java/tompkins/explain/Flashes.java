@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import tompkins.camera.SamplePositions;
 import tompkins.light.PointLight;
 import tompkins.light.Pulse;
 import tompkins.light.RestingLight;
@@ -90,12 +91,13 @@ public final class Flashes {
     /** The flashes at all hits of rays that are spread over the picture. */
     private Stream<FlashSight> tried() {
         return IntStream.range(0, plan.hasFlashes() ? TRIED * TRIED : 0)
-                .mapToObj(i -> RayLife.of(
+                .mapToObj(i -> RayLife.way(
                         plan,
                         (i % TRIED + 0.5) / TRIED * plan.width(),
                         (i / TRIED + 0.5) / TRIED * plan.height(),
                         0,
-                        0))
+                        0,
+                        SamplePositions.MIDDLE))
                 .filter(life -> life != null)
                 .flatMap(life -> life.hits().stream())
                 .flatMap(hit -> hit.flashes().stream());

@@ -11,7 +11,6 @@ import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
-import tompkins.animation.FrameListener;
 import tompkins.animation.FrameSequence;
 import tompkins.animation.RideFilm;
 import tompkins.image.AnimationFormat;
@@ -108,8 +107,7 @@ public final class AnimationExport {
             throws Exception {
         int threads = Runtime.getRuntime().availableProcessors();
         try (AnimationWriter writer = file.call()) {
-            List<String> warnings = new AnimationRecorder(film, caption, decorations, threads)
-                    .record(writer, progress, FrameListener.NONE);
+            List<String> warnings = new AnimationRecorder(film, caption, decorations, threads).record(writer, progress);
             return new Exported(writer.finish(), warnings);
         }
     }
