@@ -58,10 +58,9 @@ public record AnimationRecorder(
      * @throws CancellationException if it is cancelled
      * @throws FileException if the file cannot be written
      */
-    public List<String> record(AnimationWriter writer, Progress progress, FrameListener listener)
-            throws FileException, InterruptedException {
+    public List<String> record(AnimationWriter writer, Progress progress) throws FileException, InterruptedException {
         Store file = (frame, picture, info) -> writer.add(picture, info);
-        return record(FrameSelection.all(film.frames()), frame -> false, file, progress, listener);
+        return record(FrameSelection.all(film.frames()), frame -> false, file, progress);
     }
 
     /**
@@ -70,10 +69,9 @@ public record AnimationRecorder(
      *
      * @param skips whether frames are left out that another process has meanwhile taken
      */
-    public List<String> record(
-            FrameSelection frames, FrameFolder folder, boolean skips, Progress progress, FrameListener listener)
+    public List<String> record(FrameSelection frames, FrameFolder folder, boolean skips, Progress progress)
             throws FileException, InterruptedException {
-        return record(frames, frame -> skips && found(folder, frame) == Found.SAME, folder::write, progress, listener);
+        return record(frames, frame -> skips && found(folder, frame) == Found.SAME, folder::write, progress);
     }
 
     /** What is in a folder under the name of a frame. */
@@ -92,8 +90,7 @@ public record AnimationRecorder(
         }
     }
 
-    private List<String> record(
-            FrameSelection frames, IntPredicate isThere, Store store, Progress progress, FrameListener listener)
+    private List<String> record(FrameSelection frames, IntPredicate isThere, Store store, Progress progress)
             throws FileException, InterruptedException {
         List<String> warnings = new ArrayList<>();
         int warned = 0;
@@ -102,10 +99,8 @@ public record AnimationRecorder(
             for (int i = 0; i < count; i++) {
                 int frame = frames.frames().get(i);
                 if (isThere.test(frame)) {
-                    listener.reached(frame, PictureState.SKIPPED, null);
                     continue;
                 }
-                listener.reached(frame, PictureState.BEGUN, null);
                 Studio moment = moment(frame);
                 RenderJob photograph = taker.take(moment, progress, (double) i / count, 1.0 / count);
                 store.add(frame, painted(photograph, moment, frame), info(frame, moment));
@@ -115,7 +110,6 @@ public record AnimationRecorder(
                     report.warnings().forEach(warning -> warnings.add(place + warning));
                 }
                 warned += report.warnings().isEmpty() ? 0 : 1;
-                listener.reached(frame, PictureState.DONE, report);
             }
         }
         if (warned > 1) {

@@ -8,7 +8,6 @@ import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -22,7 +21,6 @@ import picocli.CommandLine.ParseResult;
 import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
 import tompkins.animation.FilmAssembly;
-import tompkins.animation.FrameListener;
 import tompkins.animation.FrameSelection;
 import tompkins.animation.FrameSequence;
 import tompkins.animation.RideFilm;
@@ -46,10 +44,11 @@ import tompkins.ui.photograph.Captions;
 
 /** Saves animations of a number of a scene. */
 @Command(
+        header = "Takes a film while a number of the scene runs, or of a ride.",
         description =
                 "Takes photographs while a number of the scene, such as the speed of the camera, runs from one value"
                         + " to another, or along a recorded ride, and saves them as an animation.")
-final class AnimateCommand extends LongCommand {
+final class AnimateCommand extends ProgramCommand {
 
     /** How long it plays unless an option says otherwise. */
     private static final double DEFAULT_SECONDS = 4;
@@ -87,6 +86,9 @@ final class AnimateCommand extends LongCommand {
             paramLabel = "B",
             description = "value at the end, or in the middle of an animation there and back")
     private Double to;
+
+    @Mixin
+    private ThreadsOption threads;
 
     @Mixin
     private RideOption ride;
@@ -147,11 +149,7 @@ final class AnimateCommand extends LongCommand {
             Fonts.require();
         }
         AnimationRecorder recorder = new AnimationRecorder(
-                recording.film,
-                recording.caption,
-                moment -> PictureDecoration.NONE,
-                sameNoise,
-                threads().number());
+                recording.film, recording.caption, moment -> PictureDecoration.NONE, sameNoise, threads.number());
         Set<String> warnings = new LinkedHashSet<>(requirePossible(recording.film));
         if (frames.areGiven()) {
             requireFolder();
@@ -196,9 +194,8 @@ final class AnimateCommand extends LongCommand {
         FrameSequence film = recorder.film();
         requireFree(NamedFile.ofScene(film.studio(0), scene));
         report(film.frames() + " pictures", warnings, progress -> {
-            FrameListener frames = listener(film, frame -> null);
             try (AnimationWriter writer = open(film.frameRate())) {
-                warnings.addAll(recorder.record(writer, progress, frames));
+                warnings.addAll(recorder.record(writer, progress));
                 return writer.finish();
             }
         });
@@ -208,24 +205,17 @@ final class AnimateCommand extends LongCommand {
     private int takeFrames(AnimationRecorder recorder, Set<String> warnings) throws Exception {
         FrameFolder folder = new FrameFolder(output);
         FrameSelection chosen = frames.choose(recorder.film().frames());
-        FrameListener listener = listener(recorder.film(), folder::file);
-        FrameSelection left = frames.left(chosen, recorder, folder, listener);
+        FrameSelection left = frames.left(chosen, recorder, folder);
         Studio studio = recorder.film().studio(0);
         left.frames().forEach(frame -> NamedFile.requireNotRead(folder.file(frame), NamedFile.ofScene(studio, scene)));
         if (!left.frames().isEmpty()) {
             Photographer.requireWritable(folder.file(left.frames().get(0)));
         }
         report(left.frames().size() + " of " + recorder.film().frames() + " pictures", warnings, progress -> {
-            warnings.addAll(recorder.record(left, folder, frames.skips(), progress, listener));
+            warnings.addAll(recorder.record(left, folder, frames.skips(), progress));
             return output;
         });
         return 0;
-    }
-
-    private FrameListener listener(FrameSequence film, IntFunction<Path> file) {
-        ProgressReport progress = ProgressReport.on(err());
-        return (frame, state, report) ->
-                progress.picture("frame", frame, film.frames(), state, file.apply(frame), report);
     }
 
     private int assemble() throws Exception {
@@ -261,13 +251,13 @@ final class AnimateCommand extends LongCommand {
     /** Work that takes a while, and makes a file or a folder. */
     private interface Work {
 
-        Path make(ProgressReport progress) throws Exception;
+        Path make(ProgressLine progress) throws Exception;
     }
 
     /** Works, and says where the result lies. */
     private void report(String made, Set<String> warnings, Work work) throws Exception {
         long start = System.nanoTime();
-        ProgressReport progress = ProgressReport.on(err());
+        ProgressLine progress = new ProgressLine(err());
         Path place;
         try {
             place = work.make(progress);

@@ -22,19 +22,20 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 import tompkins.io.Spelling;
+import tompkins.studio.Studio;
+import tompkins.studio.StudioPath;
 
 /** Says what is wrong with arguments in the words of the user; the library that reads them speaks of Java. */
 final class ArgumentMistake {
+
+    /** Keys of scenes that lie deeper are not looked for among options. */
+    private static final int DEEPEST_KEY = 2;
 
     private ArgumentMistake() {}
 
     /** What is wrong, and what is allowed. */
     static String message(ParameterException mistake, String[] arguments) {
         CommandSpec command = mistake.getCommandLine().getCommandSpec();
-        Optional<String> replacement = FormerOption.replacement(arguments);
-        if (replacement.isPresent()) {
-            return replacement.get();
-        }
         if (mistake instanceof MissingParameterException missing) {
             return missing.getMissing().get(0) instanceof OptionSpec option && !isNeeded(option)
                     ? option.longestName() + " needs " + value(option)
@@ -59,14 +60,17 @@ final class ArgumentMistake {
         if (mistake instanceof MutuallyExclusiveArgsException || mistake instanceof MaxValuesExceededException) {
             return onlyOneOf(command, mistake);
         }
-        return arguments[0].equals(TompkinsCommand.HELP)
-                ? mistake.getValue() + ": there is no command of this name" + commands(mistake.getValue(), command)
-                : mistake.getMessage();
+        return mistake.getMessage();
     }
 
     /** What is wrong with a word in the place of a command or a scene. */
     static String unknownWord(String word, CommandSpec command) {
         return word + ": there is neither a file nor a command of this name" + commands(word, command);
+    }
+
+    /** What is wrong with a word in the place of a command. */
+    static String unknownCommand(String word, CommandSpec program) {
+        return OptionValues.shown(word) + ": there is no command of this name" + commands(word, program);
     }
 
     private static String commands(String word, CommandSpec command) {
@@ -148,7 +152,29 @@ final class ArgumentMistake {
     }
 
     private static String unknown(String option, CommandSpec command) {
-        return "unknown option " + option + hint(option, command.options());
+        String key = option.replaceFirst("^-+", "");
+        return "unknown option " + option
+                + (command.findOption(SetOption.NAME) == null || key.length() < 2
+                                ? Optional.<String>empty()
+                                : pathOfKey(key, Studio.DEFAULT, DEEPEST_KEY))
+                        .map(path -> "; did you mean \"" + SetOption.NAME + " " + path + "=VALUE\"?")
+                        .orElseGet(() -> hint(option, command.options()));
+    }
+
+    /** The way to a key of a scene, at most so many steps below what holds it. */
+    private static Optional<String> pathOfKey(String key, Object whole, int depth) {
+        List<String> steps = StudioPath.stepsFrom(whole).stream()
+                .filter(step -> !step.startsWith("["))
+                .toList();
+        if (steps.contains(key) || depth == 0) {
+            return Optional.of(key).filter(steps::contains);
+        }
+        return steps.stream()
+                .flatMap(step ->
+                        pathOfKey(key, StudioPath.ROOT.then(step).get(whole), depth - 1)
+                                .map(rest -> step + "." + rest)
+                                .stream())
+                .findFirst();
     }
 
     /**

@@ -16,7 +16,7 @@ import tompkins.render.Quality;
 import tompkins.studio.Studio;
 
 /** Looks for mistakes in scene files, and for damage in saved photographs. */
-@Command(description = "Looks for mistakes in scene files, and for damage in saved photographs.")
+@Command(header = "Looks for mistakes in scene files, and for damage in photographs.")
 final class CheckCommand extends ProgramCommand {
 
     @Parameters(
@@ -42,7 +42,7 @@ final class CheckCommand extends ProgramCommand {
             current = scene;
             try {
                 Studio studio = option.read(scene, List.of());
-                ScenePlan.warnings(ScenePlan.of(studio, scene))
+                ScenePlan.checked(studio, scene)
                         .forEach(warning -> err().println(scene + ": warning: " + warning));
                 StudioWriter.notes(studio).forEach(note -> err().println(scene + ": note: " + note));
                 requireWhatIsTaught(studio);

@@ -15,7 +15,7 @@ import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
 /** Says what a picture needs and what it leaves out. */
-@Command(description = "Says what the picture of a scene models, what it leaves out, and why, and what it will cost.")
+@Command(header = "Says what a picture models and leaves out, and what it will cost.")
 final class ExplainCommand extends ProgramCommand {
 
     private static final double MILLION = 1e6;

@@ -5,9 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import picocli.CommandLine.Option;
 import tompkins.animation.AnimationRecorder;
-import tompkins.animation.FrameListener;
 import tompkins.animation.FrameSelection;
-import tompkins.animation.PictureState;
 import tompkins.image.FrameFolder;
 import tompkins.property.MistakeException;
 
@@ -34,12 +32,11 @@ final class FrameOptions extends ManyPictures {
     }
 
     /** The frames that are still to be taken; refuses what is in their place, unless it is replaced. */
-    FrameSelection left(FrameSelection chosen, AnimationRecorder recorder, FrameFolder folder, FrameListener listener) {
+    FrameSelection left(FrameSelection chosen, AnimationRecorder recorder, FrameFolder folder) {
         List<Integer> left = new ArrayList<>();
         for (int frame : chosen.frames()) {
             AnimationRecorder.Found found = recorder.found(folder, frame);
             if (found == AnimationRecorder.Found.SAME && skips()) {
-                listener.reached(frame, PictureState.SKIPPED, null);
                 continue;
             }
             if (found != AnimationRecorder.Found.NOTHING && !force()) {

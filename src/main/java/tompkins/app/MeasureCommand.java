@@ -34,12 +34,12 @@ import tompkins.trace.RenderPlan;
 
 /** Measures in the picture of a scene. */
 @Command(
-        description =
-                "Measures in the picture of a scene, between pixels. \"between\" gives angles, distances, times and the"
-                        + " interval between two pixels, in the frames of scene, camera and object; \"circle\" fits a circle of"
-                        + " directions, such as the outline of a sphere, to three pixels or more; \"line\" says how straight two"
-                        + " pixels or more lie; \"profile\" follows the line between two pixels. \"lesson\" measures the numbers of the"
-                        + " scene's lesson and compares them with its formulas.")
+        header = "Measures angles, distances and times between pixels.",
+        description = "\"between\" gives angles, distances, times and the"
+                + " interval between two pixels, in the frames of scene, camera and object; \"circle\" fits a circle of"
+                + " directions, such as the outline of a sphere, to three pixels or more; \"line\" says how straight two"
+                + " pixels or more lie; \"profile\" follows the line between two pixels. \"lesson\" measures the numbers of the"
+                + " scene's lesson and compares them with its formulas.")
 final class MeasureCommand extends ProgramCommand {
 
     private static final String LESSON = "lesson";

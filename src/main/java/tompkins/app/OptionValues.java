@@ -25,8 +25,6 @@ final class OptionValues {
         commandLine.registerConverter(long.class, OptionValues::wholeNumber);
         commandLine.registerConverter(Part.class, Part::parse);
         commandLine.registerConverter(PictureFormat.class, text -> constant(PictureFormat.class, text));
-        commandLine.registerConverter(
-                LongCommand.ProgressForm.class, text -> constant(LongCommand.ProgressForm.class, text));
     }
 
     /** Finite numbers with commas between them, as many as an example has. */

@@ -14,7 +14,6 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import picocli.CommandLine;
-import tompkins.animation.PictureState;
 import tompkins.file.FileException;
 import tompkins.image.PhotographFile;
 import tompkins.image.PhotographInfo;
@@ -67,9 +66,7 @@ final class Photographer implements AutoCloseable {
 
     private final PrintWriter out;
     private final PrintWriter err;
-    private final ProgressReport progress;
-    private int number;
-    private int count = 1;
+    private final ProgressLine progress;
     private final int threads;
 
     /**
@@ -80,7 +77,7 @@ final class Photographer implements AutoCloseable {
     Photographer(CommandLine commandLine, int threads) {
         out = commandLine.getOut();
         err = commandLine.getErr();
-        progress = ProgressReport.on(err);
+        progress = new ProgressLine(err);
         this.threads = threads;
     }
 
@@ -140,7 +137,6 @@ final class Photographer implements AutoCloseable {
         PhotographInfo before = info(studio, order.scene);
         progress.begin("preparing the objects of the scene");
         RenderPlan plan = ScenePlan.of(studio, order.scene);
-        tell(PictureState.BEGUN, target, null);
         RenderJob job = traced(plan, order.quality);
         progress.clear();
         ToneCurve curve = studio.settings().toneCurve();
@@ -162,7 +158,6 @@ final class Photographer implements AutoCloseable {
         if (order.quality instanceof Quality.TimeLimit) {
             err.println("note: taken again it has " + samples(kept.samples()) + " of each pixel");
         }
-        tell(PictureState.DONE, place, report);
         tellFilesToKeep(studio, err);
     }
 
@@ -179,18 +174,6 @@ final class Photographer implements AutoCloseable {
         return number.toString().equals("1") ? "1 sample" : number + " samples";
     }
 
-    private void tell(PictureState state, Path file, RenderReport report) {
-        progress.picture("picture", number, count, state, file, report);
-    }
-
-    /** Goes to one of several pictures, counted from 0. */
-    void next(int next, int ofAll) {
-        number = next;
-        count = ofAll;
-        progress.piece(number, count);
-        reads();
-    }
-
     /** Says on a terminal that a scene is being read. */
     void reads() {
         progress.begin("reading the scene");
@@ -200,7 +183,6 @@ final class Photographer implements AutoCloseable {
     void leave(Path picture) throws IOException {
         progress.clear();
         out.println(picture.toRealPath(LinkOption.NOFOLLOW_LINKS) + "  (left as it is)");
-        tell(PictureState.SKIPPED, picture, null);
     }
 
     /** Removes what the terminal shows of a picture that is not complete. */

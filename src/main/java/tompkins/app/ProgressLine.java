@@ -4,12 +4,14 @@ import java.io.Console;
 import java.io.PrintWriter;
 import java.util.Locale;
 import java.util.function.Supplier;
+import tompkins.render.Progress;
 import tompkins.render.RenderJob;
+import tompkins.render.RenderListener;
 import tompkins.study.Measurement;
 import tompkins.study.StudyKind;
 
 /** One line on a terminal that says what is being done, how far a picture or an animation is, and how long it takes. */
-final class ProgressLine implements ProgressReport {
+final class ProgressLine implements RenderListener, Progress {
 
     private static final long INTERVAL_NANOS = 200_000_000;
     private static final int WIDTH = 72;
@@ -26,7 +28,7 @@ final class ProgressLine implements ProgressReport {
 
     /** Since Java 22 there is always a console, which says itself whether it is a terminal. */
     @SuppressWarnings("SystemConsoleNull")
-    private static boolean isWatched() {
+    static boolean isWatched() {
         Console console = System.console();
         if (console == null) {
             return false;
@@ -47,13 +49,13 @@ final class ProgressLine implements ProgressReport {
         }
     }
 
-    @Override
-    public boolean watched() {
+    /** Whether somebody at a terminal looks on. */
+    boolean watched() {
         return watched;
     }
 
-    @Override
-    public synchronized void begin(String doing) {
+    /** Says at once what is being done; the time that is left counts from here. */
+    synchronized void begin(String doing) {
         start = System.nanoTime();
         last = start;
         show(doing);
@@ -84,8 +86,8 @@ final class ProgressLine implements ProgressReport {
         return (System.nanoTime() - start) / 1e9;
     }
 
-    @Override
-    public synchronized void measured(StudyKind kind, Measurement point, int done, int count) {
+    /** A measurement of a study is made, or was known; {@code done} of {@code count} are. */
+    synchronized void measured(StudyKind kind, Measurement point, int done, int count) {
         show(String.format(
                 Locale.ROOT,
                 "%s %d/%d: %s, %s, %.6g",
@@ -98,7 +100,12 @@ final class ProgressLine implements ProgressReport {
     }
 
     @Override
-    public synchronized void clear() {
+    public boolean isCancelled() {
+        return false;
+    }
+
+    /** Removes what a terminal shows. */
+    synchronized void clear() {
         if (written) {
             show("");
             out.print("\r");

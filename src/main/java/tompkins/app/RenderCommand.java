@@ -21,9 +21,9 @@ import tompkins.studio.Studio;
 
 /** Takes photographs of scene files. */
 @Command(
-        description = "Takes the photographs of scene files. The scene travels inside the picture: render a saved"
-                + " photograph to take it again.")
-final class RenderCommand extends LongCommand {
+        header = "Takes photographs of scene files.",
+        description = "The scene travels inside the picture: render a saved" + " photograph to take it again.")
+final class RenderCommand extends ProgramCommand {
 
     @Parameters(
             arity = "1..*",
@@ -46,6 +46,9 @@ final class RenderCommand extends LongCommand {
                     "png, png16, tiff, tiff_float or hdr; default: that of a photograph that is taken again, or else the"
                             + " usual one for the file's ending: png, tiff (16 bit) or hdr")
     private PictureFormat format;
+
+    @Mixin
+    private ThreadsOption threads;
 
     @Mixin
     private QualityOptions quality;
@@ -89,15 +92,14 @@ final class RenderCommand extends LongCommand {
     }
 
     private int takeAll() throws IOException, InterruptedException {
-        try (Photographer photographer =
-                new Photographer(commandLine(), threads().number())) {
+        try (Photographer photographer = new Photographer(commandLine(), threads.number())) {
             photographer.reads();
             List<Path> own = pictures.own(scenes);
             if (own.size() > 1) {
                 requireAllPossible(own);
             }
             for (int i = 0; i < own.size(); i++) {
-                photographer.next(i, own.size());
+                photographer.reads();
                 Photographer.Order order = order(own.get(i));
                 if (isDone(order)) {
                     photographer.leave(order.target());

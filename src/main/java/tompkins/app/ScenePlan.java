@@ -9,11 +9,15 @@ import tompkins.io.StudioReader;
 import tompkins.measure.LessonStudio;
 import tompkins.measure.UnseenObjects;
 import tompkins.property.MistakeException;
+import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
 /** Plans the pictures and lessons of scene files. */
 final class ScenePlan {
+
+    /** A tree of so many primitives takes a second. */
+    private static final double MANY = 1e6;
 
     private ScenePlan() {}
 
@@ -25,6 +29,16 @@ final class ScenePlan {
     /** As above; takes over what it can from the plan of another picture, which may be null. */
     static RenderPlan of(Studio studio, RenderPlan before, Path scene) {
         return StudioReader.used(scene, () -> RenderPlan.of(studio, before));
+    }
+
+    /** The warnings of a scene that is checked: many objects get no tree for that, unless rays of flashes are followed. */
+    static List<String> checked(Studio studio, Path scene) {
+        double primitives =
+                studio.scene().stream().mapToDouble(SceneObject::primitiveCount).sum();
+        RenderPlan plain = primitives < MANY ? null : StudioReader.used(scene, () -> RenderPlan.plain(studio));
+        return plain == null || plain.hasFlashes()
+                ? warnings(of(studio, scene))
+                : new Explanation(plain).warnings();
     }
 
     /** Prints the {@link #warnings}. */

@@ -25,8 +25,10 @@ import tompkins.studio.Studio;
 
 /** Makes sheets of lessons, to be printed. */
 @Command(
-        description = "Makes a sheet of a lesson to be printed from a browser: the question with its picture, room to"
-                + " write and to measure, and on the last page the answers.")
+        header = "Makes a sheet of a lesson, to be printed.",
+        description =
+                "A browser prints it: the question with its picture, room to write and to measure, and on the last"
+                        + " page the answers.")
 final class SheetCommand extends ProgramCommand {
 
     @Parameters(

@@ -30,10 +30,11 @@ import tompkins.study.Trial;
 
 /** Charts speed against accuracy. */
 @Command(
+        header = "Charts speed against accuracy.",
         description =
-                "Charts speed against accuracy: measures methods against each other and writes charts, figures and"
+                "Measures methods against each other and writes charts, figures and"
                         + " what they show. A study that was stopped with Ctrl-C continues where it stopped when it is started again.")
-final class StudyCommand extends LongCommand {
+final class StudyCommand extends ProgramCommand {
 
     private static final String ALL = "all";
     private static final String PAGE_OF_ALL = "speed-and-accuracy";
@@ -77,9 +78,12 @@ final class StudyCommand extends LongCommand {
     private Part part;
 
     @Mixin
+    private ThreadsOption threads;
+
+    @Mixin
     private SetOption option;
 
-    private ProgressReport report;
+    private ProgressLine report;
 
     @Override
     public Integer call() throws Exception {
@@ -95,8 +99,8 @@ final class StudyCommand extends LongCommand {
         StudySetup setup = new StudySetup(seed, own);
         List<StudyKind> fitting = kinds;
         output = output == null ? NamedFile.currentFolder() : output;
-        report = ProgressReport.on(err());
-        return OutputOption.inFolder(output, () -> threads().during(() -> study(fitting, setup)));
+        report = new ProgressLine(err());
+        return OutputOption.inFolder(output, () -> threads.during(() -> study(fitting, setup)));
     }
 
     private int study(List<StudyKind> kinds, StudySetup setup) throws IOException {
@@ -109,7 +113,6 @@ final class StudyCommand extends LongCommand {
         }
         boolean holds = true;
         for (StudyKind kind : studies.keySet()) {
-            report.piece(kinds.indexOf(kind), kinds.size());
             holds &= make(kind, studies.get(kind), page);
         }
         if (part == null) {

@@ -4,14 +4,12 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Collections;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Parameters;
 import tompkins.io.BundledScenes;
 import tompkins.io.StudioReader;
@@ -21,7 +19,7 @@ import tompkins.ui.TompkinsWindow;
 
 /** The program as a whole. */
 @Command(
-        name = "tompkins",
+        name = TompkinsCommand.NAME,
         description = "Takes photographs with a camera that moves at nearly the speed of light.",
         footer = {
             "",
@@ -33,13 +31,17 @@ final class TompkinsCommand extends ProgramCommand {
     /** The name of the command that shows the help of another one. */
     static final String HELP = "help";
 
-    private static final String RENDER = "render";
+    /** The name of the program. */
+    static final String NAME = "tompkins";
 
-    /** The commands by name, in the order in which the help lists them before itself. */
+    /** Commands that compute without telling how far they are. */
+    private static final Set<String> QUIET = Set.of("check", "explain", "trace", "measure");
+
+    /** The commands by name, in the order in which the help lists them. */
     private static final Map<String, Class<?>> COMMANDS = new LinkedHashMap<>();
 
     static {
-        COMMANDS.put(RENDER, RenderCommand.class);
+        COMMANDS.put("render", RenderCommand.class);
         COMMANDS.put("animate", AnimateCommand.class);
         COMMANDS.put("check", CheckCommand.class);
         COMMANDS.put("explain", ExplainCommand.class);
@@ -47,6 +49,8 @@ final class TompkinsCommand extends ProgramCommand {
         COMMANDS.put("measure", MeasureCommand.class);
         COMMANDS.put("sheet", SheetCommand.class);
         COMMANDS.put("study", StudyCommand.class);
+        COMMANDS.put("completion", CompletionCommand.class);
+        COMMANDS.put(HELP, HelpCommand.class);
     }
 
     @Parameters(arity = "0..1", paramLabel = "SCENE", description = "scene file or saved photograph to open")
@@ -76,7 +80,17 @@ final class TompkinsCommand extends ProgramCommand {
             return commandLine.addSubcommand(first, COMMANDS.get(first));
         }
         COMMANDS.forEach(commandLine::addSubcommand);
-        return commandLine.addSubcommand(HELP, HelpCommand.class);
+        return commandLine;
+    }
+
+    /** The command line with all commands. */
+    static CommandLine withAllCommands() {
+        return commandLine(() -> false, "");
+    }
+
+    /** Whether some arguments call a command that computes without telling how far it is. */
+    static boolean isQuiet(String... arguments) {
+        return isNamedBy(arguments) && QUIET.contains(arguments[0]);
     }
 
     /** Whether some arguments call one of the commands, none of which opens a window. */
@@ -84,20 +98,9 @@ final class TompkinsCommand extends ProgramCommand {
         return arguments.length > 0 && COMMANDS.containsKey(arguments[0]);
     }
 
-    /** Whether some arguments ask for photographs of scenes, and not for help. */
-    static boolean takesPhotograph(String... arguments) {
-        return arguments.length > 1
-                && arguments[0].equals(RENDER)
-                && Collections.disjoint(List.of(arguments), List.of("-h", "--help"));
-    }
-
     /** Whether some arguments ask for a window, provided that there is nothing wrong with them; quickly decided. */
     static boolean opensWindow(String... arguments) {
-        return arguments.length == 0
-                || arguments.length == 1
-                        && !isNamedBy(arguments)
-                        && !arguments[0].equals(HELP)
-                        && !arguments[0].startsWith("-");
+        return arguments.length == 0 || arguments.length == 1 && !isNamedBy(arguments) && !arguments[0].startsWith("-");
     }
 
     /**

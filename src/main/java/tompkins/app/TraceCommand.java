@@ -24,8 +24,9 @@ import tompkins.trace.RenderPlan;
 
 /** Traces rays and tells their histories. */
 @Command(
+        header = "Traces rays of pixels: their events, hits and colours.",
         description =
-                "Traces rays: their events and directions in both frames, their hits, their colours. Hits on moving objects"
+                "Events and directions are given in both frames. Hits on moving objects"
                         + " are also given in the rest frame of the object, with its proper time. Where a ray splits, as in glass,"
                         + " all hits of the weaker branch come first, indented; entry and Doppler factor are those of the main"
                         + " branch. The throughput is the largest fraction of the pixel's light that this branch can still add"

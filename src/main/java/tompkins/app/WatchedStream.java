@@ -4,14 +4,19 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.util.Locale;
 
-/** Passes on what the program prints, and remembers why that failed; a print writer only knows that it failed. */
+/**
+ * Passes on what the program prints in the place of the line that says that it works, and remembers why that failed; a
+ * print writer only knows that it failed.
+ */
 final class WatchedStream extends OutputStream {
 
     private final OutputStream stream;
+    private final WorkingLine line;
     private IOException failure;
 
-    WatchedStream(OutputStream stream) {
+    WatchedStream(OutputStream stream, WorkingLine line) {
         this.stream = stream;
+        this.line = line;
     }
 
     @Override
@@ -22,7 +27,10 @@ final class WatchedStream extends OutputStream {
     @Override
     public void write(byte[] bytes, int offset, int length) throws IOException {
         try {
-            stream.write(bytes, offset, length);
+            synchronized (line) {
+                line.clear();
+                stream.write(bytes, offset, length);
+            }
         } catch (IOException lost) {
             failure = lost;
             throw lost;

@@ -50,10 +50,12 @@ public final class CameraMotion {
 
     /** Sets the place and the directions as given, so that those that do not change are not rounded. */
     private static Camera moved(Camera camera, RigidMotion motion, Vector3dc position, Vector3dc view, Vector3dc top) {
+        boolean hasDistance = camera instanceof ThinLensCamera lens && lens.focusDistance() > 0;
         return Descriptions.changed(camera, (name, value) -> switch (name) {
             case "position" -> position;
             case "viewDirection" -> view;
             case "topDirection" -> top;
+            case "focus" -> hasDistance ? value : moved(value, motion);
             default -> moved(value, motion);
         });
     }

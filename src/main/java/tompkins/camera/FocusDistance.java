@@ -5,8 +5,7 @@ import org.joml.Vector3dc;
 import tompkins.math.Vectors;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
-import tompkins.sceneobject.Plane;
-import tompkins.surface.ColouredSurface;
+import tompkins.sceneobject.SceneObject;
 
 /** Reads and sets the focus of a camera as one number: the distance that is sharp in the middle of the picture. */
 public final class FocusDistance {
@@ -17,7 +16,7 @@ public final class FocusDistance {
     public static double of(Camera camera) {
         if (camera instanceof ThinLensCamera lens) {
             // a plane along the view gives a negative zero
-            return 1 / (new FocusSurface(lens.focus()).inverseDistance(lens.position(), view(lens)) + 0.0);
+            return 1 / (new FocusSurface(lens.surfaceInFocus()).inverseDistance(lens.position(), view(lens)) + 0.0);
         }
         return ((PanoramicCamera) camera).focusDistance();
     }
@@ -39,9 +38,11 @@ public final class FocusDistance {
             if (!(distance != 0 && Double.isFinite(distance))) {
                 throw new InvalidPropertyException("focusDistance", "a finite number, not 0", distance);
             }
-            Vector3d view = view(lens);
-            Vector3d point = new Vector3d(view).mul(distance).add(lens.position());
-            return Descriptions.with(lens, "focus", new Plane("focus", point, view, ColouredSurface.DEFAULT));
+            double ahead = Math.max(distance, 0);
+            SceneObject focus = distance > 0 ? ThinLensCamera.DEFAULT.focus() : lens.planeAcross(distance);
+            return Descriptions.changed(
+                    lens,
+                    (name, before) -> name.equals("focusDistance") ? ahead : name.equals("focus") ? focus : before);
         }
         return Descriptions.with(camera, "focusDistance", distance);
     }

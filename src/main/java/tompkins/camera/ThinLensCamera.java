@@ -2,6 +2,8 @@ package tompkins.camera;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.math.Vectors;
+import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 import tompkins.property.NumberText;
@@ -37,7 +39,14 @@ public record ThinLensCamera(
         @Meaning(value = "Radius of the aperture; 0 is a pinhole", unit = "length")
         double apertureRadius,
 
-        @Meaning("The object on whose surface the camera is focused, at rest in the camera frame")
+        @Meaning(
+                value = "Distance in focus: the plane across the view there is sharp; with 0 it is the surface of"
+                        + " focus. A number as focus means the same",
+                unit = "length")
+        double focusDistance,
+
+        @Meaning("The object on whose surface the camera is focused, at rest in the camera frame, if there is no"
+                + " focusDistance")
         SceneObject focus,
 
         @Meaning(value = "Exposure compensation, -100 to 100; 1 stop doubles the light", unit = "stops")
@@ -64,6 +73,7 @@ public record ThinLensCamera(
             20,
             0,
             0,
+            0,
             new Plane("focus", new Vector3d(0, 0, 10), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT),
             0,
             AperturePlaneShutter.DEFAULT,
@@ -82,15 +92,27 @@ public record ThinLensCamera(
         Require.between("horizontalAngleDegrees", horizontalAngleDegrees, 0, 180);
         Require.notNegativeBelow("verticalAngleDegrees", verticalAngleDegrees, 180);
         Require.notNegative("apertureRadius", apertureRadius);
+        if (focusDistance != 0) {
+            Require.distance("focusDistance", focusDistance);
+            if (!Descriptions.areEqual(focus, DEFAULT.focus)) {
+                throw new InvalidPropertyException(
+                        "focusDistance", "0 or left out beside a focus: only one of both counts", focusDistance);
+            }
+        }
         SceneObject.requireAtRest("focus", focus);
         for (Vector3dc lens : stereo.lenses(
                 position, CameraAxes.of(viewDirection, topDirection).right())) {
             if (focus instanceof Plane plane
                     && plane.point().sub(lens, new Vector3d()).dot(plane.normal()) == 0) {
+                double distance = Vectors.unit(viewDirection).dot(plane.point().sub(position, new Vector3d()));
                 throw new InvalidPropertyException(
                         "focus",
                         "a surface that does not pass through the lens centre " + Require.text(lens),
-                        plane.description());
+                        "a plane with the normal " + Require.text(plane.normal())
+                                + (distance > 0
+                                        ? "; for the plane across the view write the distance "
+                                                + NumberText.of(distance) + " alone"
+                                        : ""));
             }
         }
         if (focus.primitiveCount() > SceneObject.MOST_PRIMITIVES) {
@@ -103,6 +125,18 @@ public record ThinLensCamera(
         FocusSurface.primitives(focus);
         Require.within("exposureStops", exposureStops, -100.0, 100.0);
         Require.duration("exposureTime", exposureTime);
+    }
+
+    /** What is sharp: the plane at the distance in focus if there is one, or else the surface of the focus. */
+    public SceneObject surfaceInFocus() {
+        return focusDistance == 0 ? focus : planeAcross(focusDistance);
+    }
+
+    /** The plane across the view at a distance, which is below 0 behind the lens. */
+    Plane planeAcross(double distance) {
+        Vector3d view = Vectors.unit(viewDirection);
+        Vector3d point = new Vector3d(view).mul(distance).add(position);
+        return new Plane("focus", point, view, ColouredSurface.DEFAULT);
     }
 
     @Override

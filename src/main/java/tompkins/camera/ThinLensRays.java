@@ -50,7 +50,7 @@ final class ThinLensRays implements CameraRays {
         delays = new ShutterDelays(camera, width, height);
         // a pinhole needs its focus only where the shutter does
         boolean focused = camera.hasWideAperture() || shutter.needsFocus();
-        focus = focused ? new FocusSurface(camera.focus()) : null;
+        focus = focused ? new FocusSurface(camera.surfaceInFocus()) : null;
         this.sceneFromCamera = sceneFromCamera;
         double halfWidth = Math.tan(Math.toRadians(camera.horizontalAngleDegrees()) / 2);
         double halfHeight = camera.verticalAngleDegrees() == 0

@@ -134,6 +134,7 @@ public final class Explanation {
                     "the light of the scene is too faint to be seen in the middle of the picture, which stays dark");
         }
         warnings.addAll(new Flashes(plan).warnings());
+        BrightColours.warning(studio).ifPresent(warnings::add);
         Stream.concat(IntStream.range(0, world.frameCount()).mapToObj(world::objects), Stream.of(cameraFrame))
                 .filter(objects -> objects.surfaces().stream().anyMatch(Explanation::isLens))
                 .flatMap(objects -> objects.primitives().stream())
@@ -163,7 +164,7 @@ public final class Explanation {
     /** Whether the picture needs a focus, and there is none, as in an empty group. */
     private boolean missesFocus() {
         return studio.camera() instanceof ThinLensCamera camera
-                && camera.focus().primitiveCount() == 0
+                && camera.surfaceInFocus().primitiveCount() == 0
                 && (camera.hasWideAperture() || camera.shutter().needsFocus());
     }
 

@@ -105,7 +105,7 @@ public final class Flashes {
     /** The flashes at all hits of rays that are spread over the picture, after a part of the exposure. */
     private Stream<FlashSight> tried(double moment) {
         return IntStream.range(0, plan.hasFlashes() ? TRIED * TRIED : 0)
-                .mapToObj(i -> RayLife.of(
+                .mapToObj(i -> RayLife.way(
                         plan,
                         (i % TRIED + 0.5) / TRIED * plan.width(),
                         (i / TRIED + 0.5) / TRIED * plan.height(),

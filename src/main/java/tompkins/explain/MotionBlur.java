@@ -84,7 +84,7 @@ final class MotionBlur {
     }
 
     private RayLife at(double x, double y, double moment) {
-        return RayLife.of(plan, x, y, 0, 0, moment);
+        return RayLife.way(plan, x, y, 0, 0, moment);
     }
 
     /**

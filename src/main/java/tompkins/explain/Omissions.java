@@ -113,14 +113,15 @@ final class Omissions {
     }
 
     private boolean hasSurfaceInFocus() {
-        return camera instanceof ThinLensCamera lens && lens.focus().primitiveCount() > 0;
+        return camera instanceof ThinLensCamera lens && lens.surfaceInFocus().primitiveCount() > 0;
     }
 
     /** What goes wrong with the rays of a few pixels, spread evenly over the picture. */
     private RayCounts tried() {
         RayCounts counts = new RayCounts();
-        double primitives =
-                camera instanceof ThinLensCamera lens ? Math.max(1, lens.focus().primitiveCount()) : 1;
+        double primitives = camera instanceof ThinLensCamera lens
+                ? Math.max(1, lens.surfaceInFocus().primitiveCount())
+                : 1;
         int rows = (int) Math.max(2, Math.min(TRIED, Math.sqrt(MOST_SEARCHES / primitives)));
         double width = studio.settings().width();
         double height = studio.settings().height();

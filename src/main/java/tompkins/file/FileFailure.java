@@ -2,14 +2,19 @@ package tompkins.file;
 
 import java.io.FileNotFoundException;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.channels.ClosedChannelException;
 import java.nio.charset.Charset;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
+import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
+import java.nio.file.Path;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Says in words why a file cannot be read or written. */
 public final class FileFailure {
@@ -36,9 +41,36 @@ public final class FileFailure {
                         + "); set one with UTF-8, such as LC_ALL=C.UTF-8, and start the program again";
     }
 
+    /**
+     * A hint at what has the name of a missing file, or of its folder, but for capital letters; empty if there is
+     * nothing.
+     */
+    public static String otherCase(Path missing) {
+        Path folder = missing.toAbsolutePath().getParent();
+        if (folder == null) {
+            return "";
+        }
+        if (!Files.isDirectory(folder)) {
+            return otherCase(folder);
+        }
+        String name = missing.getFileName().toString();
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(file -> file.getFileName().toString())
+                    .filter(name::equalsIgnoreCase)
+                    .sorted()
+                    .map(other -> ", but there is " + other)
+                    .collect(Collectors.joining());
+        } catch (IOException | UncheckedIOException unreadable) {
+            return "";
+        }
+    }
+
     /** The reason in a few words and one line, without the name of the file. */
     public static String reason(IOException failure) {
-        if (failure instanceof NoSuchFileException || failure instanceof FileNotFoundException) {
+        if (failure instanceof NoSuchFileException missing) {
+            return "there is no such file or folder" + otherCase(Path.of(missing.getFile()));
+        }
+        if (failure instanceof FileNotFoundException) {
             return "there is no such file or folder";
         }
         if (failure instanceof AccessDeniedException) {

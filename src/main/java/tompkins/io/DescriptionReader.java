@@ -4,6 +4,7 @@ import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -12,8 +13,10 @@ import java.util.function.BiFunction;
 import org.joml.Vector2ic;
 import org.joml.Vector3dc;
 import org.joml.Vector3ic;
+import tompkins.camera.ThinLensCamera;
 import tompkins.io.JsonValue.JsonChange;
 import tompkins.io.JsonValue.JsonList;
+import tompkins.io.JsonValue.JsonNumber;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.JsonText;
 import tompkins.io.JsonValue.Member;
@@ -23,6 +26,7 @@ import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
 import tompkins.ray.PixelPicture;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 
 /**
@@ -107,7 +111,8 @@ final class DescriptionReader {
 
     private Object member(Class<?> family, JsonValue value, String path) {
         if (!(value instanceof JsonObject object)) {
-            String name = DescriptionTypes.memberNames(family).get(0);
+            List<String> names = DescriptionTypes.memberNames(family);
+            String name = value instanceof JsonText text && names.contains(text.text()) ? text.text() : names.get(0);
             return values.refuse(value, path, "an object in braces, such as {\"type\": \"" + name + "\"}");
         }
         Class<?> member = member(family, object, path, DescriptionTypes.usualMember(family));
@@ -133,7 +138,11 @@ final class DescriptionReader {
         if (index >= 0) {
             return Descriptions.members(family).get(index);
         }
-        String hint = name == null ? "" : Spelling.hint(name, names);
+        String hint = name == null
+                ? ""
+                : DescriptionTypes.homeOfType(name)
+                        .map(key -> "; " + name + " belongs under \"" + key + "\"")
+                        .orElseGet(() -> Spelling.hint(name, names));
         problems.add(
                 type.value(),
                 path,
@@ -200,9 +209,13 @@ final class DescriptionReader {
      * @return null if a mistake was noted
      */
     Object record(Class<?> type, JsonObject object, String path, List<String> otherKeys, Object standard) {
+        Member focus = object.members().get("focus");
+        if (standard instanceof ThinLensCamera camera && focus != null && focus.value() instanceof JsonNumber) {
+            return focused(object, focus, path, otherKeys, camera);
+        }
         List<String> keys = new ArrayList<>(otherKeys);
         keys.addAll(DescriptionTypes.keys(type));
-        boolean clear = problems.noteUnknownKeys(object, path, keys, key -> home(key, standard));
+        boolean clear = problems.noteUnknownKeys(object, path, keys, key -> home(key, path, standard));
         List<RecordComponent> components = Descriptions.components(type);
         List<Object> present = Descriptions.values(standard);
         Object[] arguments = new Object[components.size()];
@@ -231,14 +244,46 @@ final class DescriptionReader {
         return clear && replaced.isEmpty() ? made : null;
     }
 
-    /** A hint at the part of a description to which a key belongs. */
-    private static String home(String key, Object whole) {
+    /** A camera whose focus is a number: its distance, in the place of what was in focus. */
+    private Object focused(JsonObject object, Member focus, String path, List<String> otherKeys, Record camera) {
+        Map<String, Member> members = new LinkedHashMap<>(object.members());
+        members.remove("focus");
+        if (members.put("focusDistance", focus) != null) {
+            problems.add(focus.value(), inner(path, "focus"), "is given twice; leave focus or focusDistance out");
+            return null;
+        }
+        Object unfocused = Descriptions.with(
+                Descriptions.with(camera, "focusDistance", 0.0), "focus", ThinLensCamera.DEFAULT.focus());
+        return record(
+                ThinLensCamera.class,
+                new JsonObject(object.line(), object.column(), members),
+                path,
+                otherKeys,
+                unfocused);
+    }
+
+    /** A hint at where a key belongs: to a part of a description, to the scene itself, or to what holds objects. */
+    private static String home(String key, String path, Object whole) {
+        // each element of a list may be meant, and its parts are those of many
+        Object scene = path.contains("[") ? whole : Studio.DEFAULT;
+        return part(key, whole)
+                .or(() -> part(key, scene))
+                .map(part -> "; did you mean \"" + part + "\"?")
+                .or(() -> DescriptionTypes.ownerOfKey(key, whole.getClass())
+                        .map(owner -> "; " + owner + " has \"" + key + "\""))
+                .orElse("");
+    }
+
+    /** The way to the part of something that has a key. */
+    private static Optional<String> part(String key, Object whole) {
+        if (whole == Studio.DEFAULT && DescriptionTypes.keys(Studio.class).contains(key)) {
+            return Optional.of(key + "\" beside \"camera");
+        }
         return StudioPath.stepsFrom(whole).stream()
                 .filter(part -> StudioPath.stepsFrom(StudioPath.ROOT.then(part).get(whole))
                         .contains(key))
                 .findFirst()
-                .map(part -> "; did you mean \"" + part + "." + key + "\"?")
-                .orElse("");
+                .map(part -> part + "." + key);
     }
 
     /** The way to a part of something. */

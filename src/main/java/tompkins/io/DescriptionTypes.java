@@ -6,13 +6,18 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
+import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.lesson.Lesson;
 import tompkins.lesson.PicturePoint;
 import tompkins.light.Pulse;
 import tompkins.property.Descriptions;
+import tompkins.sceneobject.SceneObject;
+import tompkins.studio.Studio;
 import tompkins.studio.UniformBackground;
 import tompkins.surface.ColouredSurface;
+import tompkins.surface.Surface;
 
 /** What scene files need to know of descriptions: families and the types usual in them, keys, names of constants. */
 final class DescriptionTypes {
@@ -60,6 +65,37 @@ final class DescriptionTypes {
     /** The keys of a record. */
     static List<String> keys(Class<?> type) {
         return KEYS.get(type);
+    }
+
+    /** The key of a scene, or of a part of it, under which a description of a type belongs. */
+    static Optional<String> homeOfType(String name) {
+        return Stream.concat(
+                        Descriptions.components(Studio.class).stream(),
+                        Stream.of(SceneObject.class, Camera.class)
+                                .flatMap(family -> Descriptions.members(family).stream())
+                                .flatMap(member -> Descriptions.components(member).stream()))
+                .filter(component -> family(component)
+                        .filter(family -> memberNames(family).contains(name))
+                        .isPresent())
+                .findFirst()
+                .map(RecordComponent::getName);
+    }
+
+    private static Optional<Class<?>> family(RecordComponent component) {
+        return Descriptions.elementType(component.getGenericType())
+                .or(() -> Optional.of(component.getType()))
+                .filter(DescriptionTypes::isFamily);
+    }
+
+    /** The only other member of the family of a type that has a key. */
+    static Optional<String> ownerOfKey(String key, Class<?> type) {
+        List<String> owners = Stream.of(SceneObject.class, Surface.class)
+                .filter(family -> family.isAssignableFrom(type))
+                .flatMap(family -> Descriptions.members(family).stream())
+                .filter(member -> keys(member).contains(key))
+                .map(Descriptions::name)
+                .toList();
+        return owners.size() == 1 ? Optional.of(owners.get(0)) : Optional.empty();
     }
 
     /** The name of a constant in scene files: lower case, with hyphens. */

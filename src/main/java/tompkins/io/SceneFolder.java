@@ -59,8 +59,8 @@ final class SceneFolder {
                 "must be the name of " + noun + " in the folder of the scene file or below, with / between the parts";
         Path file = file(name, allowed);
         if (Files.notExists(file)) {
-            throw new IOException(
-                    "there is no such file in " + folder.toAbsolutePath().normalize() + "; it " + allowed);
+            throw new IOException("there is no such file in "
+                    + folder.toAbsolutePath().normalize() + FileFailure.otherCase(file) + "; it " + allowed);
         }
         // links are followed first, because the place to which they lead counts
         Path real = real(file);

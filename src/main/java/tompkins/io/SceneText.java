@@ -64,7 +64,7 @@ final class SceneText {
         }
         // it is unknown what lies in a folder that may not be read; reading then fails, and says why
         if (Files.notExists(file)) {
-            throw problems.wholeFile("there is no such file");
+            throw problems.wholeFile("there is no such file" + FileFailure.otherCase(file));
         }
         if (Files.exists(file) && !Files.isRegularFile(file)) {
             throw problems.wholeFile("is not a file");

@@ -53,6 +53,9 @@ public final class RayHistory {
         SpeedScale scale = studio.transformation().speedScale();
         facts.add(number(scale.key(), "", scale.valueOf(studio.velocity())));
         facts.add(new Items("hits", events(life, studio)));
+        if (life.hitsLeftOut() > 0) {
+            facts.add(number("hitsLeftOut", "Hits left out before the last", life.hitsLeftOut()));
+        }
         if (life.end() == null) {
             facts.add(heading(
                     life.reachesBackground()

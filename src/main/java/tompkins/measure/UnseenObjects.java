@@ -9,6 +9,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector2dc;
 import tompkins.camera.Camera;
+import tompkins.camera.SamplePositions;
 import tompkins.property.NumberText;
 import tompkins.sceneobject.Plane;
 import tompkins.studio.Studio;
@@ -60,12 +61,13 @@ public final class UnseenObjects {
     /** The names of the objects that a coarse picture shows, some of them again and again. */
     private static Stream<String> seen(RenderPlan plan) {
         return IntStream.range(0, TRIED * TRIED)
-                .mapToObj(i -> RayLife.of(
+                .mapToObj(i -> RayLife.way(
                         plan,
                         (i % TRIED + 0.5) / TRIED * plan.width(),
                         (i / TRIED + 0.5) / TRIED * plan.height(),
                         0,
-                        0))
+                        0,
+                        SamplePositions.MIDDLE))
                 .filter(life -> life != null)
                 .flatMap(life -> life.hits().stream())
                 .filter(hit -> hit.frame() == Frame.SCENE && !(hit.object() instanceof Plane))

@@ -1,6 +1,7 @@
 package tompkins.trace;
 
 import org.joml.Vector3dc;
+import tompkins.camera.StereoLayout;
 import tompkins.light.ColourLaw;
 import tompkins.light.Metering;
 import tompkins.ray.Colour;
@@ -42,9 +43,16 @@ public final class LightShift {
         gain = metering == Metering.NONE ? 1 : Math.min(MOST_GAIN, 1 / white);
     }
 
-    /** The shift for the picture of a plan, metered in its middle, behind what moves with the camera. */
+    /**
+     * The shift for the picture of a plan, metered in its middle, behind what moves with the camera; of two eyes it is
+     * that between them, so that both pictures have one exposure.
+     */
     static LightShift metered(RenderPlan plan) {
         Studio studio = plan.studio();
+        if (studio.camera().stereo().layout() != StereoLayout.NONE) {
+            return RenderPlan.of(studio.withCamera(studio.camera().betweenEyes()), plan)
+                    .lightShift();
+        }
         RayLife middle = plan.middleLife();
         if (middle != null && middle.sceneStart() != null) {
             return new LightShift(

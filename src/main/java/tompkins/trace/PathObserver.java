@@ -10,6 +10,11 @@ interface PathObserver {
     /** What follows, until {@link #returns()}, is the life of a weaker branch of a ray that was split. */
     default void branches() {}
 
+    /** Whether the branch that is being followed need not be followed on, because its light does not count. */
+    default boolean hasSeenEnough() {
+        return false;
+    }
+
     /** The life of that branch is over: the branch that it came from goes on. */
     default void returns() {}
 

@@ -34,7 +34,9 @@ import tompkins.surface.Surface;
  *     frequencies
  * @param sceneSlowness time in the scene frame for a unit of length along that ray: 1 for light, and below 0 or above
  *     it where the scene is measured without light
- * @param hits everything that was hit, in the order of tracing: where a ray splits, first all of its weaker branch
+ * @param hits everything that was hit, in the order of tracing: where a ray splits, first all of its weaker branch; of
+ *     the main branch the first {@link #MOST_HITS} and the last, and as many of all weaker ones
+ * @param hitsLeftOut how many hits there were beside these
  * @param lastDirection unit direction in the scene frame in which the main branch goes on after all hits and meets
  *     nothing more, or null if it ends at its last hit
  * @param lastSlowness slowness of light in the scene frame on that last way; 1 if there is none
@@ -54,12 +56,18 @@ public record RayLife(
         double sceneDirectionLength,
         double sceneSlowness,
         List<Encounter> hits,
+        long hitsLeftOut,
         Vector3dc lastDirection,
         double lastSlowness,
         double lastDopplerFactor,
         List<Segment> segments,
         LightInMedium.Seen overtaken,
         Colour colour) {
+
+    /** So many hits of the main branch are kept, and of weaker branches; mirrors may send a ray round for ever. */
+    public static final int MOST_HITS = 10_000;
+
+    private static final int FEW_HITS = 100;
 
     /**
      * A straight piece of a ray in the scene frame.
@@ -177,7 +185,20 @@ public record RayLife(
      * @return its life, or null if the sample never crosses the shutter and so has none
      */
     public static RayLife of(RenderPlan plan, double x, double y, double lensX, double lensY, double moment) {
-        Recorder recorder = new Recorder(plan);
+        return of(plan, x, y, lensX, lensY, moment, Long.MAX_VALUE);
+    }
+
+    /**
+     * As above, for somebody who asks for the way of the light and not for its colour: weaker branches are followed for
+     * few hits, and the colour lacks the light of what is left out.
+     */
+    public static RayLife way(RenderPlan plan, double x, double y, double lensX, double lensY, double moment) {
+        return of(plan, x, y, lensX, lensY, moment, FEW_HITS);
+    }
+
+    private static RayLife of(
+            RenderPlan plan, double x, double y, double lensX, double lensY, double moment, long mostWeaker) {
+        Recorder recorder = new Recorder(plan, mostWeaker);
         Colour colour = plan.tracer(new RayCounts(), recorder).sample(x, y, lensX, lensY, moment);
         return recorder.startDirection == null ? null : recorder.life(colour);
     }
@@ -185,8 +206,18 @@ public record RayLife(
     private static final class Recorder implements PathObserver {
 
         private final RenderPlan plan;
+
+        /** After so many hits of weaker branches these are no longer followed. */
+        private final long mostWeaker;
+
         private final FlashWatch flashes;
         private final List<Encounter> hits = new ArrayList<>();
+        private long mainHits;
+        private long weakerHits;
+
+        /** The latest hit of the main branch, if that is not kept for being one of too many; or null. */
+        private Encounter latest;
+
         private final List<Segment> segments = new ArrayList<>();
 
         /** The hits at which the weaker branches begin that are being followed. */
@@ -207,8 +238,9 @@ public record RayLife(
         private double lastDopplerFactor = Double.NaN;
         private int branch;
 
-        Recorder(RenderPlan plan) {
+        Recorder(RenderPlan plan, long mostWeaker) {
             this.plan = plan;
+            this.mostWeaker = mostWeaker;
             flashes = plan.flashWatch();
         }
 
@@ -216,6 +248,11 @@ public record RayLife(
         public void branches() {
             branch++;
             forks.add(corner);
+        }
+
+        @Override
+        public boolean hasSeenEnough() {
+            return branch > 0 && weakerHits >= mostWeaker;
         }
 
         @Override
@@ -244,6 +281,10 @@ public record RayLife(
 
         @Override
         public void hits(Frame frame, Ray ray, Hit hit, Primitive primitive) {
+            boolean isKept = (branch == 0 ? mainHits++ : weakerHits++) < MOST_HITS;
+            if (!isKept && branch > 0) {
+                return;
+            }
             Event traced = new Event(hit.x, hit.y, hit.z, hit.time);
             RestFrame rest = primitive.restFrame();
             PointFrame point = hit.runs ? new PointFrame(hit, plan.studio().transformation()) : null;
@@ -271,9 +312,15 @@ public record RayLife(
                             hit.coordinates == null ? Double.NaN : hit.coordinates.u(),
                             hit.coordinates == null ? Double.NaN : hit.coordinates.v()),
                     flashes == null ? List.of() : flashes.at(frame, ray, hit, ray.depth == 0));
-            hits.add(encounter);
+            if (isKept) {
+                hits.add(encounter);
+            } else {
+                latest = encounter;
+            }
             if (frame == Frame.SCENE) {
-                segments.add(new Segment(corner, encounter, null, branch));
+                if (isKept) {
+                    segments.add(new Segment(corner, encounter, null, branch));
+                }
                 corner = met;
             }
         }
@@ -293,7 +340,7 @@ public record RayLife(
 
         @Override
         public void leaves(Frame frame, Ray ray) {
-            if (frame == Frame.CAMERA) {
+            if (frame == Frame.CAMERA || branch > 0 && weakerHits > MOST_HITS) {
                 return;
             }
             Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz);
@@ -306,6 +353,9 @@ public record RayLife(
         }
 
         RayLife life(Colour colour) {
+            if (latest != null) {
+                hits.add(latest);
+            }
             return new RayLife(
                     start,
                     startDirection,
@@ -315,6 +365,7 @@ public record RayLife(
                     sceneDirectionLength,
                     sceneSlowness,
                     List.copyOf(hits),
+                    mainHits + weakerHits - hits.size(),
                     lastDirection,
                     lastSlowness,
                     lastDopplerFactor,

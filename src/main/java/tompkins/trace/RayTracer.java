@@ -185,6 +185,9 @@ final class RayTracer extends Padded implements Tracer {
     }
 
     private boolean isGivenUp(Ray ray) {
+        if (observer != null && observer.hasSeenEnough()) {
+            return true;
+        }
         if (ray.throughput < Ray.FAINTEST) {
             counts.giveUp(ray.throughput);
             return true;

@@ -112,9 +112,9 @@ public final class RenderPlan {
 
     /**
      * The plan for the same picture by the simplest search, every primitive for every ray, which other plans must
-     * equal.
+     * equal; quickly made, but slow for more than a few rays.
      */
-    static RenderPlan plain(Studio studio) {
+    public static RenderPlan plain(Studio studio) {
         return new RenderPlan(studio, null, true, () -> false);
     }
 
@@ -263,7 +263,7 @@ public final class RenderPlan {
 
     /** The life of the sample in the middle of the picture; null if it never crosses the shutter. */
     public RayLife middleLife() {
-        return RayLife.of(this, middle().x(), middle().y(), 0, 0);
+        return RayLife.way(this, middle().x(), middle().y(), 0, 0, SamplePositions.MIDDLE);
     }
 
     /** Where the lens is in the scene frame at the time of the picture. */

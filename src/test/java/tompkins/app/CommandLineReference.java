@@ -45,8 +45,7 @@ final class CommandLineReference {
 
     /** The commands by name, without the one that shows help. */
     static Map<String, CommandLine> commands() {
-        Map<String, CommandLine> all =
-                TompkinsCommand.commandLine(() -> false, "").getSubcommands();
+        Map<String, CommandLine> all = TompkinsCommand.withAllCommands().getSubcommands();
         return all.entrySet().stream()
                 .filter(command -> !command.getKey().equals(TompkinsCommand.HELP))
                 .collect(Collectors.toMap(
@@ -77,7 +76,10 @@ final class CommandLineReference {
     private static void append(StringBuilder text, String name, CommandLine command, Predicate<String> isOwn) {
         CommandSpec spec = command.getCommandSpec();
         text.append("\n## `tompkins ").append(name).append("`\n\n");
-        text.append(String.join(" ", spec.usageMessage().description())).append("\n\n");
+        text.append(Stream.of(spec.usageMessage().header(), spec.usageMessage().description())
+                        .flatMap(Stream::of)
+                        .collect(Collectors.joining(" ")))
+                .append("\n\n");
         new Help(spec, Help.defaultColorScheme(Help.Ansi.OFF))
                 .synopsis(0)
                 .lines()

@@ -270,7 +270,7 @@ class LimitsTest {
                 new Case("two velocities", 2, "render", good, "-o", output, "--beta", "0,0,0.5", "--gamma", "2"),
                 new Case("unknown option", 2, "render", good, "-o", output, "--bta", "0,0,2"),
                 new Case("unknown shutter", 2, "render", good, "-o", output, "--set", "camera.shutter.type=Rolling"),
-                new Case("option of earlier versions", 2, "render", good, "-o", output, "--sweep", "4"),
+                new Case("key of a scene as an option", 2, "render", good, "-o", output, "--sweep", "4"),
                 new Case("key that is set and is none", 2, "check", good, "--set", "settings.widht=9"),
                 new Case("no pixel", 2, "trace", good),
                 new Case("pixel outside the picture", 2, "trace", good, "--pixel", "640,0"),

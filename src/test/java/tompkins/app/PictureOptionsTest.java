@@ -127,13 +127,6 @@ class PictureOptionsTest {
                 "--set =3 | --set must be PATH=VALUE, such as settings.width=320, was =3",
                 "--set ..=3 | --set: must begin with the path of a key, such as settings.width, velocity.gamma or "
                         + "scene[0].radius, was ..",
-                "--shutter detector-plane | --shutter: replaced by --set; write --set camera.shutter.type=DetectorPlaneShutter",
-                "--shutter rolling | write --set camera.shutter.type=rolling",
-                "--sweep=4 --force | --sweep: replaced by --set; write --set camera.rollingShutter.sweep=4",
-                "--rolling right | write --set camera.rollingShutter.direction=right",
-                "--metering none | write --set metering=none",
-                "--view measured | write --set view=measured",
-                "--tone srgb | write --set settings.toneCurve=srgb",
                 "--threads 0 | --threads must be a whole number from 1 to 1024, was 0",
                 "--threads 1025 | --threads must be a whole number from 1 to 1024, was 1025",
                 "--speed 0.5 | unknown option --speed; did you mean \"--beta\"?",
@@ -160,7 +153,6 @@ class PictureOptionsTest {
                 "render --error=",
                 "render --seconds=",
                 "render --threads=",
-                "render --progress=",
                 "render --format=",
                 "render --part=",
                 "trace --pixel=",
@@ -285,17 +277,6 @@ class PictureOptionsTest {
         assertThat(ProgramRun.of("study", "preview", "--set", "settings.width=9")
                         .err())
                 .startsWith("--set changes SCENE, which is missing");
-    }
-
-    /** All options that were replaced are shown as one would type them. */
-    @Test
-    void formerOptionsAreTranslatedTogether() {
-        ProgramRun run = ProgramRun.of("render", FIG1B, "--sweep", 4, "--rolling=right", "--size", "8x6");
-
-        assertThat(run.code()).isEqualTo(2);
-        assertThat(run.err())
-                .startsWith("tompkins render: --sweep, --rolling: replaced by --set; write"
-                        + " --set camera.rollingShutter.sweep=4 --set camera.rollingShutter.direction=right\n");
     }
 
     @Test

@@ -1,6 +1,7 @@
 package tompkins.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assumptions.assumeThat;
 import static tompkins.app.ProgramRun.FIG1B;
 
@@ -10,13 +11,17 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.OnLinux;
 import tompkins.Waiting;
+import tompkins.image.PictureFormat;
 import tompkins.io.StudioReader;
+import tompkins.render.Quality;
+import tompkins.studio.Studio;
 import tompkins.trace.SampleTracer;
 
 /** Where pictures are saved, and the names and places at which none may be. */
@@ -160,6 +165,27 @@ class PicturePlacesTest {
         photographer.takeDefault(scene, folder);
         assertThat(beside).hasContent("no picture at all");
         assertThat(StudioReader.read(folder.resolve("mine-3.png"))).isEqualTo(StudioReader.read(scene));
+    }
+
+    /** As by another process that takes the picture of the same name. */
+    @Test
+    void aNameThatIsTakenMeanwhileIsLeftToTheOther() throws Exception {
+        Path scene = Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 8, \"height\": 6}}");
+        Path target = folder.resolve("sky.png");
+        Studio studio = StudioReader.read(scene);
+        AtomicInteger asked = new AtomicInteger();
+        try (Photographer photographer = new Photographer(TompkinsCommand.commandLine(() -> false), 1)) {
+            photographer.take(
+                    new Photographer.Order(scene, studio, Quality.of(studio), target, PictureFormat.PNG), () -> {
+                        if (asked.incrementAndGet() == 2) {
+                            assertThatCode(() -> Files.writeString(target, "of the other"))
+                                    .doesNotThrowAnyException();
+                        }
+                        return false;
+                    });
+        }
+        assertThat(target).hasContent("of the other");
+        assertThat(StudioReader.read(folder.resolve("sky-2.png"))).isEqualTo(studio);
     }
 
     /** A photograph is what is inside, whatever the name says: only of one the picture is another one. */

@@ -97,24 +97,6 @@ class ProgramProcessTest extends ShellTest {
         }
     }
 
-    /** The first is held until the second has begun, so that none finds the picture of the other when it begins. */
-    @Test
-    void twoProcessesWithOneNameLoseNothing() throws IOException, InterruptedException {
-        // a picture without noise would be complete before its time is over
-        Files.writeString(folder.resolve("sky.json"), """
-                {"settings": {"width": 64, "height": 48}, "camera": {"apertureRadius": 0.1},
-                 "scene": [{"type": "Sphere", "centre": [0, 0, 5], "radius": 1}]}
-                """);
-
-        String render = ProgramShell.PROGRAM + " render sky.json --seconds 3 --progress json 2> ";
-        ProgramRun run = shell("begun() { while kill -0 $1 2> /dev/null && ! grep -q begun $2; do sleep 0.01; done; }; "
-                + render + "first & a=$!; begun $a first; kill -STOP $a; "
-                + render + "second & b=$!; begun $b second; kill -CONT $a; wait; cat first second >&2; ls *.png");
-
-        assertThat(run.out().lines().skip(2)).as(run.err()).containsExactly("sky-2.png", "sky.png");
-        assertThat(PhotographFile.readScene(folder.resolve("sky-2.png"))).isPresent();
-    }
-
     @Test
     void whoeverReadsOnlyTheBeginningHearsNoComplaint() throws IOException, InterruptedException {
         Files.writeString(folder.resolve("good.json"), "{}");

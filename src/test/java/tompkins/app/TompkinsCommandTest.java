@@ -1,7 +1,8 @@
 package tompkins.app;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 import static tompkins.app.ProgramRun.FIG1B;
 
@@ -13,6 +14,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -40,7 +42,7 @@ class TompkinsCommandTest {
             delimiter = '|',
             value = {
                 "rendr | rendr: there is neither a file nor a command of this name; the commands are render, "
-                        + "animate, check, explain, trace, measure, sheet, study, help; did you mean \"render\"?",
+                        + "animate, check, explain, trace, measure, sheet, study, completion, help; did you mean \"render\"?",
                 "foo | the commands are render, animate, check, explain, trace, measure, sheet, study",
                 "foo bar | foo: there is neither a file nor a command of this name; the commands are",
                 "rendr --size 4x4 scenes/fig1b.json | rendr: there is neither a file nor a command of this name",
@@ -51,8 +53,8 @@ class TompkinsCommandTest {
                 "render --foo | tompkins render: unknown option --foo",
                 "check -x | tompkins check: unknown option -x",
                 "trace --pxel=3,3 | tompkins trace: unknown option --pxel; did you mean \"--pixel\"?",
-                "help rendr | tompkins: rendr: there is no command of this name; the commands are render, "
-                        + "animate, check, explain, trace, measure, sheet, study, help; did you mean \"render\"?",
+                "help rendr | rendr: there is no command of this name; the commands are render, "
+                        + "animate, check, explain, trace, measure, sheet, study, completion, help; did you mean \"render\"?",
                 "study tree a b | tompkins study: too many arguments: b"
             })
     void wordsThatMeanNothingAreNamedWithWhatThereIs(String line, String said) {
@@ -124,20 +126,9 @@ class TompkinsCommandTest {
         ProgramRun amongOthers = ProgramRun.of("help", command);
 
         assertThat(amongOthers.out())
-                .startsWith("Usage: tompkins " + command + " ")
+                .contains("Usage: tompkins " + command + " ")
                 .isEqualTo(ProgramRun.of(command, "--help").out());
         assertThat(amongOthers.code()).isZero();
-    }
-
-    @Test
-    void onlyPhotographsAreRehearsed() {
-        assertThat(TompkinsCommand.takesPhotograph("render", "a.json", "--force"))
-                .isTrue();
-        assertThat(TompkinsCommand.takesPhotograph("render")).isFalse();
-        assertThat(TompkinsCommand.takesPhotograph("render", "--help")).isFalse();
-        assertThat(TompkinsCommand.takesPhotograph("check", "a.json")).isFalse();
-        assertThat(TompkinsCommand.takesPhotograph("a.json", "render")).isFalse();
-        assertThatCode(Rehearsal::takePhotograph).doesNotThrowAnyException();
     }
 
     @Test
@@ -147,17 +138,65 @@ class TompkinsCommandTest {
         assertThat(ProgramRun.of("help", "render").out()).contains("--samples");
     }
 
+    /** A terminal of 80 columns and 24 rows shows it with the line of the next command. */
+    @Test
+    void helpFitsOnOneScreen() {
+        String help = ProgramRun.of("help").out();
+        assertThat(help.lines()).hasSizeLessThan(24).allMatch(line -> line.length() <= 80);
+        assertThat(TompkinsCommand.withAllCommands().getSubcommands().keySet())
+                .allSatisfy(name -> assertThat(help).containsPattern("(?m)^  " + name + " +[A-Z].*\\.$"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            help nonsense     | nonsense: there is no command of this name; the commands are render
+            help rendr        | did you mean "render"?
+            help render extra | tompkins help: too many arguments: extra
+            help --bogus      | tompkins help: unknown option --bogus
+            nonsense          | nonsense: there is neither a file nor a command of this name; the commands are render
+            render --shutter=detector-plane a.json | unknown option --shutter; did you mean "--set camera.shutter=VALUE"?
+            trace --sweep 3 a.json | unknown option --sweep; did you mean "--set camera.rollingShutter.sweep=VALUE"?
+            check --width=3 a.json | unknown option --width; did you mean "--set settings.width=VALUE"?
+            completion zsh    | tompkins completion: too many arguments: zsh
+            """)
+    void whatIsNoCommandIsRefused(String line, String said) {
+        ProgramRun run = ProgramRun.of((Object[]) line.split(" "));
+        assertThat(run.code()).isEqualTo(Failures.MISTAKE);
+        assertThat(run.err()).contains(said);
+        assertThat(run.out()).isEmpty();
+    }
+
+    /** Bash itself completes by the script. */
+    @Test
+    void completionKnowsCommandsAndOptions(@TempDir Path folder) throws IOException, InterruptedException {
+        ProgramRun run = ProgramRun.of("completion");
+        assertThat(run.code()).isZero();
+        assumeTrue(Files.isExecutable(Path.of("/bin/bash")), "no bash");
+        Files.writeString(folder.resolve("script"), run.out());
+        String complete = ". ./script; complete -p tompkins;"
+                + " for words in 'tompkins re' 'tompkins trace --pu' 'tompkins study prec'; do"
+                + " COMP_WORDS=($words); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); COMPREPLY=();"
+                + " _complete_tompkins; echo \"${COMPREPLY[*]}\"; done";
+        Process bash = new ProcessBuilder("/bin/bash", "-c", complete)
+                .directory(folder.toFile())
+                .redirectError(ProcessBuilder.Redirect.DISCARD)
+                .start();
+        String out = new String(bash.getInputStream().readAllBytes(), UTF_8);
+        bash.waitFor();
+        assertThat(out.lines()).hasSize(4).endsWith("render", "--pupil", "precision");
+    }
+
     /** Labels of values are in capital letters; those that the library makes of names in the code are not. */
     @ParameterizedTest
     @ValueSource(strings = {"render", "check", "explain", "trace", "measure", "sheet", "study"})
     void everyValueHasALabel(String command) {
         assertThat(ProgramRun.of("help", command).out())
-                .startsWith("Usage: tompkins")
+                .contains("Usage: tompkins")
                 .doesNotContain("<");
     }
 
     private static Stream<Arguments> optionsWithValues() {
-        CommandLine program = TompkinsCommand.commandLine(() -> false, "help");
+        CommandLine program = TompkinsCommand.withAllCommands();
         return program.getSubcommands().entrySet().stream()
                 .flatMap(command -> command.getValue().getCommandSpec().options().stream()
                         .filter(option -> option.arity().max() > 0)

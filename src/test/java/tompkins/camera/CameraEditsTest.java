@@ -22,9 +22,11 @@ class CameraEditsTest {
     private static final Vector3dc DIRECTION = new Vector3d(0.28, 0, 0.96);
 
     static Stream<Camera> cameras() {
-        return Descriptions.members(Camera.class).stream()
-                .map(type -> ((Camera) Descriptions.standard(type))
-                        .withShutter(new ArbitraryPlaneShutter(1, new Vector3d(0.2, 0, 3), new Vector3d(0.1, 0, 1))));
+        Stream<Camera> usual =
+                Descriptions.members(Camera.class).stream().map(type -> (Camera) Descriptions.standard(type));
+        return Stream.concat(usual, Stream.of(FocusDistance.with(ThinLensCamera.DEFAULT, 10)))
+                .map(camera -> camera.withShutter(
+                        new ArbitraryPlaneShutter(1, new Vector3d(0.2, 0, 3), new Vector3d(0.1, 0, 1))));
     }
 
     @ParameterizedTest

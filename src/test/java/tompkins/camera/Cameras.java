@@ -28,6 +28,7 @@ public final class Cameras {
                 horizontalAngleDegrees,
                 verticalAngleDegrees,
                 apertureRadius,
+                0,
                 focus,
                 exposureStops,
                 shutter,

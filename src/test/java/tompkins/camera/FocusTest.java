@@ -12,6 +12,7 @@ import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
@@ -255,11 +256,16 @@ class FocusTest {
     @Test
     void aThinLensIsFocusedOnThePlaneAcrossItsView() {
         ThinLensCamera focused = (ThinLensCamera) FocusDistance.with(aside(Sphere.DEFAULT), 10);
-        Plane plane = (Plane) focused.focus();
+        Plane plane = (Plane) focused.surfaceInFocus();
         assertThat(plane.point().distance(1, 8, 11)).isLessThan(1e-14);
         assertThat(plane.normal().distance(0, 0.6, 0.8)).isLessThan(1e-15);
         assertThat(FocusDistance.of(focused)).isCloseTo(10, within(1e-14));
-        assertThat(aside(focused.focus())).as("nothing else changes").isEqualTo(focused);
+        assertThat(focused.focusDistance()).isEqualTo(10);
+        Plane behind = (Plane) ((ThinLensCamera) FocusDistance.with(aside(Sphere.DEFAULT), -10)).surfaceInFocus();
+        assertThat(behind.point().distance(plane.point())).isCloseTo(20, within(1e-14));
+        assertThat(Descriptions.with(focused, "focusDistance", 0.0))
+                .as("nothing else changes")
+                .isEqualTo(aside(ThinLensCamera.DEFAULT.focus()));
         for (double nowhere : new double[] {0, Double.NaN, Double.POSITIVE_INFINITY}) {
             assertThatThrownBy(() -> FocusDistance.with(focused, nowhere))
                     .isInstanceOf(InvalidPropertyException.class)

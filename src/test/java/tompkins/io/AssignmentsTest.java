@@ -12,6 +12,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.camera.FocusDistance;
 import tompkins.property.Descriptions;
 import tompkins.property.MistakeException;
 import tompkins.sceneobject.ImagePointGrid;
@@ -132,6 +133,20 @@ class AssignmentsTest {
         assertThat(studio.scene()).containsExactly(Plane.DEFAULT, Plane.DEFAULT);
         Studio same = with(STUDIO, "scene[1].radius=3  scene[1].type=Sphere");
         assertThat(sphere(same).radius()).isEqualTo(3);
+    }
+
+    /** A number takes the place of whatever was in focus, and is written as a distance. */
+    @Test
+    void aNumberAsFocusIsADistance() {
+        Studio onSphere = with(Studio.DEFAULT, "camera.focus.type=Sphere");
+        for (String settings : List.of("camera.focus=12", "camera.focusDistance=12")) {
+            Studio studio = with(settings.contains("Distance") ? Studio.DEFAULT : onSphere, settings);
+            assertThat(FocusDistance.of(studio.camera())).isEqualTo(12);
+            assertThat(StudioWriter.write(studio, Path.of("scene.json")))
+                    .contains("\"focusDistance\": 12")
+                    .doesNotContain("\"focus\"");
+            assertThat(with(studio, "camera.focus=3")).isEqualTo(with(Studio.DEFAULT, "camera.focusDistance=3"));
+        }
     }
 
     @Test

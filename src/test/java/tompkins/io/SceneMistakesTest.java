@@ -2,7 +2,10 @@ package tompkins.io;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -82,9 +85,64 @@ class SceneMistakesTest {
             {"camera": {"direction": [0, 0, 1]}}       | viewDirection
             {"camera": {"lookAt": [0, 0, 1]}}          | viewDirection
             {"camera": {"location": [0, 0, 1]}}        | position
+            {"camera": {"focalDistance": 3}}           | focusDistance
+            {"camera": {"fStop": 2}}                   | apertureRadius
+            {"camera": {"shutterSpeed": 2}}            | exposureTime
+            {"camera": {"width": 20}}                  | settings.width
+            {"camera": {"velocity": [0, 0, 0.5]}}      | velocity" beside "camera
+            {"camera": {"stereo": {"layout": "red-cyan"}}} | anaglyph
+            {"settings": {"colours": "doppler"}}       | colours" beside "camera
+            {"settings": {"spp": 4}}                   | samples
+            {"velocity": {"speed": 0.5}}               | beta
+            {"scene": [{"type": "Moving", "position": [0, 0, 1]}]} | place
+            {"scene": [{"type": "Box", "min": [0, 0, 1]}]} | from
+            {"scene": [{"type": "Union"}]}             | Group
+            {"scene": [{"type": "Sphere", "surface": {"type": "Refractive", "ior": 1.5}}]} | indexRatio
+            {"scene": [{"type": "Sphere", "surface": {"type": "PictureSurface", "file": "a.png"}}]} | picture
+            {"lights": [{"type": "DirectionalLight"}]} | PointLight
+            {"lights": [{"type": "PointLight", "intensity": 1}]} | colour
             """)
     void namesOfOtherProgramsAreTranslated(String scene, String name) {
         assertThat(messageOf(scene)).endsWith("; did you mean \"" + name + "\"?");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '~', textBlock = """
+            {"scene": [{"type": "PointLight"}]}       | ; PointLight belongs under "lights"
+            {"scene": [{"type": "Group", "objects": [{"type": "AmbientLight"}]}]} | ; AmbientLight belongs under "lights"
+            {"lights": [{"type": "Sphere"}]}          | ; Sphere belongs under "scene"
+            {"lights": [{"type": "Moving", "objects": [{"type": "Box"}]}]} | ; Box belongs under "scene"
+            {"scene": [{"type": "Mirror"}]}           | ; Mirror belongs under "surface"
+            {"camera": {"type": "FocusSurfaceShutter"}} | ; FocusSurfaceShutter belongs under "shutter"
+            {"scene": [{"type": "Sphere", "velocity": [0, 0, 0.5]}]} | ; Moving has "velocity"
+            {"scene": [{"type": "Sphere", "scale": 2}]} | ; Placed has "scale"
+            {"scene": [{"type": "Sphere", "surface": {"reflectance": 1}}]} | ; Mirror has "reflectance"
+            {"scene": [{"type": "Sphere", "surface": "Mirror"}]} | such as {"type": "Mirror"}, was "Mirror"
+            {"camera": {"focus": 12, "focusDistance": 11}} | camera.focus: is given twice; leave focus or focusDistance out
+            {"camera": {"focus": -12}}                | camera.focusDistance: must be above 0 and at most 1e50, was -12
+            {"camera": {"focus": {"type": "Plane", "point": [0, 0, 12]}}} | through the lens centre [0, 0, 0], was a plane \
+            with the normal [0, 1, 0]; for the plane across the view write the distance 12 alone
+            {"camera": {"focus": {"type": "Sphere"}, "focusDistance": 11}} | camera.focusDistance: must be 0 or left out \
+            beside a focus: only one of both counts, was 11
+            """)
+    void whatIsInAnotherPlaceIsToldWhereItBelongs(String scene, String end) {
+        assertThat(messageOf(scene)).endsWith(end);
+    }
+
+    @Test
+    void aFileWithOtherCapitalLettersIsNamed(@TempDir Path folder) throws IOException {
+        Files.createDirectory(folder.resolve("Pictures"));
+        Files.writeString(folder.resolve("Pictures/die.png"), "");
+        assumeFalse(Files.exists(folder.resolve("pictures/Die.png")), "the file system knows no capital letters");
+        for (String name : List.of("Pictures/Die.png", "pictures/die.png")) {
+            String scene = "{\"scene\": [{\"type\": \"Sphere\", \"surface\": {\"type\": \"PictureSurface\","
+                    + " \"picture\": \"" + name + "\"}}]}";
+            assertThat(catchThrowableOfType(MistakeException.class, () -> StudioReader.read(scene, "f", folder)))
+                    .hasMessageContaining(", but there is " + (name.startsWith("P") ? "die.png" : "Pictures") + "; it");
+        }
+        Path wrong = folder.resolve("pictures");
+        assertThat(catchThrowableOfType(MistakeException.class, () -> StudioReader.read(wrong)))
+                .hasMessageEndingWith("there is no such file, but there is Pictures");
     }
 
     @Test
@@ -110,12 +168,12 @@ class SceneMistakesTest {
             {"lights": [{"type": "PiontLight"}]} | f:1:22: lights[0]: unknown type "PiontLight"; allowed are AmbientLight, \
             PointLight, Moving; did you mean "PointLight"?
             {"camera": {"aperture": 1}}   | f:1:13: camera: unknown key "aperture"; allowed are type, position, \
-            viewDirection, topDirection, horizontalAngleDegrees, verticalAngleDegrees, apertureRadius, focus, exposureStops, \
+            viewDirection, topDirection, horizontalAngleDegrees, verticalAngleDegrees, apertureRadius, focusDistance, focus, exposureStops, \
             shutter, exposureTime, rollingShutter, stereo; did you mean "apertureRadius"?
             {"settings": {"--e-": 1}}     | f:1:15: settings: unknown key "--e-"; allowed are width, height, samples, \
             targetError, seed, maximumDepth, toneCurve
             {"camera": {"angle": 1}}      | f:1:13: camera: unknown key "angle"; allowed are type, position, viewDirection, \
-            topDirection, horizontalAngleDegrees, verticalAngleDegrees, apertureRadius, focus, exposureStops, shutter, exposureTime, \
+            topDirection, horizontalAngleDegrees, verticalAngleDegrees, apertureRadius, focusDistance, focus, exposureStops, shutter, exposureTime, \
             rollingShutter, stereo
             {"lights": [{"type": 5}]}     | f:1:22: lights[0]: unknown type 5; allowed are AmbientLight, PointLight, Moving
             {"lights": [{}]}              | f:1:13: lights[0]: needs a key "type"; allowed are AmbientLight, PointLight, Moving

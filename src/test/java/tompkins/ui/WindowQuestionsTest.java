@@ -38,7 +38,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.Thorough;
-import tompkins.camera.ThinLensCamera;
+import tompkins.camera.FocusDistance;
 import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
@@ -390,8 +390,7 @@ class WindowQuestionsTest {
         driver.click(driver.find(JToggleButton.class, "Pick a point to focus on"));
         driver.click(driver.find(PictureCanvas.class, "picture"));
         WindowDriver.await("another focus", () -> driver.window().model().isModified());
-        Plane focus = (Plane) ((ThinLensCamera) driver.studio().camera()).focus();
-        assertThat(focus.point().z()).isCloseTo(8, within(1e-5));
+        assertThat(FocusDistance.of(driver.studio().camera())).isCloseTo(8, within(1e-5));
         assertThat(driver.find(JToggleButton.class, "Pick a point to focus on").isSelected())
                 .isFalse();
     }

@@ -10,7 +10,6 @@ import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
-import tompkins.animation.FrameListener;
 import tompkins.animation.FrameSequence;
 import tompkins.animation.RideFilm;
 import tompkins.image.AnimationFormat;
@@ -105,8 +104,8 @@ public final class AnimationExport {
             throws Exception {
         int threads = Runtime.getRuntime().availableProcessors();
         try (AnimationWriter writer = file.call()) {
-            List<String> warnings = new AnimationRecorder(film, caption, decorations, false, threads)
-                    .record(writer, progress, FrameListener.NONE);
+            List<String> warnings =
+                    new AnimationRecorder(film, caption, decorations, false, threads).record(writer, progress);
             return new Exported(writer.finish(), warnings);
         }
     }
