@@ -226,10 +226,10 @@ final class AnimateCommand extends ProgramCommand {
             out().println(film.missing());
             return Failures.INCOMPLETE;
         }
+        requireFree(IntStream.range(0, film.count()).mapToObj(new FrameFolder(assembled)::file));
         if (format() == AnimationFormat.NUMBERED_PNG) {
             throw new MistakeException(output + ": --assemble makes a .gif or .mp4 of the frames; give -o such a name");
         }
-        requireFree(IntStream.range(0, film.count()).mapToObj(new FrameFolder(assembled)::file));
         boolean isRateGiven = commandLine().getParseResult().hasMatchedOption("--fps");
         int rate = isRateGiven ? frameRate() : film.frameRate().orElse(Animation.FRAME_RATE);
         report(film.count() + " pictures", Set.of(), progress -> {

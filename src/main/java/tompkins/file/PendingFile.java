@@ -239,7 +239,10 @@ public final class PendingFile implements Closeable {
                 }
             }
             writers.clear();
-            Files.deleteIfExists(temporary);
+            // a name that is too long is in no folder, and cannot even be removed
+            if (Files.exists(temporary)) {
+                Files.delete(temporary);
+            }
             Files.deleteIfExists(room);
         } finally {
             Unfinished.end(this);

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class BareSystemTest extends ShellTest {
 
     private static final String ANIMATE =
-            "tompkins animate small.json --caption --from 0 --to 0.5 --duration 0.1 -o film.png";
+            "tompkins animate small.json --caption --from 0 --to 0.5 --duration 0.1 -o film.gif";
 
     @BeforeEach
     void writeScene() throws IOException {
@@ -59,7 +59,7 @@ class BareSystemTest extends ShellTest {
             assertThat(run.err()).contains("packages fontconfig and fonts-dejavu-core");
         }
         assertThat(folder.resolve("tree")).doesNotExist();
-        assertThat(folder.resolve("film.png")).doesNotExist();
+        assertThat(folder.resolve("film.gif")).doesNotExist();
         assertThat(shell(without + ANIMATE.replace("--caption", "")).code()).isZero();
     }
 
@@ -71,7 +71,7 @@ class BareSystemTest extends ShellTest {
         assertThat(run.code()).as(run.err()).isZero();
         try (Stream<Path> made = Files.list(folder)) {
             assertThat(made.map(file -> file.getFileName().toString()))
-                    .containsExactlyInAnyOrder("small.json", "film.png", "err");
+                    .containsExactlyInAnyOrder("small.json", "film.gif", "err");
         }
     }
 }

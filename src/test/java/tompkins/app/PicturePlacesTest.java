@@ -121,19 +121,20 @@ class PicturePlacesTest {
     @OnLinux
     @Timeout(600)
     void aPipeIsKeptByAllCommands() throws Exception {
-        Path pipe = folder.resolve("pipe.png");
-        assumeThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
-                .isZero();
-        for (String force : List.of("--force", "--size=8x6")) {
-            ProgramRun picture = ProgramRun.of("render", FIG1B, "-o", pipe, force);
-            ProgramRun film = ProgramRun.of("animate", FIG1B, "--from", 0, "--to", 0.5, "-o", pipe, force);
-            for (ProgramRun run : List.of(picture, film)) {
+        for (String name : List.of("pipe.png", "pipe.gif")) {
+            Path pipe = folder.resolve(name);
+            assumeThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
+                    .isZero();
+            for (String force : List.of("--force", "--size=8x6")) {
+                ProgramRun run = name.endsWith("png")
+                        ? ProgramRun.of("render", FIG1B, "-o", pipe, force)
+                        : ProgramRun.of("animate", FIG1B, "--from", 0, "--to", 0.5, "-o", pipe, force);
                 assertThat(run.code()).isEqualTo(Failures.MISTAKE);
                 assertThat(run.err()).contains(pipe + ": cannot be written: it is a device or a pipe, not a file");
             }
+            assertThat(Files.isRegularFile(pipe)).isFalse();
         }
-        assertThat(Files.isRegularFile(pipe)).isFalse();
-        assertThat(folder).isDirectoryNotContaining(file -> !file.equals(pipe));
+        assertThat(folder).isDirectoryNotContaining(file -> !file.toString().contains("pipe"));
     }
 
     /** What happens without a display. */

@@ -9,6 +9,8 @@ import java.nio.file.Path;
 import java.util.List;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.TestRun;
 import tompkins.image.PhotographFile;
 
@@ -83,17 +85,22 @@ class ProgramProcessTest extends ShellTest {
     }
 
     /** Whoever writes goes on until the last moment, and would leave behind what it writes after the tidying. */
-    @Test
-    void anAnimationThatIsStoppedLeavesNothingBehind() throws IOException, InterruptedException {
+    @ParameterizedTest
+    @CsvSource({"film.gif, film.gif", "frames, frame0001.png"})
+    void aFilmThatIsStoppedLeavesWholeFramesAlone(String output, String begun)
+            throws IOException, InterruptedException {
         Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 64, \"height\": 48}}");
 
         for (String pause : List.of("0", "0.05", "0.01", "0.02", "0.1").subList(0, TestRun.cases(2, 5))) {
-            ProgramRun run =
-                    shell(ProgramShell.PROGRAM + " animate sky.json --from 0 --to 0.9 --duration 600 -o frames & p=$!; "
-                            + "while kill -0 $p 2> /dev/null && [ -z \"$(find . -name frame0000.png)\" ]; do sleep 0.01; done; "
-                            + "sleep " + pause + "; kill -TERM $p; wait $p; echo $?; ls -A | grep -v -e sky -e err");
+            ProgramRun run = shell(
+                    ProgramShell.PROGRAM + " animate sky.json --from 0 --to 0.9 --duration 600 -o " + output
+                            + " & p=$!; "
+                            + "while kill -0 $p 2> /dev/null && [ -z \"$(find . -name " + begun
+                            + ")\" ]; do sleep 0.01; done; "
+                            + "sleep " + pause
+                            + "; kill -TERM $p; wait $p; echo $?; ls -A | grep -v -e sky -e err; find frames -not -name 'frame*' 2> /dev/null; rm -rf frames");
 
-            assertThat(run.out()).isEqualTo("143\n");
+            assertThat(run.out()).isEqualTo("143\n" + (output.equals("frames") ? "frames\n" : ""));
         }
     }
 

@@ -218,7 +218,7 @@ class WindowQuestionsTest {
     void anExportThatIsCancelledLeavesNothingBehind() throws IOException {
         WindowDriver.onEventThread(() -> driver.window().model().open(Studios.slow(), null));
         driver.menu("menu.playPanel");
-        Path film = folder.resolve("film.png");
+        Path film = folder.resolve("film.gif");
         driver.answer(Texts.get("play.export"));
         driver.choose(film);
         WindowDriver.await("the progress", () -> task().findAny().isPresent());
@@ -236,7 +236,7 @@ class WindowQuestionsTest {
         WindowDriver.onEventThread(() -> driver.window().model().open(Studios.slow(), null));
         driver.menu("menu.playPanel");
         driver.answer(Texts.get("play.export"));
-        driver.choose(folder.resolve("film.png"));
+        driver.choose(folder.resolve("film.gif"));
         WindowDriver.await("the progress", () -> task().findAny().isPresent());
         driver.menu("menu.close");
         driver.answer(Texts.get("close.wait"));
