@@ -204,19 +204,21 @@ class PngReaderTest {
                         + (at - 4) + "; another copy of it may be intact");
     }
 
-    @Test
-    void aFormOfAppleIsNamed() throws IOException {
+    @ParameterizedTest
+    @CsvSource({
+        "CgBI, is packed in a way that only Apple devices read (CgBI); a PNG picture must be an ordinary one",
+        "tEXt, does not begin with its header (IHDR); a PNG picture must do so"
+    })
+    void whatBeginsWithoutItsHeaderIsNamed(String begin, String reason) throws IOException {
         byte[] file = png(8, 0, new int[] {1});
-        byte[] apple = new byte[file.length + 16];
-        System.arraycopy(file, 0, apple, 0, 8);
+        byte[] other = new byte[file.length + 16];
+        System.arraycopy(file, 0, other, 0, 8);
         ByteArrayOutputStream first = new ByteArrayOutputStream();
-        chunk(first, "CgBI", new byte[4]);
-        System.arraycopy(first.toByteArray(), 0, apple, 8, 16);
-        System.arraycopy(file, 8, apple, 24, file.length - 8);
-        assertThatThrownBy(() -> PictureFile.read(apple, "p.png"))
-                .hasMessage(
-                        "p.png: is packed in a way that only Apple devices read (CgBI); a PNG picture must be an ordinary one"
-                                + "; convert it, for example with ImageMagick or GIMP");
+        chunk(first, begin, new byte[4]);
+        System.arraycopy(first.toByteArray(), 0, other, 8, 16);
+        System.arraycopy(file, 8, other, 24, file.length - 8);
+        assertThatThrownBy(() -> PictureFile.read(other, "p.png"))
+                .hasMessage("p.png: " + reason + "; convert it, for example with ImageMagick or GIMP");
     }
 
     @Test
