@@ -39,6 +39,10 @@ public final class Flashes {
     private static final double PARALLEL = 1 - 1e-12;
 
     private static final int DIGITS = 4;
+
+    /** Of the ends of spans, so that a picture just outside of them is dark. */
+    private static final int FEWEST_DIGITS = 6;
+
     private static final int MOST_DIGITS = 16;
 
     private final RenderPlan plan;
@@ -248,7 +252,9 @@ public final class Flashes {
     private static int digits(LitSpan times) {
         double largest = Math.max(Math.abs(times.from()), Math.abs(times.to()));
         double before = Math.log10(largest / (times.to() - times.from()));
-        return Double.isFinite(before) ? Math.min(DIGITS + (int) Math.max(0, before), MOST_DIGITS) : DIGITS;
+        return Double.isFinite(before)
+                ? Math.min(FEWEST_DIGITS + (int) Math.max(0, before), MOST_DIGITS)
+                : FEWEST_DIGITS;
     }
 
     private static String number(double value) {

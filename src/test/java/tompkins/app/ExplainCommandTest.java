@@ -57,6 +57,12 @@ class ExplainCommandTest {
         assertThat(run.err().lines()).hasSize(1);
     }
 
+    @Test
+    void numbersThatVanishAreRefusedAsTheyWereTyped() {
+        assertThat(ProgramRun.of("explain", FIG1B, "--error=1e-400").err())
+                .contains("must be 0 or a number that is not smaller than 4.9e-324, was 1e-400");
+    }
+
     /** What a terminal obeys, such as the beginning of a colour, comes out of no scene. */
     @Test
     void wordsOfAScenePassNoCodesToATerminal() throws IOException {
@@ -308,7 +314,7 @@ class ExplainCommandTest {
 
     /** Light that is split at each of 90 spheres: no block of pixels ends soon. */
     @ParameterizedTest
-    @CsvSource({"scene, about [0-9.]+ s with", "cameraFrame, too long to predict: .* not one sample was complete"})
+    @CsvSource({"scene, [0-9.]+ to [0-9.]+ s with", "cameraFrame, too long to predict: .* not one sample was complete"})
     void explainTellsOfAPictureThatIsTooSlowToForetell(String list, String cost) throws IOException {
         String spheres = IntStream.range(0, 90)
                 .mapToObj(i -> String.format(

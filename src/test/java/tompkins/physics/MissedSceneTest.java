@@ -6,10 +6,22 @@ import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
+import tompkins.light.PointLight;
+import tompkins.light.Pulse;
+import tompkins.ray.Colour;
+import tompkins.render.Quality;
+import tompkins.render.Renderer;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
+import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.Lighting;
+import tompkins.studio.RenderSettings;
+import tompkins.studio.Studio;
+import tompkins.studio.Studios;
+import tompkins.surface.ColouredSurface;
+import tompkins.trace.RenderPlan;
 
 /**
  * A picture without any of the objects of its scene says so. At beta across the view the ray of the middle comes from
@@ -51,5 +63,22 @@ class MissedSceneTest {
     void aSceneInWhichNothingCanBeMetMissesNothing() {
         assertThat(warnings(0.8)).isEmpty();
         assertThat(warnings(0.8, new Hidden(sphere(AHEAD)))).isEmpty();
+    }
+
+    /** A flash of a ten thousandth of the exposure, which none of 16 samples meets. */
+    @Test
+    void aFlashThatIsMissedBlamesTheExposure() throws InterruptedException {
+        PointLight lamp = new PointLight(new Vector3d(0, 0, -1), Colour.WHITE, Colour.BLACK, 1, new Pulse(0, 1e-3, 0));
+        Studio studio = Lighting.of(Studios.dark(), List.of(lamp))
+                .withScene(List.of(new Sphere("sphere", AHEAD, 1, ColouredSurface.DEFAULT)))
+                .withSettings(RenderSettings.DEFAULT.withSize(2, 2));
+        try (Renderer renderer = new Renderer(1)) {
+            RenderPlan plan = RenderPlan.of(
+                    studio.withCamera(studio.camera().withExposureTime(10).withShutter(new AperturePlaneShutter(5.5))));
+            assertThat(renderer.render(plan, new Quality.Samples(16)).report().warnings())
+                    .singleElement()
+                    .asString()
+                    .contains("short part of it takes more samples, or a shorter exposureTime");
+        }
     }
 }

@@ -134,4 +134,10 @@ class NumberTextTest {
                 .hasMessage("angle must be above 0 and below 179.5, was -1e-7");
         assertThat(Require.text(new Vector3d(0.6, 0, 1e-5))).isEqualTo("[0.6, 0, 0.00001]");
     }
+
+    @ParameterizedTest
+    @CsvSource({"1e-400, true", "-0.3e-323, false", "'0.0', false", "0e-400, false", "1e5, false", "2.5E-1000, true"})
+    void numbersVanishThatAreReadAsZero(String text, boolean vanishes) {
+        assertThat(NumberText.vanishes(text)).isEqualTo(vanishes);
+    }
 }

@@ -1,0 +1,93 @@
+package tompkins.measure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import tompkins.io.StudioReader;
+import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Moving;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.studio.Studios;
+import tompkins.surface.ColouredSurface;
+import tompkins.trace.RayLife;
+import tompkins.trace.RenderPlan;
+
+/** What is said of objects that a picture does not show, held against the picture. */
+class UnseenObjectsTest {
+
+    private static final Plane FLOOR =
+            new Plane("floor", new Vector3d(0, -1, 0), new Vector3d(0, 1, 0), ColouredSurface.DEFAULT);
+
+    private static Studio studio(SceneObject... objects) {
+        return Studios.sphere().withScene(List.of(objects));
+    }
+
+    private static Sphere ball(double x, double y, double z) {
+        return new Sphere("ball", new Vector3d(x, y, z), 1, ColouredSurface.DEFAULT);
+    }
+
+    private static String warning(Studio studio) {
+        return UnseenObjects.warning(RenderPlan.of(studio)).orElse("");
+    }
+
+    @Test
+    void sidesAreNamed() {
+        assertThat(warning(studio(FLOOR, ball(-30, 0, 8)))).endsWith("\"ball\" is to the left of the picture");
+        assertThat(warning(studio(FLOOR, ball(30, 0, 8)))).endsWith("\"ball\" is to the right of the picture");
+        assertThat(warning(studio(FLOOR, ball(0, 30, 8)))).endsWith("\"ball\" is above the picture");
+        assertThat(warning(studio(FLOOR, ball(0, -30, 8)))).endsWith("\"ball\" is below the picture");
+        assertThat(warning(studio(FLOOR, ball(0, 0, -8)))).endsWith("\"ball\" is behind the camera");
+    }
+
+    /** One that is too small for the coarse picture is in it all the same; planes are floors and walls. */
+    @Test
+    void whatIsInThePictureIsNotWarnedOf() {
+        assertThat(warning(studio(FLOOR, ball(0, 0, 8), ball(0, 0, -8)))).isEmpty();
+        assertThat(warning(studio(FLOOR, ball(13, 11, 1000)))).isEmpty();
+        assertThat(warning(studio(FLOOR))).isEmpty();
+        assertThat(UnseenObjects.sentence(RenderPlan.of(studio(ball(0, 0, 8))))).isEmpty();
+    }
+
+    /** The picture at the opening time that is told shows the die. */
+    @Test
+    void theOpeningTimeIsThatOfThePicture() {
+        Box die = new Box("die", new Vector3d(-1, -1, -1), new Vector3d(1, 1, 1), ColouredSurface.DEFAULT);
+        Studio studio = studio(FLOOR, new Moving("", Velocity.of(0.9, 0, 0), new Vector3d(0, 0, 12), 0, List.of(die)));
+        String warning = warning(studio);
+        Matcher time = Pattern.compile("\"die\" is to the left .* opening time of about ([0-9.]+)")
+                .matcher(warning);
+        assertThat(time.find()).as(warning).isTrue();
+        Studio then = studio.withCamera(
+                studio.camera().withShutter(studio.camera().shutter().openedAt(Double.parseDouble(time.group(1)))));
+        RayLife middle = RenderPlan.of(then).middleLife();
+        assertThat(middle.end().object().description()).isEqualTo("die");
+    }
+
+    @Test
+    void othersAreToldBesideWhatIsSeen() {
+        Sphere roof = new Sphere("roof", new Vector3d(0, 30, 8), 1, ColouredSurface.DEFAULT);
+        assertThat(UnseenObjects.sentence(RenderPlan.of(studio(FLOOR, ball(0, 0, 8), roof))))
+                .hasValue("Not all objects are in the picture: \"roof\" is above the picture.");
+    }
+
+    @Test
+    void noBundledSceneIsWarnedOf() throws IOException {
+        try (Stream<Path> scenes = Files.list(Path.of("scenes"))) {
+            assertThat(scenes.filter(scene -> scene.toString().endsWith(".json")))
+                    .allSatisfy(scene ->
+                            assertThat(warning(StudioReader.read(scene))).isEmpty());
+        }
+    }
+}
