@@ -34,6 +34,9 @@ public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
         }
     }
 
+    /** More than rounding leaves of a coordinate on the piece. */
+    private static final double EDGE = 1e-9;
+
     private final Outline outline;
 
     // what every ray asks for comes first, so that it lies together in memory
@@ -173,6 +176,24 @@ public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
                 vX,
                 vY,
                 vZ);
+    }
+
+    /** Whether a hit lies at the edges of both, which lie in one plane. */
+    public boolean meetsInPlane(FlatPrimitive other, Hit hit) {
+        double cosine = normalX * other.normalX + normalY * other.normalY + normalZ * other.normalZ;
+        return Math.abs(cosine) > 1 - ROUNDING && isAtEdge(hit) && other.isAtEdge(hit);
+    }
+
+    private boolean isAtEdge(Hit hit) {
+        double offsetX = hit.x - cornerX;
+        double offsetY = hit.y - cornerY;
+        double offsetZ = hit.z - cornerZ;
+        double u = uX * offsetX + uY * offsetY + uZ * offsetZ;
+        double v = vX * offsetX + vY * offsetY + vZ * offsetZ;
+        return !(outline.holds(u - EDGE, v - EDGE)
+                && outline.holds(u - EDGE, v + EDGE)
+                && outline.holds(u + EDGE, v - EDGE)
+                && outline.holds(u + EDGE, v + EDGE));
     }
 
     @Override

@@ -1,5 +1,7 @@
 package tompkins.primitive;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Hit;
@@ -16,6 +18,9 @@ public final class TurningPath {
     public static final int ROUND = -1;
 
     private static final double ROUNDING = 0x1p-50;
+
+    /** More than rounding leaves of a distance along the path, relative to it. */
+    private static final double SAME = 1e-9;
 
     /** At how many places a ray is looked at: some ten thousand turns while it passes. */
     private static final int MOST_PLACES = 1 << 18;
@@ -69,6 +74,13 @@ public final class TurningPath {
 
     private int part;
     private double foundDistance;
+    private boolean shared;
+
+    /** All that is found, if somebody wants to know; else null. */
+    private List<Met> all;
+
+    /** What a ray meets at a distance. */
+    private record Met(Primitive primitive, int part, double distance) {}
 
     /** Memory for paths past what turns. */
     public TurningPath(Rotation rotation) {
@@ -97,6 +109,24 @@ public final class TurningPath {
         places = 0;
         found = null;
         foundDistance = Primitive.NO_HIT;
+        shared = false;
+    }
+
+    /** Keeps from now on all that is found. */
+    public void keepAll() {
+        all = new ArrayList<>();
+    }
+
+    /** The hits on all that was found and kept. */
+    public List<Hit> hits(Ray ray) {
+        return all.stream()
+                .map(met -> {
+                    found = met.primitive;
+                    part = met.part;
+                    foundDistance = met.distance;
+                    return hit(ray, Hit.blank());
+                })
+                .toList();
     }
 
     private static double largest(double x, double y, double z) {
@@ -256,11 +286,28 @@ public final class TurningPath {
     public void find(Primitive primitive, int newPart, double newDistance) {
         boolean first = newDistance < foundDistance
                 || newDistance == foundDistance && found != null && primitive.order() < found.order();
+        if (all != null) {
+            all.add(new Met(primitive, newPart, newDistance));
+        }
+        shared = found != null
+                        && (first ? foundDistance - newDistance : newDistance - foundDistance)
+                                <= SAME * (newDistance + size)
+                || shared && !first;
         if (first) {
             found = primitive;
             part = newPart;
             foundDistance = newDistance;
         }
+    }
+
+    /** The distance up to which something at its place may lie. */
+    public double reach() {
+        return foundDistance + SAME * (foundDistance + size);
+    }
+
+    /** Whether something else may lie at its place. */
+    public boolean isShared() {
+        return shared;
     }
 
     /** The nearest primitive, or null. */

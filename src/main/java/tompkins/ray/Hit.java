@@ -46,6 +46,9 @@ public final class Hit {
     public double velocityY;
     public double velocityZ;
 
+    /** The surfaces at this place, if there are several; else null. */
+    public Contact contact;
+
     /** Coordinates on the surface, or null where the surface does not ask for them. */
     public SurfaceCoordinates coordinates;
 
@@ -110,7 +113,35 @@ public final class Hit {
         time = ray.timeAt(newDistance);
         boundary = newBoundary;
         part = newPart;
+        contact = null;
         coordinates = newCoordinates;
+        return this;
+    }
+
+    /** The same hit in memory of its own. */
+    public Hit copy() {
+        return blank().set(this, distance, contact);
+    }
+
+    /** Makes this the same hit as another one, met with others at its place. */
+    Hit set(Hit other, double newDistance, Contact newContact) {
+        frame = other.frame;
+        x = other.x;
+        y = other.y;
+        z = other.z;
+        normalX = other.normalX;
+        normalY = other.normalY;
+        normalZ = other.normalZ;
+        runs = other.runs;
+        velocityX = other.velocityX;
+        velocityY = other.velocityY;
+        velocityZ = other.velocityZ;
+        distance = newDistance;
+        time = other.time;
+        boundary = other.boundary;
+        part = other.part;
+        contact = newContact;
+        coordinates = other.coordinates;
         return this;
     }
 
@@ -142,6 +173,7 @@ public final class Hit {
         time = newTime;
         boundary = null;
         part = 0;
+        contact = null;
         runs = false;
     }
 
