@@ -178,22 +178,13 @@ public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
                 vZ);
     }
 
-    /** Whether a hit lies at the edges of both, which lie in one plane. */
-    public boolean meetsInPlane(FlatPrimitive other, Hit hit) {
-        double cosine = normalX * other.normalX + normalY * other.normalY + normalZ * other.normalZ;
-        return Math.abs(cosine) > 1 - ROUNDING && isAtEdge(hit) && other.isAtEdge(hit);
-    }
-
-    private boolean isAtEdge(Hit hit) {
-        double offsetX = hit.x - cornerX;
-        double offsetY = hit.y - cornerY;
-        double offsetZ = hit.z - cornerZ;
-        double u = uX * offsetX + uY * offsetY + uZ * offsetZ;
-        double v = vX * offsetX + vY * offsetY + vZ * offsetZ;
-        return !(outline.holds(u - EDGE, v - EDGE)
-                && outline.holds(u - EDGE, v + EDGE)
-                && outline.holds(u + EDGE, v - EDGE)
-                && outline.holds(u + EDGE, v + EDGE));
+    /** Whether a ray that meets the piece at a distance meets it at its edge, but for rounding. */
+    public boolean isAtEdge(Ray ray, double distance) {
+        SurfaceCoordinates at = coordinates(ray, distance);
+        return !(outline.holds(at.u() - EDGE, at.v() - EDGE)
+                && outline.holds(at.u() - EDGE, at.v() + EDGE)
+                && outline.holds(at.u() + EDGE, at.v() - EDGE)
+                && outline.holds(at.u() + EDGE, at.v() + EDGE));
     }
 
     @Override

@@ -1,7 +1,5 @@
 package tompkins.primitive;
 
-import java.util.ArrayList;
-import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Hit;
@@ -76,12 +74,6 @@ public final class TurningPath {
     private double foundDistance;
     private boolean shared;
 
-    /** All that is found, if somebody wants to know; else null. */
-    private List<Met> all;
-
-    /** What a ray meets at a distance. */
-    private record Met(Primitive primitive, int part, double distance) {}
-
     /** Memory for paths past what turns. */
     public TurningPath(Rotation rotation) {
         this.rotation = rotation;
@@ -107,26 +99,14 @@ public final class TurningPath {
                         rotation.centre().z());
         distance = Double.NaN;
         places = 0;
+        forget();
+    }
+
+    /** Forgets what was found. */
+    public void forget() {
         found = null;
         foundDistance = Primitive.NO_HIT;
         shared = false;
-    }
-
-    /** Keeps from now on all that is found. */
-    public void keepAll() {
-        all = new ArrayList<>();
-    }
-
-    /** The hits on all that was found and kept. */
-    public List<Hit> hits(Ray ray) {
-        return all.stream()
-                .map(met -> {
-                    found = met.primitive;
-                    part = met.part;
-                    foundDistance = met.distance;
-                    return hit(ray, Hit.blank());
-                })
-                .toList();
     }
 
     private static double largest(double x, double y, double z) {
@@ -286,13 +266,9 @@ public final class TurningPath {
     public void find(Primitive primitive, int newPart, double newDistance) {
         boolean first = newDistance < foundDistance
                 || newDistance == foundDistance && found != null && primitive.order() < found.order();
-        if (all != null) {
-            all.add(new Met(primitive, newPart, newDistance));
-        }
-        shared = found != null
-                        && (first ? foundDistance - newDistance : newDistance - foundDistance)
-                                <= SAME * (newDistance + size)
-                || shared && !first;
+        boolean isNear = Math.min(newDistance, foundDistance) + SAME * (newDistance + size)
+                >= Math.max(newDistance, foundDistance);
+        shared = isNear || shared && !first;
         if (first) {
             found = primitive;
             part = newPart;

@@ -60,11 +60,14 @@ public final class Contact {
         return layers.get(layer);
     }
 
-    /** The first hit of this layer, for a ray that comes along, in memory that may be used again. */
-    public Hit hit(Hit memory) {
-        Hit first = hits().get(0);
+    /** The first hit of this layer, for a ray that comes along. */
+    public Hit hit() {
+        Hit hit = hits().get(0).copy();
         boolean arrives = way > 0 && layer == 0;
-        return memory.set(first, arrives ? first.distance : 0, this);
+        hit.distance = arrives ? hit.distance : 0;
+        hit.event = null;
+        hit.contact = this;
+        return hit;
     }
 
     /** Hits of the layers through which the ray has come to this one. */

@@ -4,7 +4,7 @@ package tompkins.ray;
  * Where and when a ray meets a boundary. A plain value of the hot path, made for the nearest boundary only. Nobody who
  * is given a hit keeps it: its memory is used again.
  */
-public final class Hit {
+public final class Hit implements Cloneable {
 
     /** Position, in the frame of the ray. */
     public double x;
@@ -120,29 +120,11 @@ public final class Hit {
 
     /** The same hit in memory of its own. */
     public Hit copy() {
-        return blank().set(this, distance, contact);
-    }
-
-    /** Makes this the same hit as another one, met with others at its place. */
-    Hit set(Hit other, double newDistance, Contact newContact) {
-        frame = other.frame;
-        x = other.x;
-        y = other.y;
-        z = other.z;
-        normalX = other.normalX;
-        normalY = other.normalY;
-        normalZ = other.normalZ;
-        runs = other.runs;
-        velocityX = other.velocityX;
-        velocityY = other.velocityY;
-        velocityZ = other.velocityZ;
-        distance = newDistance;
-        time = other.time;
-        boundary = other.boundary;
-        part = other.part;
-        contact = newContact;
-        coordinates = other.coordinates;
-        return this;
+        try {
+            return (Hit) clone();
+        } catch (CloneNotSupportedException impossible) {
+            throw new AssertionError(impossible);
+        }
     }
 
     /** Gives the place other coordinates on the surface. */

@@ -297,27 +297,17 @@ public final class Ray {
         return ray;
     }
 
-    /** The same ray as one that starts on a part of one boundary alone, if it starts there at all. */
+    /** The same ray as one that starts on one boundary alone, or on none if it does not start there. */
     public Ray startingOn(Boundary one) {
-        int onPart = partOf(one);
-        if (boundary == one || onPart == Contact.NOWHERE) {
-            return this;
-        }
         Ray ray = copy();
-        ray.boundary = one;
-        ray.part = onPart;
+        ray.part = partOf(one);
+        ray.boundary = ray.part == Contact.NOWHERE ? null : one;
         return ray;
     }
 
     /** The part of a boundary on which this starts; {@link Contact#NOWHERE} if it does not. */
     public int partOf(Boundary one) {
         return boundary == one ? part : contact == null ? Contact.NOWHERE : contact.part(one);
-    }
-
-    /** Lets this leave the surfaces on which it starts, for others that it has not met. */
-    public Ray leaveContact() {
-        contact = null;
-        return this;
     }
 
     /**

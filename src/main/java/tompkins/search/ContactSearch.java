@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
-import java.util.function.Predicate;
+import java.util.stream.Stream;
 import tompkins.primitive.FlatPrimitive;
 import tompkins.primitive.PlanePrimitive;
 import tompkins.primitive.Primitive;
@@ -16,11 +16,12 @@ import tompkins.sceneobject.TriangleMesh;
 import tompkins.spacetime.PointFrame;
 import tompkins.surface.Refractive;
 import tompkins.surface.Shadow;
+import tompkins.surface.Surface;
 
 /**
  * Finds all surfaces at the place that a ray has met, in all frames, and puts them in order: first closed shapes and
  * media that the ray leaves, then thin sheets, then what it enters; among these what lets light pass before what is
- * opaque. Made for one place.
+ * opaque, and else as they are listed, or the other way round for a ray that comes from behind.
  */
 public final class ContactSearch {
 
@@ -45,48 +46,52 @@ public final class ContactSearch {
             return hit.distance / ray.directionLength;
         }
 
+        /** Whether this lies a distance before or behind its hit, but for rounding. */
+        boolean isApart(double distance, double otherCosine) {
+            double steepest = Math.max(Math.abs(cosine), Math.abs(otherCosine));
+            return Math.abs(distance) * steepest > Contact.ROUNDING * Contact.size(ray, hit.distance);
+        }
+
         boolean isAtPlaceOf(Met other) {
-            double steepest = Math.max(Math.abs(cosine), Math.abs(other.cosine));
-            double apart = Math.abs(share() - other.share()) * ray.directionLength;
-            return apart * steepest <= Contact.ROUNDING * Contact.size(ray, hit.distance);
+            return !isApart((share() - other.share()) * ray.directionLength, other.cosine);
         }
 
-        /** Whether the ray, which starts on nothing that it knows of, starts at this place. */
+        /** Whether the ray, which has just left the camera, starts at this place. */
         boolean isAtStart() {
-            return ray.depth == 0
-                    && ray.boundary == null
-                    && ray.contact == null
-                    && hit.distance * Math.abs(cosine) <= Contact.ROUNDING * Contact.size(ray, 0);
+            return ray.depth == 0 && ray.boundary == null && ray.contact == null && !isApart(hit.distance, 0);
         }
 
-        /** The index behind, divided by that before. */
+        Surface surface() {
+            return primitive.surface();
+        }
+
+        /** The index behind, divided by that before; 1 if this is no boundary of a medium. */
         double indexRatio() {
-            double ratio = primitive.surface() instanceof Refractive medium ? medium.indexRatio() : 1;
+            double ratio = surface() instanceof Refractive medium ? medium.indexRatio() : 1;
             return cosine < 0 ? ratio : 1 / ratio;
         }
 
-        boolean isRefractive() {
-            return primitive.surface() instanceof Refractive;
-        }
-
-        boolean isSheet() {
+        /** The number of its group in the order: what the ray leaves, thin sheets, what it enters. */
+        int group() {
             boolean isFlat = primitive instanceof FlatPrimitive || primitive instanceof PlanePrimitive;
             boolean isPart = primitive.object() instanceof Cone || primitive.object() instanceof TriangleMesh;
-            return isFlat && !isPart && !isRefractive();
+            boolean isSheet = isFlat && !isPart && !(surface() instanceof Refractive);
+            return isSheet ? 1 : cosine > 0 ? 0 : 2;
         }
 
-        boolean letsPass() {
-            return primitive.surface().shadow() != Shadow.ALWAYS;
+        boolean isOpaque() {
+            return surface().shadow() == Shadow.ALWAYS;
         }
 
         /** Whether both are one surface, whose pieces meet here. */
         boolean isOneWith(Met other) {
             return primitive.object() == other.primitive.object()
                     ? cosine < 0 == other.cosine < 0
-                    : primitive instanceof FlatPrimitive piece
-                            && other.primitive instanceof FlatPrimitive neighbour
-                            && piece.surface().equals(neighbour.surface())
-                            && piece.meetsInPlane(neighbour, hit);
+                    : surface().equals(other.surface()) && isAtEdge() && other.isAtEdge();
+        }
+
+        private boolean isAtEdge() {
+            return primitive instanceof FlatPrimitive piece && piece.isAtEdge(ray, hit.distance);
         }
     }
 
@@ -145,37 +150,32 @@ public final class ContactSearch {
         if (here.get(0).isAtStart()) {
             return Contact.of(all, List.of());
         }
-        return here.size() == 1 ? null : Contact.of(all, layers(inOrder(unique(here))));
+        return here.size() == 1 ? null : Contact.of(all, layers(inOrder(here)));
     }
 
-    private static List<Met> unique(List<Met> here) {
-        List<Met> unique = new ArrayList<>();
+    private static List<Met> inOrder(List<Met> here) {
+        List<Met> listed = new ArrayList<>();
         for (Met each : here) {
-            if (unique.stream().noneMatch(each::isOneWith)) {
-                unique.add(each);
+            if (listed.stream().noneMatch(each::isOneWith)) {
+                listed.add(each);
             }
         }
-        unique.sort(Comparator.comparingInt(each -> each.primitive.order()));
-        return unique;
-    }
-
-    private static List<Met> inOrder(List<Met> listed) {
+        listed.sort(Comparator.comparingInt(each -> each.primitive.order()));
         List<Met> ordered = new ArrayList<>();
-        addGroup(listed, each -> !each.isSheet() && each.cosine > 0, ordered);
-        addGroup(listed, Met::isSheet, ordered);
-        addGroup(listed, each -> !each.isSheet() && !(each.cosine > 0), ordered);
-        return ordered;
-    }
-
-    private static void addGroup(List<Met> listed, Predicate<Met> belongs, List<Met> ordered) {
-        List<Met> passing = new ArrayList<>(
-                listed.stream().filter(belongs).filter(Met::letsPass).toList());
-        // the way back is the same
-        if (!passing.isEmpty() && passing.get(0).cosine > 0) {
-            Collections.reverse(passing);
+        for (int group = 0; group < 3; group++) {
+            int number = group;
+            Stream<Met> passing = listed.stream().filter(each -> each.group() == number && !each.isOpaque());
+            List<Met> inGroup = new ArrayList<>(passing.toList());
+            // so that the way back is the same
+            if (!inGroup.isEmpty() && inGroup.get(0).cosine > 0) {
+                Collections.reverse(inGroup);
+            }
+            ordered.addAll(inGroup);
+            listed.stream()
+                    .filter(each -> each.group() == number && each.isOpaque())
+                    .forEach(ordered::add);
         }
-        ordered.addAll(passing);
-        listed.stream().filter(belongs).filter(each -> !each.letsPass()).forEach(ordered::add);
+        return ordered;
     }
 
     /** Media at one place that rest in one frame are one boundary, or none if there is one index on both sides. */
@@ -184,17 +184,19 @@ public final class ContactSearch {
         for (int from = 0, to; from < ordered.size(); from = to) {
             Met first = ordered.get(from);
             double ratio = first.indexRatio();
-            to = from + 1;
-            while (first.isRefractive()
-                    && to < ordered.size()
-                    && ordered.get(to).isRefractive()
-                    && ordered.get(to).hit.frame == first.hit.frame) {
-                ratio *= ordered.get(to++).indexRatio();
+            for (to = from + 1; to < ordered.size() && isOneBoundary(first, ordered.get(to)); to++) {
+                ratio *= ordered.get(to).indexRatio();
             }
             if (to == from + 1 || !Refractive.isNothing(ratio)) {
                 layers.add(ordered.subList(from, to).stream().map(Met::hit).toList());
             }
         }
         return layers;
+    }
+
+    private static boolean isOneBoundary(Met one, Met next) {
+        return one.surface() instanceof Refractive
+                && next.surface() instanceof Refractive
+                && one.hit.frame == next.hit.frame;
     }
 }

@@ -60,22 +60,21 @@ public final class NearestHit extends Padded {
      */
     void test(Primitive candidate, Ray ray) {
         double candidateDistance = candidate.distance(ray, reach);
+        if (candidateDistance < Primitive.NO_HIT && ray.contact != null) {
+            candidateDistance = candidate.distanceOff(ray, reach);
+        }
         if (candidateDistance < Primitive.NO_HIT) {
             take(candidate, candidateDistance, ray);
         }
     }
 
-    private void take(Primitive candidate, double metDistance, Ray ray) {
-        double candidateDistance = ray.contact == null ? metDistance : candidate.distanceOff(ray, reach);
-        if (candidateDistance == Primitive.NO_HIT) {
-            return;
-        }
+    private void take(Primitive candidate, double candidateDistance, Ray ray) {
         if (candidateDistance < distance
                 || candidateDistance == distance && (primitive == null || candidate.order() < primitive.order())) {
-            double least = LEAST_REACH * Contact.size(ray, 0);
-            reach = candidateDistance + REACH * candidateDistance + least;
+            reach = candidateDistance + REACH * candidateDistance + LEAST_REACH * Contact.size(ray, 0);
+            // if it is very near the ray may start there
             shared = primitive != null && distance <= reach
-                    || candidateDistance <= least
+                    || 2 * candidateDistance < reach
                     || candidate instanceof RotatingGroup group && group.isShared();
             primitive = candidate;
             distance = candidateDistance;

@@ -130,11 +130,9 @@ final class RotatingGroup extends Primitive {
     /** All hits of a ray up to a limit. */
     List<Hit> hits(Ray ray, double limit) {
         Search search = new Search();
-        search.path.keepAll();
+        search.all = new ArrayList<>();
         search.of(ray, limit, 0);
-        return search.path.hits(ray).stream()
-                .filter(hit -> hit.distance <= limit)
-                .toList();
+        return search.all;
     }
 
     /** Looks for the nearest hit up to a limit, beyond what is known to be empty; the next search forgets it. */
@@ -154,6 +152,9 @@ final class RotatingGroup extends Primitive {
         private final Ray ray = Ray.blank();
         private double limit;
 
+        /** All hits, if somebody wants them; else null. */
+        private List<Hit> all;
+
         // the present piece of the path, and the straight line between its ends
         private double from;
         private double to;
@@ -172,7 +173,7 @@ final class RotatingGroup extends Primitive {
             for (Primitive each : round) {
                 double distance = each.distanceOff(ray, nearest());
                 if (distance < NO_HIT) {
-                    path.find(each, TurningPath.ROUND, distance);
+                    find(each, TurningPath.ROUND, distance);
                 }
             }
             if (tree == null || !path.enters(low, high, radius, hollow)) {
@@ -190,6 +191,14 @@ final class RotatingGroup extends Primitive {
                     take(start, end);
                     search(tree);
                 }
+            }
+        }
+
+        private void find(Primitive primitive, int part, double distance) {
+            path.find(primitive, part, distance);
+            if (all != null) {
+                all.add(path.hit(ray, Hit.blank()));
+                path.forget();
             }
         }
 
@@ -245,7 +254,7 @@ final class RotatingGroup extends Primitive {
                     double start = startPart == face.part() ? face.leaving(path) : from;
                     double distance = face.first(path, start, to);
                     if (distance <= limit && distance < NO_HIT) {
-                        path.find(others[i], face.part(), distance);
+                        find(others[i], face.part(), distance);
                     }
                 }
             }
@@ -270,14 +279,12 @@ final class RotatingGroup extends Primitive {
                 return true;
             }
             Hit hit = path.hit(rest, Hit.blank());
-            List<Hit> here = path.isShared() ? hits(rest, path.reach()) : List.of(hit);
-            double passed = path.foundDistance();
-            for (Hit each : here) {
-                if (((Primitive) each.boundary).throwsShadowAt(rest, each)) {
-                    return true;
-                }
+            List<Hit> here = path.isShared() ? hits(rest, path.reach()) : List.of(hit.copy());
+            Ray met = rest;
+            if (here.stream().anyMatch(each -> ((Primitive) each.boundary).throwsShadowAt(met, each))) {
+                return true;
             }
-            left -= passed;
+            left -= hit.distance;
             rest = rest.shadowBeyond(hit);
         }
         return false;

@@ -97,7 +97,7 @@ final class RestingSurroundings extends Padded implements Surroundings {
 
     @Override
     public Hit hit(Hit hitMemory) {
-        return contact == null ? nearest.hit(met, hitMemory) : contact.hit(hitMemory);
+        return contact == null ? nearest.hit(met, hitMemory) : contact.hit();
     }
 
     @Override

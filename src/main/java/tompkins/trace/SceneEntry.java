@@ -50,10 +50,10 @@ final class SceneEntry implements EscapedLight {
      */
     private Ray enter(Ray ray, Ray memory) {
         if (ray.medium == null) {
-            return routes.transform(ray, 0, memory).leaveContact();
+            return routes.transform(ray, 0, memory);
         }
         Ray entered = medium != null && medium.holds(ray.medium) ? medium.enter(ray, memory) : memory.set(ray);
-        return (sceneTracer.keepsMedia() ? entered : entered.in(null)).leaveContact();
+        return sceneTracer.keepsMedia() ? entered : entered.in(null);
     }
 
     /**

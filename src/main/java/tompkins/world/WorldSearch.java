@@ -221,15 +221,15 @@ public final class WorldSearch extends Padded {
     /** That hit, in memory that may be used again. */
     public Hit hit(Hit memory) {
         boolean isAlone = contact == null;
-        Hit hit = isAlone ? nearest.hit(ray, memory) : contact.hit(memory);
+        Hit hit = isAlone ? nearest.hit(ray, memory) : contact.hit();
         double length = (isAlone ? share : hit.distance / ray.directionLength) * start.directionLength;
-        memory.eventMemory()
+        hit.eventMemory()
                 .setPlace(
                         start.frame,
                         start.x + length * start.dx,
                         start.y + length * start.dy,
                         start.z + length * start.dz,
                         start.timeAt(length));
-        return memory;
+        return hit;
     }
 }

@@ -160,7 +160,8 @@ record TouchingPair(Studio touching, Studio other, String name) {
             return (surface, height) -> {
                 Vector3d u = new Vector3d(2 * size, 0.3 * size, 0);
                 Vector3d v = new Vector3d(0.2, 2 * size * side, 0);
-                Vector3d corner = new Vector3d(x, y, height).sub(new Vector3d(u).add(v).div(2));
+                Vector3d corner =
+                        new Vector3d(x, y, height).sub(new Vector3d(u).add(v).div(2));
                 return switch (shape) {
                     case 0 -> new Disc("disc", new Vector3d(x, y, height), new Vector3d(0, 0, side), size, surface);
                     case 1 -> new Parallelogram("piece", corner, u, v, surface);
@@ -184,10 +185,7 @@ record TouchingPair(Studio touching, Studio other, String name) {
         }
 
         private double frontOf(SceneObject sheet) {
-            return PrimitiveCollector.primitivesOf(sheet)
-                    .get(0)
-                    .hit(Ray.from(0, 0, 5, 0, 0, -1, 0), 5)
-                    .normalZ;
+            return PrimitiveCollector.primitivesOf(sheet).get(0).hit(Ray.from(0, 0, 5, 0, 0, -1, 0), 5).normalZ;
         }
 
         private TouchingPair sheets() {
@@ -232,8 +230,7 @@ record TouchingPair(Studio touching, Studio other, String name) {
                             surface);
                 case 2 ->
                     new Cone("cone", new Vector3d(0, 0, height - size), new Vector3d(0, 0, height), 2, true, surface);
-                case 3 ->
-                    new Lens("lens", new Vector3d(0, 0, height), new Vector3d(0, 0, 1), 2, 0, 0, 0.3, surface);
+                case 3 -> new Lens("lens", new Vector3d(0, 0, height), new Vector3d(0, 0, 1), 2, 0, 0, 0.3, surface);
                 default -> new TriangleMesh("mesh", pyramid(height, size), surface, false);
             };
         }
@@ -241,8 +238,8 @@ record TouchingPair(Studio touching, Studio other, String name) {
         /** A body above the height. */
         private Piece above() {
             Piece same = below();
-            return (surface, height) -> new Placed(
-                    "above", same.at(surface, 0), 1, new Vector3d(1, 0, 0), 180, new Vector3d(0, 0, height));
+            return (surface, height) ->
+                    new Placed("above", same.at(surface, 0), 1, new Vector3d(1, 0, 0), 180, new Vector3d(0, 0, height));
         }
 
         private static MeshData pyramid(double height, double size) {
@@ -276,8 +273,7 @@ record TouchingPair(Studio touching, Studio other, String name) {
             Piece sheet = sheet(8);
             List<SceneObject> touching = new ArrayList<>(mixed(below.at(lower, 0), above.at(upper, 0)));
             touching.add(random.nextInt(3), sheet.at(onSheet, 0));
-            return pair(
-                    touching, List.of(below.at(lower, -GAP), sheet.at(onSheet, 0), above.at(upper, GAP)));
+            return pair(touching, List.of(below.at(lower, -GAP), sheet.at(onSheet, 0), above.at(upper, GAP)));
         }
 
         private List<SceneObject> mixed(SceneObject one, SceneObject other) {
@@ -318,8 +314,8 @@ record TouchingPair(Studio touching, Studio other, String name) {
             boolean firstInside = letsPass(second) && !letsPass(first);
             SceneObject one = shape.of(first);
             SceneObject two = shape.of(second);
-            SceneObject inner = new Placed(
-                    "inner", firstInside ? one : two, 1 - GAP, new Vector3d(0, 0, 1), 0, new Vector3d());
+            SceneObject inner =
+                    new Placed("inner", firstInside ? one : two, 1 - GAP, new Vector3d(0, 0, 1), 0, new Vector3d());
             return pair(List.of(one, two), List.of(firstInside ? two : one, inner));
         }
 
@@ -378,8 +374,7 @@ record TouchingPair(Studio touching, Studio other, String name) {
         private Studio studio(List<SceneObject> objects, long rest) {
             SplittableRandom same = new SplittableRandom(rest);
             List<SceneObject> scene = new ArrayList<>(List.of(
-                    new Plane(
-                            "mirror", new Vector3d(0, 0, 16), new Vector3d(0.1, 0.05, -1), new Mirror(0.9)),
+                    new Plane("mirror", new Vector3d(0, 0, 16), new Vector3d(0.1, 0.05, -1), new Mirror(0.9)),
                     new Plane(
                             "floor",
                             new Vector3d(0, -6, 0),
@@ -413,11 +408,11 @@ record TouchingPair(Studio touching, Studio other, String name) {
                             all));
             }
             Studio lit = Lighting.of(
-                            Studios.dark().withScene(scene).withCameraFrame(before),
-                            List.of(
-                                    new AmbientLight(Colour.grey(0.3)),
-                                    new PointLight(new Vector3d(4, 8, -2), Colour.grey(0.5), Colour.grey(0.2), 20),
-                                    new PointLight(new Vector3d(-4, 3, 18), Colour.grey(0.5), Colour.grey(0.2), 20)));
+                    Studios.dark().withScene(scene).withCameraFrame(before),
+                    List.of(
+                            new AmbientLight(Colour.grey(0.3)),
+                            new PointLight(new Vector3d(4, 8, -2), Colour.grey(0.5), Colour.grey(0.2), 20),
+                            new PointLight(new Vector3d(-4, 3, 18), Colour.grey(0.5), Colour.grey(0.2), 20)));
             return Descriptions.with(lit, "background", SkyBackground.DEFAULT)
                     .withVelocity(camera)
                     .withSettings(Descriptions.with(Studio.DEFAULT.settings().withSize(64, 64), "maximumDepth", 12));
