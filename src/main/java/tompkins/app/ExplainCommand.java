@@ -13,6 +13,7 @@ import tompkins.render.Quality;
 import tompkins.render.Renderer;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.TouchingSurfaces;
 
 /** Says what a picture needs and what it leaves out. */
 @Command(header = "Says what a picture models and leaves out, and what it will cost.")
@@ -43,6 +44,9 @@ final class ExplainCommand extends ProgramCommand {
         }
         UnseenObjects.sentence(plan).ifPresent(sentence -> out().println("- " + sentence));
         UnseenObjects.warning(plan).ifPresent(warning -> out().println("- Warning: " + warning + "."));
+        TouchingSurfaces touching = new TouchingSurfaces(plan);
+        touching.media().forEach(sentence -> out().println("- " + sentence));
+        touching.rivals().forEach(clause -> out().println("- Warning: " + clause + "."));
         out().println("- " + wish.sentence(plan));
         out().println("- " + cost(plan, wish));
         return 0;

@@ -12,6 +12,7 @@ import tompkins.property.MistakeException;
 import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.TouchingSurfaces;
 
 /** Plans the pictures and lessons of scene files. */
 final class ScenePlan {
@@ -36,9 +37,13 @@ final class ScenePlan {
         double primitives =
                 studio.scene().stream().mapToDouble(SceneObject::primitiveCount).sum();
         RenderPlan plain = primitives < MANY ? null : StudioReader.used(scene, () -> RenderPlan.plain(studio));
-        return plain == null || plain.hasFlashes()
-                ? warnings(of(studio, scene))
-                : new Explanation(plain).warnings();
+        if (plain != null && !plain.hasFlashes()) {
+            return new Explanation(plain).warnings();
+        }
+        RenderPlan plan = of(studio, scene);
+        List<String> warnings = warnings(plan);
+        warnings.addAll(new TouchingSurfaces(plan).rivals());
+        return warnings;
     }
 
     /** Prints the {@link #warnings}. */

@@ -34,6 +34,9 @@ public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
         }
     }
 
+    /** More than rounding leaves of a coordinate on the piece. */
+    private static final double EDGE = 1e-9;
+
     private final Outline outline;
 
     // what every ray asks for comes first, so that it lies together in memory
@@ -173,6 +176,15 @@ public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
                 vX,
                 vY,
                 vZ);
+    }
+
+    /** Whether a ray that meets the piece at a distance meets it at its edge, but for rounding. */
+    public boolean isAtEdge(Ray ray, double distance) {
+        SurfaceCoordinates at = coordinates(ray, distance);
+        return !(outline.holds(at.u() - EDGE, at.v() - EDGE)
+                && outline.holds(at.u() - EDGE, at.v() + EDGE)
+                && outline.holds(at.u() + EDGE, at.v() - EDGE)
+                && outline.holds(at.u() + EDGE, at.v() + EDGE));
     }
 
     @Override

@@ -8,6 +8,7 @@ import tompkins.ray.Boundary;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
+import tompkins.spacetime.PointFrame;
 import tompkins.surface.Shadow;
 import tompkins.surface.Surface;
 
@@ -54,6 +55,11 @@ public abstract class Primitive implements Boundary, Cloneable {
      * if there is none. A ray that starts on this primitive does not hit its own start.
      */
     public abstract double distance(Ray ray, double limit);
+
+    /** As {@link #distance}, of a ray that may start where this touches others: it does not hit that place either. */
+    public final double distanceOff(Ray ray, double limit) {
+        return distance(ray.contact == null ? ray : ray.startingOn(this), limit);
+    }
 
     /**
      * Rules out many rays at once: those with an overlap below 0 surely miss this primitive, even allowing for
@@ -248,6 +254,9 @@ public abstract class Primitive implements Boundary, Cloneable {
             return false;
         }
         double distance = distance(ray, limit);
+        if (distance < NO_HIT && ray.contact != null) {
+            distance = distanceOff(ray, limit);
+        }
         if (shadow == Shadow.ALWAYS || distance == NO_HIT) {
             return distance < NO_HIT;
         }
@@ -263,6 +272,22 @@ public abstract class Primitive implements Boundary, Cloneable {
             distance = distance(rest, left);
         }
         return false;
+    }
+
+    /**
+     * Whether its surface throws a shadow at a hit of a ray.
+     *
+     * @param hit memory that is used, if the point runs, for the frame in which it rests
+     */
+    public final boolean throwsShadowAt(Ray ray, Hit hit) {
+        if (shadow != Shadow.BY_POINT || !hit.runs) {
+            return surface.throwsShadowAt(ray, hit);
+        }
+        // which side is met is known where the point rests
+        PointFrame point = new PointFrame(hit, restFrame.rotation().law());
+        Ray inside = point.enter(ray);
+        point.enterHit();
+        return surface.throwsShadowAt(inside, hit);
     }
 
     /** The same primitive at another place in memory. */

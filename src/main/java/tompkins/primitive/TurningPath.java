@@ -17,6 +17,9 @@ public final class TurningPath {
 
     private static final double ROUNDING = 0x1p-50;
 
+    /** More than rounding leaves of a distance along the path, relative to it. */
+    private static final double SAME = 1e-9;
+
     /** At how many places a ray is looked at: some ten thousand turns while it passes. */
     private static final int MOST_PLACES = 1 << 18;
 
@@ -69,6 +72,7 @@ public final class TurningPath {
 
     private int part;
     private double foundDistance;
+    private boolean shared;
 
     /** Memory for paths past what turns. */
     public TurningPath(Rotation rotation) {
@@ -95,8 +99,14 @@ public final class TurningPath {
                         rotation.centre().z());
         distance = Double.NaN;
         places = 0;
+        forget();
+    }
+
+    /** Forgets what was found. */
+    public void forget() {
         found = null;
         foundDistance = Primitive.NO_HIT;
+        shared = false;
     }
 
     private static double largest(double x, double y, double z) {
@@ -256,11 +266,24 @@ public final class TurningPath {
     public void find(Primitive primitive, int newPart, double newDistance) {
         boolean first = newDistance < foundDistance
                 || newDistance == foundDistance && found != null && primitive.order() < found.order();
+        boolean isNear = Math.min(newDistance, foundDistance) + SAME * (newDistance + size)
+                >= Math.max(newDistance, foundDistance);
+        shared = isNear || shared && !first;
         if (first) {
             found = primitive;
             part = newPart;
             foundDistance = newDistance;
         }
+    }
+
+    /** The distance up to which something at its place may lie. */
+    public double reach() {
+        return foundDistance + SAME * (foundDistance + size);
+    }
+
+    /** Whether something else may lie at its place. */
+    public boolean isShared() {
+        return shared;
     }
 
     /** The nearest primitive, or null. */

@@ -4,7 +4,7 @@ package tompkins.ray;
  * Where and when a ray meets a boundary. A plain value of the hot path, made for the nearest boundary only. Nobody who
  * is given a hit keeps it: its memory is used again.
  */
-public final class Hit {
+public final class Hit implements Cloneable {
 
     /** Position, in the frame of the ray. */
     public double x;
@@ -45,6 +45,9 @@ public final class Hit {
     public double velocityX;
     public double velocityY;
     public double velocityZ;
+
+    /** The surfaces at this place, if there are several; else null. */
+    public Contact contact;
 
     /** Coordinates on the surface, or null where the surface does not ask for them. */
     public SurfaceCoordinates coordinates;
@@ -110,8 +113,18 @@ public final class Hit {
         time = ray.timeAt(newDistance);
         boundary = newBoundary;
         part = newPart;
+        contact = null;
         coordinates = newCoordinates;
         return this;
+    }
+
+    /** The same hit in memory of its own. */
+    public Hit copy() {
+        try {
+            return (Hit) clone();
+        } catch (CloneNotSupportedException impossible) {
+            throw new AssertionError(impossible);
+        }
     }
 
     /** Gives the place other coordinates on the surface. */
@@ -142,6 +155,7 @@ public final class Hit {
         time = newTime;
         boundary = null;
         part = 0;
+        contact = null;
         runs = false;
     }
 

@@ -77,6 +77,9 @@ public final class Ray {
     /** Which part of the boundary the ray starts on. */
     public int part;
 
+    /** The surfaces at the start, where that lies on several; else null. None of them counts as a hit there. */
+    public Contact contact;
+
     /** How many surfaces sent the light on between the camera and this ray. */
     public int depth;
 
@@ -172,6 +175,10 @@ public final class Ray {
             Hit hit, double newDx, double newDy, double newDz, double newSlowness, double angleFactor, double share) {
         Ray ray = copy();
         ray.startOn(hit);
+        if (hit.contact != null) {
+            double cosineBehind = newDx * hit.normalX + newDy * hit.normalY + newDz * hit.normalZ;
+            ray.contact = hit.contact.leave(hit.cosine(this) < 0 == cosineBehind < 0);
+        }
         ray.measures = false;
         ray.dx = newDx;
         ray.dy = newDy;
@@ -269,6 +276,7 @@ public final class Ray {
         medium = other.medium;
         boundary = other.boundary;
         part = other.part;
+        contact = other.contact;
         depth = other.depth;
         return this;
     }
@@ -278,6 +286,28 @@ public final class Ray {
         Ray ray = bent(hit, dx, dy, dz, slowness, 1, share);
         ray.measures = measures;
         return ray;
+    }
+
+    /** The same ray beyond a hit that does nothing to it, on the surfaces there. */
+    public Ray past(Hit hit, Contact surfaces) {
+        Ray ray = copy();
+        ray.startOn(hit);
+        ray.contact = surfaces;
+        ray.width += ray.spread * hit.distance;
+        return ray;
+    }
+
+    /** The same ray as one that starts on one boundary alone, or on none if it does not start there. */
+    public Ray startingOn(Boundary one) {
+        Ray ray = copy();
+        ray.part = partOf(one);
+        ray.boundary = ray.part == Contact.NOWHERE ? null : one;
+        return ray;
+    }
+
+    /** The part of a boundary on which this starts; {@link Contact#NOWHERE} if it does not. */
+    public int partOf(Boundary one) {
+        return boundary == one ? part : contact == null ? Contact.NOWHERE : contact.part(one);
     }
 
     /**
@@ -334,12 +364,8 @@ public final class Ray {
         return Math.abs(width + spread * distance);
     }
 
-    /** Lets this start at a place and a time that belong to no object. */
-    public void setStart(Hit place) {
-        startOn(place);
-    }
-
-    private void startOn(Hit hit) {
+    /** Lets this start at a place and a time. */
+    public void setStart(Hit hit) {
         frame = hit.frame;
         x = hit.x;
         y = hit.y;
@@ -347,5 +373,10 @@ public final class Ray {
         time = hit.time;
         boundary = hit.boundary;
         part = hit.part;
+    }
+
+    private void startOn(Hit hit) {
+        setStart(hit);
+        contact = hit.contact;
     }
 }

@@ -110,7 +110,7 @@ final class Candidates extends Padded {
         int tests = 0;
         for (long left = (long) mayMeet[place]; left != 0; left &= left - 1) {
             int next = Long.numberOfTrailingZeros(left);
-            if (leastDistances[next] > nearest.distance()) {
+            if (leastDistances[next] > nearest.reach()) {
                 break;
             }
             tests++;

@@ -1,6 +1,7 @@
 package tompkins.search;
 
 import tompkins.primitive.Primitive;
+import tompkins.ray.Contact;
 import tompkins.ray.Hit;
 import tompkins.ray.Padded;
 import tompkins.ray.Ray;
@@ -17,12 +18,23 @@ public final class NearestHit extends Padded {
 
     static final int DEEPEST_TREE = 128;
 
+    /** More than rounding leaves of a distance along a ray, relative to it. */
+    private static final double REACH = 1e-9;
+
+    /** The same relative to the coordinates of the start. */
+    private static final double LEAST_REACH = 100 * Contact.ROUNDING;
+
     final TreeNode[] waiting = new TreeNode[DEEPEST_TREE];
     final double[] entries = new double[DEEPEST_TREE];
 
     private final RayCounts counts;
     private Primitive primitive;
     private double distance;
+
+    /** So far others may lie at the place of the nearest, by more than rounding. */
+    private double reach;
+
+    private boolean shared;
 
     /** The memory of a thread; it counts the nodes and primitives that the thread's searches look at. */
     public NearestHit(RayCounts counts) {
@@ -31,14 +43,15 @@ public final class NearestHit extends Padded {
 
     /** Starts a search of everything nearer than {@code limit}. */
     void start(double limit) {
-        primitive = null;
-        distance = limit;
+        resume(null, limit, limit, false);
     }
 
-    /** Goes on from what an earlier search has found. */
-    public void resume(Primitive found, double foundDistance) {
+    /** Goes on from what an earlier search has found, with its reach and whether that was shared. */
+    public void resume(Primitive found, double foundDistance, double foundReach, boolean wasShared) {
         primitive = found;
         distance = foundDistance;
+        reach = foundReach;
+        shared = wasShared;
     }
 
     /**
@@ -46,13 +59,27 @@ public final class NearestHit extends Padded {
      * listed first stays.
      */
     void test(Primitive candidate, Ray ray) {
-        double candidateDistance = candidate.distance(ray, distance);
+        double candidateDistance = candidate.distance(ray, reach);
+        if (candidateDistance < Primitive.NO_HIT && ray.contact != null) {
+            candidateDistance = candidate.distanceOff(ray, reach);
+        }
+        if (candidateDistance < Primitive.NO_HIT) {
+            take(candidate, candidateDistance, ray);
+        }
+    }
+
+    private void take(Primitive candidate, double candidateDistance, Ray ray) {
         if (candidateDistance < distance
-                || (candidateDistance == distance
-                        && candidateDistance < Primitive.NO_HIT
-                        && (primitive == null || candidate.order() < primitive.order()))) {
+                || candidateDistance == distance && (primitive == null || candidate.order() < primitive.order())) {
+            reach = candidateDistance + REACH * candidateDistance + LEAST_REACH * Contact.size(ray, 0);
+            // if it is very near the ray may start there
+            shared = primitive != null && distance <= reach
+                    || 2 * candidateDistance < reach
+                    || candidate instanceof RotatingGroup group && group.isShared();
             primitive = candidate;
             distance = candidateDistance;
+        } else {
+            shared = true;
         }
     }
 
@@ -64,6 +91,16 @@ public final class NearestHit extends Padded {
     /** The nearest primitive, or null. */
     public Primitive primitive() {
         return primitive;
+    }
+
+    /** The distance up to which something at the place of the nearest primitive may lie; the limit if there is none. */
+    public double reach() {
+        return reach;
+    }
+
+    /** Whether something else may lie at the place of the nearest primitive, or the ray may start there. */
+    public boolean isShared() {
+        return shared;
     }
 
     /** Distance of the nearest primitive. */

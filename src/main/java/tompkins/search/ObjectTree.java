@@ -173,7 +173,7 @@ public final class ObjectTree {
     /** As {@link #nearest(Ray, double, NearestHit)}, for a ray that enters the tree through some nodes. */
     public boolean nearest(Ray ray, double limit, EntryNodes entries, NearestHit nearest) {
         searchListed(ray, limit, nearest);
-        for (int i = 0; i < entries.count() && entries.distance(i) <= nearest.distance(); i++) {
+        for (int i = 0; i < entries.count() && entries.distance(i) <= nearest.reach(); i++) {
             searchTree(entries.node(i), ray, nearest);
         }
         return nearest.primitive() != null;
@@ -201,7 +201,7 @@ public final class ObjectTree {
         int nodes = 0;
         int tests = 0;
         TreeNode node = root;
-        if (root.entry(x, y, z, inverseX, inverseY, inverseZ, nearest.distance()) == TreeNode.MISSED) {
+        if (root.entry(x, y, z, inverseX, inverseY, inverseZ, nearest.reach()) == TreeNode.MISSED) {
             node = null;
         }
         while (node != null) {
@@ -215,7 +215,7 @@ public final class ObjectTree {
                     tests++;
                 }
             } else {
-                double limit = nearest.distance();
+                double limit = nearest.reach();
                 double low = node.low.entry(x, y, z, inverseX, inverseY, inverseZ, limit);
                 double high = node.high.entry(x, y, z, inverseX, inverseY, inverseZ, limit);
                 // the nearer half first, so that the other is often too far by then
@@ -235,7 +235,7 @@ public final class ObjectTree {
             }
             while (next == null && count > 0) {
                 count--;
-                next = entries[count] > nearest.distance() ? null : waiting[count];
+                next = entries[count] > nearest.reach() ? null : waiting[count];
             }
             node = next;
         }

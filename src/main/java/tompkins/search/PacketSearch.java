@@ -57,6 +57,8 @@ public final class PacketSearch extends Padded {
     private boolean inBatches;
     private final Primitive[] hits = new Primitive[RayPacket.MOST];
     private final double[] distances = new double[RayPacket.MOST];
+    private final double[] reaches = new double[RayPacket.MOST];
+    private final boolean[] shared = new boolean[RayPacket.MOST];
 
     /** Places of the rays that may still meet something nearer. */
     private final int[] open = new int[RayPacket.MOST];
@@ -204,6 +206,8 @@ public final class PacketSearch extends Padded {
         for (int place = 0; place < rays.count(); place++) {
             hits[place] = null;
             distances[place] = Primitive.NO_HIT;
+            reaches[place] = Primitive.NO_HIT;
+            shared[place] = false;
             open[place] = place;
         }
         openCount = rays.count();
@@ -232,7 +236,7 @@ public final class PacketSearch extends Padded {
         for (int i = 0; i < openCount; i++) {
             int place = open[i];
             if (candidates.mayMeet(place)) {
-                nearest.resume(hits[place], distances[place]);
+                nearest.resume(hits[place], distances[place], reaches[place], shared[place]);
                 candidates.search(rays.copy(place, ray), place, nearest);
                 keep(place);
             }
@@ -247,7 +251,7 @@ public final class PacketSearch extends Padded {
         }
         int left = 0;
         for (int i = 0; i < openCount; i++) {
-            if (!waiting.isEmpty() && distances[open[i]] >= front) {
+            if (!waiting.isEmpty() && reaches[open[i]] >= front) {
                 open[left++] = open[i];
             }
         }
@@ -259,7 +263,7 @@ public final class PacketSearch extends Padded {
         for (int i = 0; i < openCount; i++) {
             int place = open[i];
             rays.copy(place, ray);
-            nearest.resume(hits[place], distances[place]);
+            nearest.resume(hits[place], distances[place], reaches[place], shared[place]);
             for (Iterator<TreeNode> nearestFirst = waiting.descendingIterator(); nearestFirst.hasNext(); ) {
                 ObjectTree.searchTree(nearestFirst.next(), ray, nearest);
             }
@@ -270,6 +274,8 @@ public final class PacketSearch extends Padded {
     private void keep(int place) {
         hits[place] = nearest.primitive();
         distances[place] = nearest.distance();
+        reaches[place] = nearest.reach();
+        shared[place] = nearest.isShared();
     }
 
     /** Whether what the rays can meet was found for all together. */
@@ -302,7 +308,7 @@ public final class PacketSearch extends Padded {
         }
         rays.copy(place, ray);
         if (inBatches) {
-            nearest.resume(hits[place], distances[place]);
+            nearest.resume(hits[place], distances[place], reaches[place], shared[place]);
         } else {
             nearest.start(limit);
             candidates.search(ray, place, nearest);

@@ -13,10 +13,10 @@ import tompkins.primitive.Primitive;
 import tompkins.primitive.RayStarts;
 import tompkins.primitive.Rotation;
 import tompkins.primitive.TurningPath;
+import tompkins.ray.Contact;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
-import tompkins.spacetime.PointFrame;
 import tompkins.surface.Shadow;
 
 /**
@@ -122,6 +122,19 @@ final class RotatingGroup extends Primitive {
         return search(ray, limit, 0).foundDistance();
     }
 
+    /** Whether something else may lie at the place of the hit that was found last. */
+    boolean isShared() {
+        return searches.get().path.isShared();
+    }
+
+    /** All hits of a ray up to a limit. */
+    List<Hit> hits(Ray ray, double limit) {
+        Search search = new Search();
+        search.all = new ArrayList<>();
+        search.of(ray, limit, 0);
+        return search.all;
+    }
+
     /** Looks for the nearest hit up to a limit, beyond what is known to be empty; the next search forgets it. */
     private TurningPath search(Ray ray, double limit, double known) {
         Search search = searches.get();
@@ -139,6 +152,9 @@ final class RotatingGroup extends Primitive {
         private final Ray ray = Ray.blank();
         private double limit;
 
+        /** All hits, if somebody wants them; else null. */
+        private List<Hit> all;
+
         // the present piece of the path, and the straight line between its ends
         private double from;
         private double to;
@@ -155,9 +171,9 @@ final class RotatingGroup extends Primitive {
             limit = newLimit;
             path.begin(ray);
             for (Primitive each : round) {
-                double distance = each.distance(ray, nearest());
+                double distance = each.distanceOff(ray, nearest());
                 if (distance < NO_HIT) {
-                    path.find(each, TurningPath.ROUND, distance);
+                    find(each, TurningPath.ROUND, distance);
                 }
             }
             if (tree == null || !path.enters(low, high, radius, hollow)) {
@@ -178,6 +194,14 @@ final class RotatingGroup extends Primitive {
             }
         }
 
+        private void find(Primitive primitive, int part, double distance) {
+            path.find(primitive, part, distance);
+            if (all != null) {
+                all.add(path.hit(ray, Hit.blank()));
+                path.forget();
+            }
+        }
+
         /** Whether the last search was for the same ray. */
         boolean isOf(Ray other) {
             return ray.x == other.x
@@ -189,11 +213,12 @@ final class RotatingGroup extends Primitive {
                     && ray.time == other.time
                     && ray.slowness == other.slowness
                     && ray.boundary == other.boundary
-                    && ray.part == other.part;
+                    && ray.part == other.part
+                    && ray.contact == other.contact;
         }
 
         private double nearest() {
-            return Math.min(limit, path.foundDistance());
+            return Math.min(limit, path.reach());
         }
 
         private void take(double newFrom, double newTo) {
@@ -224,12 +249,12 @@ final class RotatingGroup extends Primitive {
                 if (!boxes[i].isNear(x, y, z, inverseX, inverseY, inverseZ, sag)) {
                     continue;
                 }
-                boolean startsHere = from == 0 && ray.boundary == others[i];
+                int startPart = from == 0 ? ray.partOf(others[i]) : Contact.NOWHERE;
                 for (Face face : faces[i]) {
-                    double start = startsHere && ray.part == face.part() ? face.leaving(path) : from;
+                    double start = startPart == face.part() ? face.leaving(path) : from;
                     double distance = face.first(path, start, to);
                     if (distance <= limit && distance < NO_HIT) {
-                        path.find(others[i], face.part(), distance);
+                        find(others[i], face.part(), distance);
                     }
                 }
             }
@@ -245,24 +270,21 @@ final class RotatingGroup extends Primitive {
     public boolean shadows(Ray ray, double limit) {
         Ray rest = ray;
         double left = limit;
-        for (int passed = 0; passed < MOST_PASSED; passed++) {
+        for (int meeting = 0; meeting < MOST_PASSED; meeting++) {
             TurningPath path = search(rest, left, 0);
             if (path.found() == null) {
                 return false;
             }
-            Shadow shadow = path.found().surface().shadow();
-            if (shadow == Shadow.ALWAYS) {
+            if (path.found().surface().shadow() == Shadow.ALWAYS) {
                 return true;
             }
             Hit hit = path.hit(rest, Hit.blank());
-            // which side is met is known where the point rests
-            PointFrame point = new PointFrame(hit, rotation.law());
-            Ray inside = point.enter(rest);
-            point.enterHit();
-            if (path.found().surface().throwsShadowAt(inside, hit)) {
+            List<Hit> here = path.isShared() ? hits(rest, path.reach()) : List.of(hit.copy());
+            Ray met = rest;
+            if (here.stream().anyMatch(each -> ((Primitive) each.boundary).throwsShadowAt(met, each))) {
                 return true;
             }
-            left -= path.foundDistance();
+            left -= hit.distance;
             rest = rest.shadowBeyond(hit);
         }
         return false;

@@ -1,5 +1,6 @@
 package tompkins.surface;
 
+import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.property.Meaning;
@@ -44,14 +45,42 @@ public record Refractive(
 
     @Override
     public Response respond(Ray ray, Hit hit, Tracer tracer) {
-        double along = hit.cosine(ray);
-        boolean entering = along < 0;
-        Medium medium = !tracer.keepsMedia() ? null : entering ? inside(ray) : outside(ray);
-        if (MediumWave.moves(ray.medium, ray.frame) || MediumWave.moves(medium, ray.frame)) {
-            return respondToWave(ray, hit, medium, tracer);
+        boolean entering = hit.cosine(ray) < 0;
+        Medium medium = !tracer.keepsMedia() ? null : entering ? inside(ray.medium, ray) : outside(ray.medium, ray);
+        return respond(ray, hit, entering ? 1 : indexRatio, entering ? indexRatio : 1, medium, tracer);
+    }
+
+    /**
+     * What becomes of a ray where it leaves some media and enters others at one place: one boundary parts what lies
+     * before all of them from what lies behind.
+     *
+     * @param hit the hit on one of the boundaries
+     */
+    public static Response respond(Ray ray, Hit hit, List<Refractive> left, List<Refractive> entered, Tracer tracer) {
+        Medium medium = ray.medium;
+        double before = 1;
+        double behind = 1;
+        for (Refractive each : left) {
+            before *= each.indexRatio;
+            medium = each.outside(medium, ray);
         }
-        double before = entering ? 1 : indexRatio;
-        double behind = entering ? indexRatio : 1;
+        for (Refractive each : entered) {
+            behind *= each.indexRatio;
+            medium = each.inside(medium, ray);
+        }
+        return respond(ray, hit, before, behind, tracer.keepsMedia() ? medium : null, tracer);
+    }
+
+    /** Whether the index behind is that before, but for rounding, if this is their ratio. */
+    public static boolean isNothing(double ratio) {
+        return Math.abs(ratio - 1) < ROUNDING;
+    }
+
+    private static Response respond(Ray ray, Hit hit, double before, double behind, Medium medium, Tracer tracer) {
+        if (MediumWave.moves(ray.medium, ray.frame) || MediumWave.moves(medium, ray.frame)) {
+            return respondToWave(ray, hit, before, medium, tracer);
+        }
+        double along = hit.cosine(ray);
         double slowness =
                 !tracer.keepsMedia() ? ray.lightSlowness() * behind / before : medium == null ? 1 : medium.index();
         Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz);
@@ -61,28 +90,28 @@ public record Refractive(
         Ray mirrored = Mirror.reflected(ray, hit, 1);
         Ray bent = ray.bent(hit, direction.x, direction.y, direction.z, slowness, 1, 1)
                 .in(medium);
-        return split(ray, entering, mirrored, bent, reflected, tracer);
+        return split(ray, before == 1, mirrored, bent, reflected, tracer);
     }
 
     /** The medium inside, which rests in the frame of the boundary. */
-    private Medium inside(Ray ray) {
-        double around = ray.medium == null ? 1 : ray.medium.index();
-        return new Medium(around * indexRatio, ray.frame, ray.medium);
+    private Medium inside(Medium around, Ray ray) {
+        double index = around == null ? 1 : around.index();
+        return new Medium(index * indexRatio, ray.frame, around);
     }
 
     /** The medium outside; null for vacuum. A ray that has begun in a medium does not know what is around that. */
-    private Medium outside(Ray ray) {
-        Medium medium = ray.medium;
-        boolean isKnown = medium != null && medium.frame() == ray.frame && medium.outer() != null;
-        if (isKnown) {
-            return medium.outer();
-        }
+    private Medium outside(Medium medium, Ray ray) {
         double index = (medium == null ? 1 : medium.index()) / indexRatio;
-        return Math.abs(index - 1) < ROUNDING ? null : new Medium(index, ray.frame, null);
+        Medium outer = medium != null && medium.frame() == ray.frame ? medium.outer() : null;
+        // it may have come into this medium from another one beside it
+        if (outer != null && isNothing(outer.index() / index)) {
+            return outer;
+        }
+        return isNothing(index) ? null : new Medium(index, ray.frame, null);
     }
 
     /** Where a medium moves past the boundary it is the wave that is bent, and mirrored. */
-    private Response respondToWave(Ray ray, Hit hit, Medium medium, Tracer tracer) {
+    private static Response respondToWave(Ray ray, Hit hit, double before, Medium medium, Tracer tracer) {
         MediumWave wave = MediumWave.of(ray, tracer);
         if (!wave.isMet()) {
             return Response.ends(Colour.BLACK);
@@ -118,7 +147,7 @@ public record Refractive(
             Ray only = bent == null ? mirrored : bent.in(medium);
             return only == null ? Response.ends(Colour.BLACK) : Response.goesOn(only, Colour.WHITE);
         }
-        return split(ray, entering, mirrored, bent.in(medium), reflected, tracer);
+        return split(ray, before == 1, mirrored, bent.in(medium), reflected, tracer);
     }
 
     /**

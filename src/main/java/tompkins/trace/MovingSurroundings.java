@@ -68,17 +68,12 @@ final class MovingSurroundings implements Surroundings {
     }
 
     @Override
-    public Ray met(Ray searched) {
-        return search.ray();
-    }
-
-    @Override
     public TransformationLaw law() {
         return law;
     }
 
     @Override
-    public Hit hit(Ray met, Hit memory) {
+    public Hit hit(Hit memory) {
         return search.hit(memory);
     }
 

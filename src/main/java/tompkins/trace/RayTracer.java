@@ -1,6 +1,7 @@
 package tompkins.trace;
 
 import java.util.List;
+import java.util.function.Predicate;
 import org.joml.Vector3dc;
 import tompkins.light.Illumination;
 import tompkins.light.RestingLight;
@@ -12,6 +13,7 @@ import tompkins.ray.Padded;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
+import tompkins.surface.Refractive;
 import tompkins.surface.Response;
 import tompkins.surface.Tracer;
 import tompkins.world.FrameRoutes;
@@ -121,7 +123,7 @@ final class RayTracer extends Padded implements Tracer {
         }
         counts.rays++;
         boolean hits = surroundings.nearest(start);
-        return withEscaped(follow(hits ? surroundings.met(start) : start, hits, Hit.blank()));
+        return withEscaped(follow(hits ? surroundings.met() : start, hits, Hit.blank()));
     }
 
     /** The colour of a ray that was followed, with what comes from behind the objects. */
@@ -151,7 +153,7 @@ final class RayTracer extends Padded implements Tracer {
         }
         boolean first = true;
         while (hits) {
-            Response response = respond(ray, surroundings.hit(ray, memory));
+            Response response = respond(ray, surroundings.hit(memory));
             Colour own = response.light();
             light = first ? own : light.plus(surroundings.shifts() ? own : own.times(weight));
             first = false;
@@ -164,7 +166,7 @@ final class RayTracer extends Padded implements Tracer {
             counts.rays++;
             hits = surroundings.nearest(ray);
             if (hits) {
-                ray = surroundings.met(ray);
+                ray = surroundings.met();
             }
         }
         ray = surroundings.leaving(ray);
@@ -179,9 +181,25 @@ final class RayTracer extends Padded implements Tracer {
         if (observer != null) {
             observer.hits(place, ray, hit, primitive);
         }
+        if (hit.contact != null && hit.contact.hits().size() > 1) {
+            return Refractive.respond(
+                    ray,
+                    hit,
+                    media(hit, each -> each.cosine(ray) >= 0),
+                    media(hit, each -> each.cosine(ray) < 0),
+                    this);
+        }
         return hit.runs
                 ? new PointTracer(this, surroundings, lights, hit).respond(primitive.surface(), ray)
                 : primitive.surface().respond(ray, hit, this);
+    }
+
+    /** The boundaries of media in the layer of a hit that are met as wanted. */
+    private static List<Refractive> media(Hit hit, Predicate<Hit> wanted) {
+        return hit.contact.hits().stream()
+                .filter(wanted)
+                .map(each -> (Refractive) ((Primitive) each.boundary).surface())
+                .toList();
     }
 
     private boolean isGivenUp(Ray ray) {

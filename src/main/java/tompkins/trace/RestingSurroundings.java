@@ -4,11 +4,13 @@ import java.util.List;
 import tompkins.light.Sightline;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Colour;
+import tompkins.ray.Contact;
 import tompkins.ray.Hit;
 import tompkins.ray.Padded;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
+import tompkins.search.ContactSearch;
 import tompkins.search.LampShadows;
 import tompkins.search.NearestHit;
 import tompkins.search.ObjectTree;
@@ -25,6 +27,11 @@ final class RestingSurroundings extends Padded implements Surroundings {
     private final NearestHit nearest;
     private final PacketSearch packet;
     private final Ray memory = Ray.blank();
+
+    /** The ray whose hit was found last, and the surfaces there; null if there is only one. */
+    private Ray met;
+
+    private Contact contact;
 
     /** What threw the last shadow: it often throws the next one, too. */
     private Primitive lastShadow;
@@ -51,22 +58,36 @@ final class RestingSurroundings extends Padded implements Surroundings {
 
     @Override
     public boolean nearest(int place) {
-        return packet.nearest(place, Primitive.NO_HIT);
+        return packet.nearest(place, Primitive.NO_HIT) && meets(packet.ray());
     }
 
     @Override
     public Ray met() {
-        return packet.ray();
+        return met;
     }
 
     @Override
     public boolean nearest(Ray ray) {
-        return objects.nearest(ray, nearest);
+        contact = ray.contact == null ? null : ray.contact.next();
+        if (contact != null) {
+            met = ray;
+            return true;
+        }
+        return objects.nearest(ray, nearest) && meets(ray);
     }
 
-    @Override
-    public Ray met(Ray searched) {
-        return searched;
+    /** Whether a ray meets something at a place that was found: all surfaces there may be one that does nothing. */
+    private boolean meets(Ray ray) {
+        met = ray;
+        contact = null;
+        if (!nearest.isShared()) {
+            return true;
+        }
+        ContactSearch search = new ContactSearch();
+        search.add(objects, ray, nearest.reach());
+        Contact all = search.contact();
+        contact = all == null ? null : all.next();
+        return all == null || contact != null || nearest(ray.past(nearest.hit(ray, Hit.blank()), all));
     }
 
     @Override
@@ -75,8 +96,8 @@ final class RestingSurroundings extends Padded implements Surroundings {
     }
 
     @Override
-    public Hit hit(Ray met, Hit hitMemory) {
-        return nearest.hit(met, hitMemory);
+    public Hit hit(Hit hitMemory) {
+        return contact == null ? nearest.hit(met, hitMemory) : contact.hit();
     }
 
     @Override
@@ -100,6 +121,9 @@ final class RestingSurroundings extends Padded implements Surroundings {
         counts.shadowRays++;
         double distance = sight.length;
         Ray ray = memory.setShadow(from, sight.x / distance, sight.y / distance, sight.z / distance);
+        if (ContactSearch.isInShadow(ray)) {
+            return false;
+        }
         LampShadows seen = lamps.get(source).shadows();
         if (seen != null) {
             return !seen.shadows(from, ray, 0, distance, counts);

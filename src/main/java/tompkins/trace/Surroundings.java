@@ -24,20 +24,17 @@ interface Surroundings extends Lighting {
      */
     boolean nearest(int place);
 
-    /** The ray of the packet whose hit was found last, in the frame of what it has hit. Memory that is used again. */
-    Ray met();
-
     /** Searches for the nearest hit of a ray, and says whether there is one. */
     boolean nearest(Ray ray);
 
-    /** The ray whose hit was found last, in the frame of what it has hit. */
-    Ray met(Ray searched);
+    /** The ray whose hit was found last, in the frame of what it has hit. Memory that is used again. */
+    Ray met();
 
     /** The law by which coordinates change between frames. */
     TransformationLaw law();
 
-    /** The hit of the ray that has met what was found last, in memory that may be used again. */
-    Hit hit(Ray met, Hit memory);
+    /** The hit that was found last, in memory that may be used again. */
+    Hit hit(Hit memory);
 
     /**
      * The ray that goes on from a hit.

@@ -8,6 +8,7 @@ import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
+import tompkins.search.ContactSearch;
 import tompkins.search.LampShadows;
 import tompkins.search.LampTrack;
 import tompkins.search.NearestHit;
@@ -172,6 +173,9 @@ public final class RetardedLight {
     }
 
     private boolean isDark(Lamp lamp, int frame, Hit start, Ray ray, double length) {
+        if (ContactSearch.isInShadow(ray)) {
+            return true;
+        }
         LampShadows seen = null;
         double place = 0;
         LampTrack track = lamp.track(frame);

@@ -1,10 +1,12 @@
 package tompkins.world;
 
 import tompkins.primitive.Primitive;
+import tompkins.ray.Contact;
 import tompkins.ray.Hit;
 import tompkins.ray.Padded;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
+import tompkins.search.ContactSearch;
 import tompkins.search.NearestHit;
 import tompkins.search.ObjectTree;
 import tompkins.search.PacketSearch;
@@ -33,8 +35,13 @@ public final class WorldSearch extends Padded {
     private Primitive found;
     private double distance;
     private double share;
+    private double reach;
+    private boolean shared;
     private Ray ray;
     private Ray start;
+
+    /** The surfaces where it ends; null if there is only one. */
+    private Contact contact;
 
     /** A search with the memory of its thread. */
     public WorldSearch(World world, FrameRoutes routes, NearestHit nearest) {
@@ -68,6 +75,11 @@ public final class WorldSearch extends Padded {
      */
     public boolean nearest(Ray newStart) {
         begin(newStart);
+        contact = start.contact == null ? null : start.contact.next();
+        if (contact != null) {
+            ray = inFrame(contact.hits().get(0).frame);
+            return true;
+        }
         int from = start.frame;
         // nothing rests in the frame of the camera
         if (from < trees.length) {
@@ -143,10 +155,18 @@ public final class WorldSearch extends Padded {
         found = null;
         distance = Primitive.NO_HIT;
         share = Primitive.NO_HIT;
+        reach = Primitive.NO_HIT;
+        shared = false;
+        contact = null;
     }
 
     private double limit(double directionLength) {
-        return found == null ? Primitive.NO_HIT : share * directionLength;
+        return found == null ? Primitive.NO_HIT : reach * directionLength;
+    }
+
+    /** The start in a frame, in memory of its own. */
+    private Ray inFrame(int frame) {
+        return frame == start.frame ? start : routes.transform(start, frame, Ray.blank());
     }
 
     /**
@@ -159,7 +179,11 @@ public final class WorldSearch extends Padded {
             return;
         }
         double candidateShare = nearest.distance() / inFrame.directionLength;
-        if (candidateShare < share || candidateShare == share && (found == null || candidate.order() < found.order())) {
+        if (candidateShare > share || candidateShare == share && found != null && candidate.order() > found.order()) {
+            shared |= candidateShare <= reach;
+        } else {
+            reach = nearest.reach() / inFrame.directionLength;
+            shared = nearest.isShared() || found != null && share <= reach;
             found = candidate;
             distance = nearest.distance();
             share = candidateShare;
@@ -168,8 +192,25 @@ public final class WorldSearch extends Padded {
     }
 
     private boolean end() {
-        nearest.resume(found, distance);
-        return found != null;
+        nearest.resume(found, distance, distance, false);
+        return found != null && (!shared || meets());
+    }
+
+    /** Whether the ray meets something where surfaces touch: together they may do nothing. */
+    private boolean meets() {
+        ContactSearch search = new ContactSearch();
+        for (int i : filled) {
+            Ray inFrame = inFrame(i);
+            if (!Double.isNaN(inFrame.dx)) {
+                search.add(trees[i], inFrame, reach * inFrame.directionLength);
+            }
+        }
+        Contact all = search.contact();
+        contact = all == null ? null : all.next();
+        if (contact != null) {
+            ray = inFrame(contact.hits().get(0).frame);
+        }
+        return all == null || contact != null || nearest(ray.past(hit(Hit.blank()), all));
     }
 
     /** The ray of the hit that was found last, in the frame of what it has hit. */
@@ -179,15 +220,16 @@ public final class WorldSearch extends Padded {
 
     /** That hit, in memory that may be used again. */
     public Hit hit(Hit memory) {
-        nearest.hit(ray, memory);
-        double length = share * start.directionLength;
-        memory.eventMemory()
+        boolean isAlone = contact == null;
+        Hit hit = isAlone ? nearest.hit(ray, memory) : contact.hit();
+        double length = (isAlone ? share : hit.distance / ray.directionLength) * start.directionLength;
+        hit.eventMemory()
                 .setPlace(
                         start.frame,
                         start.x + length * start.dx,
                         start.y + length * start.dy,
                         start.z + length * start.dz,
                         start.timeAt(length));
-        return memory;
+        return hit;
     }
 }
