@@ -92,8 +92,7 @@ public final class ShadedTriangle extends FlatPrimitive {
 
     /**
      * Where light ends, a triangle looks away from a lamp that its normals see, and its light would come through the
-     * inside of the mesh. The triangles through whose backs it comes out throw no shadow then: the smooth surface that
-     * the mesh stands for is nowhere in the way.
+     * inside of the mesh. What it leaves through the back is no obstacle to the smooth surface, and throws no shadow.
      */
     @Override
     public boolean shadows(Ray ray, double limit) {
@@ -101,12 +100,9 @@ public final class ShadedTriangle extends FlatPrimitive {
                 && !(ray.boundary instanceof ShadedTriangle start
                         && start.detail == detail
                         && start.placement == placement
-                        && start.isLitFromInside(ray)
+                        && start.outwards(ray, 0) < 0
+                        && start.normal(start.coordinates(ray, 0)).dot(ray.dx, ray.dy, ray.dz) > 0
                         && outwards(ray, distance(ray, limit)) > 0);
-    }
-
-    private boolean isLitFromInside(Ray ray) {
-        return outwards(ray, 0) < 0 && normal(coordinates(ray, 0)).dot(ray.dx, ray.dy, ray.dz) > 0;
     }
 
     /** How far a ray runs to the side of the flat triangle to which its normals point; 0 if it has none. */
