@@ -94,7 +94,7 @@ public final class Explanation {
         sentences.addAll(Stars.sentences(studio));
         sentences.add(cameraObjects());
         FrontWindow.of(studio).map(this::frontWindow).ifPresent(sentences::add);
-        sentences.add(search());
+        search().ifPresent(sentences::add);
         rotation().ifPresent(sentences::add);
         sentences.add(recursion(Stream.of(inScene, beforeLens).flatMap(Set::stream)));
         sentences.addAll(new Omissions(plan, inScene, beforeLens).sentences());
@@ -273,19 +273,13 @@ public final class Explanation {
                         studio.velocity().isRest() ? "" : "; the aberration of the camera is not undone");
     }
 
-    private String search() {
+    private Optional<String> search() {
         if (world.frameCount() > 1) {
-            return searchInFrames();
+            return Optional.of(searchInFrames());
         }
-        ObjectTree scene = world.objects(0);
-        if (scene.size() == 0) {
-            return "The scene holds no objects: rays that reach it see the background.";
-        }
-        return scene.hasTree()
-                ? format("%d primitives in the scene: a bounding-volume tree finds the nearest.", scene.size())
-                : format(
-                        "%d primitive%s in the scene: too few for a tree, a list is faster.",
-                        scene.size(), scene.size() == 1 ? "" : "s");
+        return world.objects(0).size() > 0
+                ? Optional.empty()
+                : Optional.of("The scene holds no objects: rays that reach it see the background.");
     }
 
     private String searchInFrames() {
@@ -327,7 +321,7 @@ public final class Explanation {
 
     private String content(int frame) {
         ObjectTree objects = world.objects(frame);
-        String primitives = count(objects.size(), "primitive") + (objects.hasTree() ? " in a tree" : "");
+        String primitives = count(objects.size(), "primitive");
         int lamps = (int) world.lamps().stream()
                 .filter(lamp -> lamp.light().position() != null && lamp.frame() == frame)
                 .count();
