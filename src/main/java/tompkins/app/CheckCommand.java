@@ -42,8 +42,7 @@ final class CheckCommand extends ProgramCommand {
             current = scene;
             try {
                 Studio studio = option.read(scene, List.of());
-                ScenePlan.checked(studio, scene)
-                        .forEach(warning -> err().println(scene + ": warning: " + warning));
+                ScenePlan.checked(studio, scene).forEach(warning -> err().println(scene + ": warning: " + warning));
                 StudioWriter.notes(studio).forEach(note -> err().println(scene + ": note: " + note));
                 requireWhatIsTaught(studio);
                 Photographer.info(studio, scene);

@@ -32,7 +32,9 @@ final class ScenePlan {
         return StudioReader.used(scene, () -> RenderPlan.of(studio, before));
     }
 
-    /** The warnings of a scene that is checked: many objects get no tree for that, unless rays of flashes are followed. */
+    /**
+     * The warnings of a scene that is checked: many objects get no tree for that, unless rays of flashes are followed.
+     */
     static List<String> checked(Studio studio, Path scene) {
         double primitives =
                 studio.scene().stream().mapToDouble(SceneObject::primitiveCount).sum();

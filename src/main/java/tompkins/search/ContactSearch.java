@@ -75,7 +75,8 @@ public final class ContactSearch {
         int group() {
             boolean isFlat = primitive instanceof FlatPrimitive || primitive instanceof PlanePrimitive;
             boolean isPart = primitive.object() instanceof Cone
-                    || primitive.object() instanceof TriangleMesh mesh && mesh.mesh().isClosed();
+                    || primitive.object() instanceof TriangleMesh mesh
+                            && mesh.mesh().isClosed();
             boolean isSheet = isFlat && !isPart && !(surface() instanceof Refractive);
             return isSheet ? 1 : cosine > 0 ? 0 : 2;
         }

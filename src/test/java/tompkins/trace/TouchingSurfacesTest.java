@@ -186,7 +186,8 @@ class TouchingSurfacesTest {
     void aMeshMayBeADecal(boolean faces) {
         double[] corners = {-3, -3, 10, 3, -3, 10, 3, 3, 10};
         int[] triangle = faces ? new int[] {0, 2, 1} : new int[] {0, 1, 2};
-        SceneObject decal = new TriangleMesh("decal", new MeshData("", corners, triangle, new byte[0]), HALF_RED, false);
+        SceneObject decal =
+                new TriangleMesh("decal", new MeshData("", corners, triangle, new byte[0]), HALF_RED, false);
         RayLife life = life(studio(sheet(WHITE), decal), 40, 40);
         assertColour(life.colour(), 0.5, 1, 1);
         assertThat(life.mainHits()).extracting(RayLife.Encounter::surface).containsExactly(HALF_RED, WHITE);
