@@ -2,6 +2,7 @@ package tompkins.app;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
@@ -15,6 +16,8 @@ import tompkins.measure.LessonStudio;
 import tompkins.property.MistakeException;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+import tompkins.trace.TouchingSurfaces;
 
 /** Looks for mistakes in scene files, and for damage in saved photographs. */
 @Command(description = "Looks for mistakes in scene files, and for damage in saved photographs.")
@@ -43,8 +46,9 @@ final class CheckCommand extends ProgramCommand {
             current = scene;
             try {
                 Studio studio = option.read(scene, List.of());
-                new Explanation(ScenePlan.of(studio, scene))
-                        .warnings()
+                RenderPlan plan = ScenePlan.of(studio, scene);
+                Stream.of(new Explanation(plan).warnings(), new TouchingSurfaces(plan).rivals())
+                        .flatMap(List::stream)
                         .forEach(warning -> err().println(scene + ": warning: " + warning));
                 StudioWriter.notes(studio).forEach(note -> err().println(scene + ": note: " + note));
                 requireWhatIsTaught(studio);

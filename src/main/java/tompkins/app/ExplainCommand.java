@@ -13,6 +13,7 @@ import tompkins.render.Quality;
 import tompkins.render.Renderer;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.TouchingSurfaces;
 
 /** Says what a picture needs and what it leaves out. */
 @Command(description = "Says what the picture of a scene models, what it leaves out, and why, and what it will cost.")
@@ -41,6 +42,9 @@ final class ExplainCommand extends ProgramCommand {
         for (String sentence : new Explanation(plan).sentences()) {
             out().println("- " + sentence);
         }
+        TouchingSurfaces touching = new TouchingSurfaces(plan);
+        touching.media().forEach(sentence -> out().println("- " + sentence));
+        touching.rivals().forEach(clause -> out().println("- Warning: " + clause + "."));
         out().println("- " + wish.sentence(plan));
         out().println("- " + cost("On this machine it will", plan, wish));
         if (plan.blursInTime()) {

@@ -17,14 +17,16 @@ public final class Contact {
 
     private final List<Hit> all;
     private final List<List<Hit>> layers;
+    private final List<Hit> rivals;
     private final int layer;
 
     /** 1 on the way on which the place was found, -1 on the way back. */
     private final int way;
 
-    private Contact(List<Hit> all, List<List<Hit>> layers, int layer, int way) {
+    private Contact(List<Hit> all, List<List<Hit>> layers, List<Hit> rivals, int layer, int way) {
         this.all = all;
         this.layers = layers;
+        this.rivals = rivals;
         this.layer = layer;
         this.way = way;
     }
@@ -34,9 +36,10 @@ public final class Contact {
      *
      * @param all the hits of that ray on all surfaces there
      * @param layers those that it meets, in this order; those of one layer act together
+     * @param rivals opaque ones of which only the first is seen, because it is listed first
      */
-    public static Contact of(List<Hit> all, List<List<Hit>> layers) {
-        return new Contact(all, layers, -1, 1);
+    public static Contact of(List<Hit> all, List<List<Hit>> layers, List<Hit> rivals) {
+        return new Contact(all, layers, rivals, -1, 1);
     }
 
     /** What rounding at a distance along a ray is compared with: a sum of lengths. */
@@ -47,17 +50,22 @@ public final class Contact {
     /** The next layer on the way; null if there is none. */
     public Contact next() {
         int next = layer + way;
-        return next < 0 || next >= layers.size() ? null : new Contact(all, layers, next, way);
+        return next < 0 || next >= layers.size() ? null : new Contact(all, layers, rivals, next, way);
     }
 
     /** The same layer for a ray that leaves it: through it, or back to where it has come from. */
     Contact leave(boolean through) {
-        return through ? this : new Contact(all, layers, layer, -way);
+        return through ? this : new Contact(all, layers, rivals, layer, -way);
     }
 
     /** The hits of this layer. */
     public List<Hit> hits() {
         return layers.get(layer);
+    }
+
+    /** Opaque surfaces here that differ, and of which only the first is seen. */
+    public List<Hit> rivals() {
+        return rivals;
     }
 
     /** The first hit of this layer, for a ray that comes along. */

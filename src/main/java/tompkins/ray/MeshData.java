@@ -1,6 +1,8 @@
 package tompkins.ray;
 
 import java.util.Arrays;
+import java.util.HashSet;
+import java.util.Set;
 
 /**
  * Triangles that share corners, as numbers, with the file that they came from. Immutable: the arrays are handed over
@@ -20,6 +22,9 @@ public final class MeshData implements FileContent {
     private final int[] corners;
     private final MeshDetail detail;
     private final byte[] file;
+
+    /** As far as somebody asked; else null. */
+    private Boolean closed;
 
     /**
      * Triangles.
@@ -91,6 +96,23 @@ public final class MeshData implements FileContent {
      */
     public double coordinate(int triangle, int corner, int axis) {
         return coordinates[3 * corners[3 * triangle + corner] + axis];
+    }
+
+    /** Whether it has an inside: each edge joins two triangles. */
+    public boolean isClosed() {
+        if (closed == null) {
+            Set<Long> open = new HashSet<>();
+            for (int i = 0; i < corners.length; i++) {
+                int next = i % 3 == 2 ? i - 2 : i + 1;
+                long edge = (long) Math.min(corners[i], corners[next]) << Integer.SIZE
+                        | Math.max(corners[i], corners[next]);
+                if (!open.add(edge)) {
+                    open.remove(edge);
+                }
+            }
+            closed = open.isEmpty();
+        }
+        return closed;
     }
 
     /** The largest size of a coordinate of a vertex; 0 without vertices. */

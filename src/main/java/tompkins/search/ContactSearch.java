@@ -74,13 +74,21 @@ public final class ContactSearch {
         /** The number of its group in the order: what the ray leaves, thin sheets, what it enters. */
         int group() {
             boolean isFlat = primitive instanceof FlatPrimitive || primitive instanceof PlanePrimitive;
-            boolean isPart = primitive.object() instanceof Cone || primitive.object() instanceof TriangleMesh;
+            boolean isPart = primitive.object() instanceof Cone
+                    || primitive.object() instanceof TriangleMesh mesh
+                            && mesh.mesh().isClosed();
             boolean isSheet = isFlat && !isPart && !(surface() instanceof Refractive);
             return isSheet ? 1 : cosine > 0 ? 0 : 2;
         }
 
         boolean isOpaque() {
             return surface().shadow() == Shadow.ALWAYS;
+        }
+
+        /** Whether both are opaque, belong to one group, and look different. */
+        boolean isRivalOf(Met other) {
+            boolean isSame = surface().equals(other.surface()) && !surface().usesCoordinates();
+            return isOpaque() && other.isOpaque() && group() == other.group() && !isSame;
         }
 
         /** Whether both are one surface, whose pieces meet here. */
@@ -148,9 +156,21 @@ public final class ContactSearch {
                 met.stream().filter(each -> each.isAtPlaceOf(met.get(0))).toList();
         List<Hit> all = here.stream().map(Met::hit).toList();
         if (here.get(0).isAtStart()) {
-            return Contact.of(all, List.of());
+            return Contact.of(all, List.of(), List.of());
         }
-        return here.size() == 1 ? null : Contact.of(all, layers(inOrder(here)));
+        if (here.size() == 1) {
+            return null;
+        }
+        List<Met> ordered = inOrder(here);
+        return Contact.of(all, layers(ordered), rivals(ordered));
+    }
+
+    private static List<Hit> rivals(List<Met> ordered) {
+        Met first = ordered.stream().filter(Met::isOpaque).findFirst().orElse(ordered.get(0));
+        return ordered.stream()
+                .filter(each -> each == first || each.isRivalOf(first))
+                .map(Met::hit)
+                .toList();
     }
 
     private static List<Met> inOrder(List<Met> here) {

@@ -14,7 +14,7 @@ interface PathObserver {
     default void returns() {}
 
     /** A ray starts in the camera frame. */
-    void starts(Ray ray);
+    default void starts(Ray ray) {}
 
     /** The ray crosses into the scene frame, where it starts as the given ray. */
     default void crosses(Ray ray) {}
@@ -28,5 +28,5 @@ interface PathObserver {
     default void hits(Frame frame, Ray ray, Hit hit, Primitive primitive) {}
 
     /** The ray, or one that came from it, goes on and meets nothing else in a frame. */
-    void leaves(Frame frame, Ray ray);
+    default void leaves(Frame frame, Ray ray) {}
 }

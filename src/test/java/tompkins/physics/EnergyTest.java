@@ -80,6 +80,22 @@ class EnergyTest {
         assertThat(report.counts().tooFaint + report.counts().tooDeep).isZero();
     }
 
+    /** Each fills the same place as a piece of glass. */
+    @ParameterizedTest
+    @MethodSource("invisible")
+    void nothingIsLostWhereSurfacesTouch(SceneObject solid, Surface surface) {
+        SceneObject glass = solids(new Refractive(1.4))
+                .filter(each -> each.getClass() == solid.getClass())
+                .findFirst()
+                .orElseThrow();
+        float[] rgb = glowing(List.of(solid, glass), Velocity.REST, 8).image().rgb();
+        for (int i = 0; i < rgb.length; i++) {
+            double expected = i % 3 == 0 ? GLOW.red() : i % 3 == 1 ? GLOW.green() : GLOW.blue();
+            assertThat(rgb[i]).as("%s of %s", solid, surface).isLessThan((float) (expected * (1 + 1e-6)));
+        }
+        assertThat(rgb[rgb.length / 2 / 3 * 3]).isGreaterThan((float) (0.9 * GLOW.red()));
+    }
+
     static Stream<Class<?>> surfaces() {
         return Descriptions.members(Surface.class).stream();
     }

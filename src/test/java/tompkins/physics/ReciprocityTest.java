@@ -88,7 +88,16 @@ class ReciprocityTest {
                         "lantern",
                         new Vector3d(-2.5, 1.5, 10),
                         0.4,
-                        new LuminousSurface(new Colour(0.9, 0.9, 0.4), false)));
+                        new LuminousSurface(new Colour(0.9, 0.9, 0.4), false)),
+                // these touch
+                new Box("pane", new Vector3d(1.7, -1.3, 5), new Vector3d(2.3, -0.5, 5.4), new Refractive(1.5)),
+                new Box("tank", new Vector3d(1.7, -1.3, 5.4), new Vector3d(2.3, -0.5, 6), new Refractive(1.333)),
+                new Parallelogram(
+                        "poster",
+                        new Vector3d(-2.5, -1.2, 9),
+                        new Vector3d(0.6, 0, 0),
+                        new Vector3d(0, 0.9, 0),
+                        new ColourFilter(new Colour(0.4, 0.9, 0.8))));
     }
 
     private static List<LightSource> lamps() {
