@@ -17,6 +17,7 @@ final class LessonLookPage extends Part {
         panel.add(answer.component(), "wmin 0");
         panel.add(slider.component(), "wmin 0");
         panel.add(hint.component(), "wmin 0");
+        update(slider.isThere());
     }
 
     /** Says what to do with the slider, or that the scene has lost what it moves. */

@@ -229,7 +229,6 @@ public final class LessonPanel extends Part {
         lastingSlider = new LessonSlider(model, lesson);
         control.add(lastingSlider.component(), "wmin 0");
         look = new LessonLookPage(slider);
-        look.update(slider.isThere());
         reason = new LessonReasonPage(fitting);
         numbers = new LessonNumbersPage();
         cards = new CardPanel();
@@ -267,9 +266,11 @@ public final class LessonPanel extends Part {
         updateNext();
     }
 
-    private void finish() {
-        course.finish(model.studio());
-        updateNext();
+    private void finishIf(boolean done) {
+        if (done) {
+            course.finish(model.studio());
+            updateNext();
+        }
     }
 
     private void updateNext() {
@@ -327,9 +328,7 @@ public final class LessonPanel extends Part {
             // the text explains what must be on the screen
             fitting().ifPresent(present -> {
                 model.set(present.measured());
-                if (!hasNextPage()) {
-                    finish();
-                }
+                finishIf(!hasNextPage());
             });
         } else if (following == Step.MEASURE) {
             fitting().ifPresent(this::measure);
@@ -374,10 +373,7 @@ public final class LessonPanel extends Part {
                 page.show(found.results);
                 if (model.studio().equals(measured)) {
                     draw(found.results);
-                    // a scene without what the lesson is about may still have all numbers, of something else
-                    if (found.results.stream().allMatch(LessonResult::agrees)) {
-                        finish();
-                    }
+                    finishIf(found.results.stream().allMatch(LessonResult::agrees));
                 }
             } else {
                 page.showProblem(found.problem);
