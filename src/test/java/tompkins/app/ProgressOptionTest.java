@@ -164,7 +164,7 @@ class ProgressOptionTest {
 
     @Test
     void trialsOfStudiesAreCounted() {
-        ProgramRun run = ProgramRun.of("study", "stability", "-o", folder, "--progress=json", "--threads=1");
+        ProgramRun run = ProgramRun.of("study", "depth", "-o", folder, "--progress=json", "--threads=1");
         assertThat(run.code()).as(run.err()).isZero();
         List<Map<String, Object>> trials = named("trial", run);
         assertThat(trials)
@@ -174,7 +174,7 @@ class ProgressOptionTest {
                         .toList());
         assertThat(trials)
                 .allSatisfy(trial -> assertThat(trial)
-                        .contains(entry("of", (double) trials.size()), entry("study", "stability"))
+                        .contains(entry("of", (double) trials.size()), entry("study", "depth"))
                         .containsKeys("problem", "method", "setting"));
     }
 
