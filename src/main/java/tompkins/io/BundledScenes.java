@@ -44,7 +44,7 @@ public final class BundledScenes {
     }
 
     /**
-     * That scene, read without the file system of the jar, which takes 70 ms to open.
+     * That scene, read without the file system of the jar, which takes long to open.
      *
      * @throws IOException if the program comes without its scenes
      */
