@@ -57,7 +57,7 @@ final class Convergence {
                 times[1][turn % TURNS] = milliseconds(renderer, plan, new Quality.TargetError(GOOD));
                 times[2][turn % TURNS] = firstLook(renderer, plan, whole);
             }
-            measures.add(Measure.time(
+            measures.add(Measure.of(
                     "fig3a: to an error of " + GOOD + ", in pictures of one sample",
                     "x",
                     Measure.median(times[1]) / Measure.median(times[0])));
@@ -118,7 +118,7 @@ final class Convergence {
                 samples,
                 error,
                 needed);
-        return Measure.ratioAtLeast(what, 20, "x fewer", needed / samples);
+        return Measure.of(what, "x fewer", needed / samples);
     }
 
     private double mean(IntToDoubleFunction ofPixel) {

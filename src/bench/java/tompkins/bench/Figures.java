@@ -1,77 +1,180 @@
 package tompkins.bench;
 
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import tompkins.render.Quality;
+import tompkins.render.RenderJob;
+import tompkins.render.Renderer;
 import tompkins.studio.PaperStudios;
 import tompkins.studio.Studio;
+import tompkins.study.Chart;
+import tompkins.study.ChartDrawing;
+import tompkins.study.Measurement;
+import tompkins.study.Spread;
+import tompkins.trace.RenderPlan;
 
 /**
- * The paper's two figures, alternating with one thread, two threads and POV-Ray. POV-Ray is compared at four times the
- * size: at 640 x 480 a good part of its time is the start of its threads.
+ * The paper's two figures: how long they take with one thread and with two, and how the error of Fig. 1(a) falls with
+ * the processor time of one thread, beside POV-Ray in the same run. The reference of each program is its own picture
+ * with many samples.
  */
 final class Figures {
 
-    /** Pictures of one kind that follow each other in a round. */
-    private static final int PICTURES_IN_TURN = 5;
+    /** The chart of error against time, beside the page. */
+    static final String CHART = "error-against-seconds.png";
 
-    private static final int LARGE_WIDTH = 1280;
-    private static final int LARGE_HEIGHT = 960;
+    private static final int PICTURES_IN_TURN = 5;
+    /** The size of the pictures of the chart. */
+    private static final int WIDTH = 320;
+
+    private static final int HEIGHT = 240;
+    private static final int TURNS = 3;
+    private static final int WARM_UP = 10;
+    private static final int REFERENCE_SAMPLES = 512;
+    private static final double[] ERRORS = {0.04, 0.02, 0.01, 0.005, 0.0025};
+    private static final String OWN = "Tompkins, --error";
+    private static final String PROBLEM = "fig1a";
+
+    /** POV-Ray's grids of samples in each pixel. */
+    private static final int[] GRIDS = {2, 3, 4, 6, 8};
+
+    private static final int REFERENCE_GRID = 16;
 
     private Figures() {}
 
-    /**
-     * Measures in turns, adds what has a target, and gives what tells how fast the machine is, as Markdown.
-     *
-     * @param isAmd whether the processor is one of AMD, on which POV-Ray is slower than on others
-     */
-    static String measure(int rounds, boolean isAmd, List<Measure> measures) throws InterruptedException {
-        String rest = figure(rounds, false, isAmd ? 8 : 5, measures);
-        String moving = figure(rounds, true, isAmd ? 13 : 7, measures);
-        return Yardstick.HEAD + rest + moving;
+    /** Measures in turns, and draws the chart. */
+    static void measure(int rounds, Path folder, List<Measure> measures) throws IOException, InterruptedException {
+        addTimes("fig1a", PaperStudios.fig1a(), rounds, measures);
+        addTimes("fig1b", PaperStudios.fig1b(), rounds, measures);
+        List<Measurement> points = new ArrayList<>(own());
+        String version = PovRay.version();
+        if (version == null) {
+            measures.add(Measure.missing("fig1a, --error 0.01, against POV-Ray", PovRay.MISSING));
+        } else {
+            List<Measurement> others = others(version);
+            measures.add(Measure.of(
+                    "fig1a, as good as with --error 0.01: processor time of POV-Ray " + version
+                            + " to that of Tompkins",
+                    "x",
+                    secondsTo(0.01, others) / secondsTo(0.01, points)));
+            points.addAll(others);
+        }
+        Chart chart = Chart.errorAgainstTime(PROBLEM, "Fig. 1(a), " + WIDTH + " x " + HEIGHT + ", one thread", OWN);
+        Files.createDirectories(folder);
+        Files.write(folder.resolve(CHART), ChartDrawing.png(chart, points));
     }
 
-    private static String figure(int rounds, boolean isMoving, double leastFactor, List<Measure> measures)
+    private static void addTimes(String name, Studio studio, int rounds, List<Measure> measures)
             throws InterruptedException {
-        Studio studio = isMoving ? PaperStudios.fig1b() : PaperStudios.fig1a();
-        Yardstick elsewhere = isMoving ? Yardstick.MOVING : Yardstick.REST;
-        double[] povRaySmall = new double[rounds];
-        double[] povRay = new double[rounds];
-        double[] povRayAlone = new double[rounds];
-        try (Picture small = new Picture(studio, 2);
-                Picture smallAlone = new Picture(studio, 1);
-                Picture large = new Picture(large(studio), 2);
-                Picture largeAlone = new Picture(large(studio), 1)) {
+        try (Picture both = new Picture(studio, 2);
+                Picture alone = new Picture(studio, 1)) {
             for (int round = 0; round < rounds; round++) {
-                small.take(PICTURES_IN_TURN);
-                povRaySmall[round] = PovRay.milliseconds(isMoving, 640, 480, 2);
-                smallAlone.take(PICTURES_IN_TURN);
-                large.take(1);
-                povRay[round] = PovRay.milliseconds(isMoving, LARGE_WIDTH, LARGE_HEIGHT, 2);
-                largeAlone.take(1);
-                povRayAlone[round] = PovRay.milliseconds(isMoving, LARGE_WIDTH, LARGE_HEIGHT, 1);
+                both.take(PICTURES_IN_TURN);
+                alone.take(PICTURES_IN_TURN);
             }
-            String name = elsewhere.figure();
-            measures.add(againstPovRay(large.median(), name + ", two threads", povRay, leastFactor));
-            measures.add(againstPovRay(largeAlone.median(), name + ", one thread", povRayAlone, leastFactor));
-            measures.add(elsewhere.againstPackets(small.median(), povRaySmall));
-            measures.add(Measure.ratioAtLeast(
-                    name + ", 640 x 480, two threads against one", 1.85, "x", smallAlone.median() / small.median()));
-            measures.add(Measure.ratioAtMost(
-                    name + ", 640 x 480: allocation per sample", 100, "bytes", small.bytesPerSample()));
-            measures.add(Measure.time(name + ", 640 x 480, one sample, two threads", "ms", small.median()));
-            measures.add(Measure.time(name + ", 640 x 480, one sample, one thread", "ms", smallAlone.median()));
-            return elsewhere.line(small.median(), povRaySmall);
+            measures.add(Measure.of(name + ", 640 x 480, one sample, two threads", "ms", both.median()));
+            measures.add(Measure.of(name + ", 640 x 480, one sample, one thread", "ms", alone.median()));
         }
     }
 
-    private static Measure againstPovRay(double time, String name, double[] povRay, double least) {
-        double pov = Measure.median(povRay);
-        String what = name + ", " + LARGE_WIDTH + " x " + LARGE_HEIGHT + ": times as fast as POV-Ray 3.7";
-        return Double.isNaN(pov)
-                ? Measure.missing(Measure.Kind.RATIO, what, PovRay.MISSING)
-                : Measure.ratioAtLeast(what, least, "x", pov / time);
+    private static List<Measurement> own() throws InterruptedException {
+        Studio figure = PaperStudios.fig1a();
+        Studio studio = figure.withSettings(figure.settings().withSize(WIDTH, HEIGHT));
+        List<Measurement> points = new ArrayList<>();
+        try (Renderer renderer = new Renderer(1)) {
+            RenderPlan plan = RenderPlan.of(studio);
+            RenderPlan otherSeed =
+                    RenderPlan.of(studio.withSettings(studio.settings().withSeed(99)));
+            float[] reference = renderer.render(otherSeed, new Quality.Samples(REFERENCE_SAMPLES))
+                    .image()
+                    .rgb();
+            // what is compiled meanwhile is not counted
+            for (int i = 0; i < WARM_UP; i++) {
+                renderer.render(plan, new Quality.TargetError(ERRORS[1]));
+            }
+            for (double error : ERRORS) {
+                double[] seconds = new double[TURNS];
+                double found = 0;
+                for (int round = 0; round < TURNS; round++) {
+                    double start = processorSeconds();
+                    RenderJob job = renderer.render(plan, new Quality.TargetError(error));
+                    seconds[round] = processorSeconds() - start;
+                    found = rootMeanSquare(light(job.image().rgb()), light(reference));
+                }
+                points.add(point(OWN, error, seconds, found));
+            }
+        }
+        return points;
     }
 
-    private static Studio large(Studio studio) {
-        return studio.withSettings(studio.settings().withSize(LARGE_WIDTH, LARGE_HEIGHT));
+    private static List<Measurement> others(String version) throws IOException, InterruptedException {
+        Studio studio = PaperStudios.fig1a();
+        int width = studio.settings().width();
+        int height = studio.settings().height();
+        double[] reference = PovRay.take(WIDTH, HEIGHT, grid(REFERENCE_GRID)).light();
+        List<Measurement> points = new ArrayList<>();
+        for (int grid : GRIDS) {
+            double[] seconds = new double[TURNS];
+            double found = 0;
+            for (int round = 0; round < TURNS; round++) {
+                PovRay.Taken taken = PovRay.take(WIDTH, HEIGHT, grid(grid));
+                seconds[round] = taken.seconds();
+                found = rootMeanSquare(taken.light(), reference);
+            }
+            points.add(point("POV-Ray " + version + ", +R", grid, seconds, found));
+        }
+        return points;
+    }
+
+    /** More samples where neighbours differ at all, in a jittered grid of that many rows. */
+    private static String[] grid(int rows) {
+        return new String[] {"+AM1", "+A0.0", "+R" + rows};
+    }
+
+    private static Measurement point(String method, double setting, double[] seconds, double error) {
+        return new Measurement(PROBLEM, method, setting, 1, Spread.of(seconds), Spread.exact(error), error, 0);
+    }
+
+    /** The seconds to an error, on the straight line of the logarithms through the two points around it. */
+    private static double secondsTo(double error, List<Measurement> points) {
+        for (int i = 1; i < points.size(); i++) {
+            Measurement before = points.get(i - 1);
+            Measurement after = points.get(i);
+            if (after.error().middle() <= error) {
+                double part = Math.log(before.error().middle() / error)
+                        / Math.log(before.error().middle() / after.error().middle());
+                return before.seconds().middle()
+                        * Math.pow(after.seconds().middle() / before.seconds().middle(), part);
+            }
+        }
+        return Double.NaN;
+    }
+
+    private static double[] light(float[] rgb) {
+        double[] light = new double[rgb.length];
+        for (int i = 0; i < light.length; i++) {
+            // POV-Ray's picture holds nothing brighter than white
+            light[i] = Math.min(1, rgb[i]);
+        }
+        return light;
+    }
+
+    private static double rootMeanSquare(double[] one, double[] other) {
+        double squares = 0;
+        for (int i = 0; i < one.length; i++) {
+            squares += (one[i] - other[i]) * (one[i] - other[i]);
+        }
+        return Math.sqrt(squares / one.length);
+    }
+
+    /** What this process has used of the processor. */
+    private static double processorSeconds() {
+        return ((com.sun.management.OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean())
+                        .getProcessCpuTime()
+                / 1e9;
     }
 }

@@ -31,8 +31,7 @@ final class Growth {
 
     private static final int FEWEST = 100;
     private static final int MOST = 1_000_000;
-    private static final int MIDDLE = 10_000;
-    private static final int[] SIZES = {FEWEST, 1_000, MIDDLE, 100_000, MOST};
+    private static final int[] SIZES = {FEWEST, 1_000, 10_000, 100_000, MOST};
 
     private static final String RODS = "rods";
     private static final String TRIANGLES = "triangles";
@@ -43,9 +42,8 @@ final class Growth {
 
             ## Growth
 
-            Time of a whole 640 x 480 picture with shadows on two threads, per ray; spheres and rods get thinner where there are more. The camera
-            stands among the rods. Each in a process of its own, whose heap begins with 3 GB: one that just holds a million objects would be marked by the collector beside
-            every few pictures. The fewest and the most objects, which have targets, are measured more than once. Bytes are those of a plan: from 100 000 objects on lamps fill their cells later.
+            Time of a whole 640 x 480 picture with shadows on two threads, per ray; spheres and rods get thinner where there are more, and the
+            camera stands among the rods. Bytes are those of a plan.
 
             | scene | objects | ns per ray | plan and tree, ms | bytes per object |
             | --- | --- | --- | --- | --- |
@@ -82,16 +80,16 @@ final class Growth {
     }
 
     /**
-     * Measures all in turns, adds what has a target, and gives the whole table as Markdown.
+     * Measures all in turns, adds how the time grows, and gives the whole table as Markdown.
      *
-     * @param rounds how often to measure what has a target
+     * @param rounds how often to measure the fewest and the most
      */
     static String measure(int rounds, List<Measure> measures) throws IOException, InterruptedException {
         Map<String, List<double[]>> turns = new HashMap<>();
         for (int round = 0; round < rounds; round++) {
             for (String name : NAMES) {
                 for (int size : SIZES) {
-                    if (round == 0 || size == FEWEST || size == MOST || size == MIDDLE && name.equals(RODS)) {
+                    if (round == 0 || size == FEWEST || size == MOST) {
                         turns.computeIfAbsent(name + size, any -> new ArrayList<>())
                                 .add(OwnProcess.numbers(Growth.class, name, Integer.toString(size)));
                     }
@@ -103,7 +101,7 @@ final class Growth {
             for (int size : SIZES) {
                 addRow(table, name, size, turns.get(name + size));
             }
-            addTargets(name, turns, measures);
+            addRatios(name, turns, measures);
         }
         ObjFile.measure(rounds, measures);
         return table.toString();
@@ -116,21 +114,10 @@ final class Growth {
                 + Measure.number(median(turns, 1)) + " | " + bytes + " |\n");
     }
 
-    private static void addTargets(String name, Map<String, List<double[]>> turns, List<Measure> measures) {
+    private static void addRatios(String name, Map<String, List<double[]>> turns, List<Measure> measures) {
         double first = median(turns.get(name + FEWEST), 0);
         List<double[]> last = turns.get(name + MOST);
-        measures.add(Measure.ratioAtMost(
-                name + ": time per ray at 1e6 to that at 1e2",
-                name.equals(TRIANGLES) ? 3 : 4,
-                "x",
-                median(last, 0) / first));
-        if (name.equals(RODS)) {
-            double middle = median(turns.get(name + MIDDLE), 0);
-            measures.add(
-                    Measure.ratioAtMost("rods: time per ray at 1e4 to that at 1e6", 1, "x", middle / median(last, 0)));
-        }
-        measures.add(Measure.ratioAtMost(name + ": memory at 1e6", 500, "bytes an object", median(last, 2)));
-        measures.add(Measure.time(name + ": tree for 1e6", "ms", median(last, 1)));
+        measures.add(Measure.of(name + ": time per ray at 1e6 to that at 1e2", "x", median(last, 0) / first));
     }
 
     private static double median(List<double[]> turns, int number) {

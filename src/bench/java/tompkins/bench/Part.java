@@ -8,7 +8,7 @@ import java.util.stream.Collectors;
 
 /** A part of the report, which can be measured alone. */
 enum Part {
-    /** The paper's two figures, against other programs. */
+    /** The paper's two figures, beside POV-Ray. */
     FIGURES,
     /** The speed is dragged, without a window. */
     DRAG,
@@ -20,18 +20,14 @@ enum Part {
     MOTION,
     /** From the start of Java to a file, or to a picture on the screen. */
     START,
-    /** An earlier jar, in turns with this one. */
+    /** Another jar, such as that of an earlier commit, in turns with this one; nothing if none is named. */
     BEFORE,
     /** Fig. 1(b) in the window. */
     WINDOW,
     /** Rides in the window. */
     RIDE,
     /** A large picture in little memory. */
-    LARGE,
-    /** All scene files. */
-    SCENES,
-    /** What every ray goes through. */
-    METHODS;
+    LARGE;
 
     private static final String ALL = "all";
 

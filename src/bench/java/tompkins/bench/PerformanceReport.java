@@ -9,11 +9,13 @@ import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
-import org.openjdk.jmh.runner.RunnerException;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import tompkins.io.SelfDescription;
 
 /**
- * Measures what the program takes, prints the table of targets, and writes {@code docs/performance.md}. What is not
- * measured in full, or not all, is written to {@code target/performance.md} instead.
+ * Measures what the program takes, prints it, and writes {@code docs/performance.md}. What is not measured in full, or
+ * not all, is written to {@code target} instead.
  */
 final class PerformanceReport {
 
@@ -22,44 +24,36 @@ final class PerformanceReport {
     /** The heading of the part of the page that is written by hand and stays. */
     private static final String BY_HAND = "\n## What makes it fast\n";
 
-    private static final String HEAD = """
-            which writes this page down to [What makes it fast](#what-makes-it-fast). All numbers are medians of one run, in which what is compared
-            takes turns. A warm picture takes over the prepared scene, as in the window, where only the camera changes. Other ways to measure
-            stand in [Contributing](contributing.md#benchmarks).
-            """;
-
-    private static final String RATIOS = """
-            Ratios of times of this run, and counts. They depend little on how fast the machine is, though one processor favours other programs than
-            another does: POV-Ray is slower on AMD's, so that the targets are 8 and 13 there, 5 and 7 elsewhere.
-
-            | measure | target | measured | met |
-            | --- | --- | --- | --- |
+    /** What people get, where what was measured stands in braces. */
+    private static final String SENTENCES = """
+            - A picture of 640 x 480 takes {fig1b, 640 x 480, one sample, two threads} in Fig. 1(b) and {fig1a, 640 x 480, one sample, two threads} in
+              Fig. 1(a), with one sample for each pixel and two threads.
+            - When the speed changes, the window shows a first picture after {window, fig1b: change of the speed to a picture on the screen} and the whole one
+              after {window, fig1b: change of the speed to the complete picture}.
+            - From the start of Java to the file of the town square it takes {cold start to a 640 x 480 file, town square}, to its first picture in the
+              window {cold start to the first picture in the window, town square}.
+            - A ray among a million spheres takes {spheres: time per ray at 1e6 to that at 1e2} the time of one among a hundred.
+            - POV-Ray takes {POV} the processor time of Tompkins for the same picture with the same error.
             """;
 
     private static final String NOTICED = """
+
+            ## What people notice
+
             The limits are those of people: what is faster is not seen. A slow machine may miss them. The window needs a display.
 
-            | measure | target | measured | met here |
+            | measure | measured | target | met here |
             | --- | --- | --- | --- |
             """;
 
-    private static final String TIMES = """
-            They tell what to expect on a machine like the one above, and have no targets.
+    private static final String OTHERS = """
+
+            ## Times and ratios
+
+            They tell what to expect on a machine like the one above. What is compared takes turns.
 
             | measure | here |
             | --- | --- |
-            """;
-
-    private static final String PACKETS = """
-
-            [What makes it fast](#what-makes-it-fast) tells what each part of the program gains.
-
-            Native packets are faster because they do all the work for sixteen rays in one instruction, in single precision. Here the rays
-            of a block lie in arrays of numbers, too, and the loops that make them and that tell them from the candidates are short enough for
-            Java's compiler to take several rays at once; what then hits is tested and shaded ray by ray, in double precision. To come
-            closer, hits, shading and shadows would have to be worked out for many rays at once with the Vector API, which Java 17 and
-            25 have as an incubator only; doubles would gain half of what floats gain, and floats lose the digits that this program is
-            about.
             """;
 
     private final boolean quick;
@@ -80,7 +74,7 @@ final class PerformanceReport {
      * @param arguments {@code full}, or {@code quick} to see in a few minutes that all works; and the names of the
      *     {@linkplain Part#named parts}; and a jar of the program to compare with
      */
-    public static void main(String[] arguments) throws IOException, InterruptedException, RunnerException {
+    public static void main(String[] arguments) throws IOException, InterruptedException {
         PerformanceReport report =
                 new PerformanceReport(arguments[0].equals("quick"), Part.named(arguments[1]), Path.of(arguments[2]));
         for (Part part : report.parts) {
@@ -89,11 +83,18 @@ final class PerformanceReport {
         report.write();
     }
 
-    private void measure(Part part) throws IOException, InterruptedException, RunnerException {
+    /** Whether all is measured as for the page. */
+    private boolean isWhole() {
+        return !quick && parts.equals(EnumSet.allOf(Part.class));
+    }
+
+    private Path page() {
+        return isWhole() ? PAGE : Path.of("target/performance.md");
+    }
+
+    private void measure(Part part) throws IOException, InterruptedException {
         switch (part) {
-            case FIGURES ->
-                details.append(Figures.measure(quick ? 6 : 16, processor().contains("AMD"), measures))
-                        .append(PACKETS);
+            case FIGURES -> Figures.measure(quick ? 1 : 7, page().resolveSibling("performance"), measures);
             case DRAG -> Drag.measure(quick ? 3 : 30, measures);
             case LENS ->
                 (quick ? new Convergence(160, 200, 4096) : new Convergence(640, 4000, 16384)).measure(measures);
@@ -104,45 +105,54 @@ final class PerformanceReport {
             case WINDOW -> Window.measure(quick ? 1 : 3, measures);
             case RIDE -> details.append(RideInWindow.measure(quick ? 3 : 10));
             case LARGE -> LargePicture.measure(quick ? 2000 : 5000, measures);
-            case SCENES -> details.append(Scenes.measure(quick ? 2 : 8));
-            case METHODS -> details.append(HotMethods.measure(quick ? 50 : 500));
         }
     }
 
-    private void compare() throws InterruptedException {
-        String why = "there is no " + before + " (-Dtompkins.bench.before=JAR names it)";
+    /** Compares with another jar, if one is named. */
+    private void compare() throws IOException, InterruptedException {
         if (Files.exists(before)) {
-            try {
-                ColdStart.compare(before, quick ? 1 : 7, measures);
-                return;
-            } catch (IOException failure) {
-                // what the other parts have measured is kept
-                why = failure.getMessage();
-            }
+            ColdStart.compare(before, quick ? 1 : 7, measures);
         }
-        measures.add(Measure.missing(Measure.Kind.RATIO, "against an earlier jar", why));
     }
 
     private void write() throws IOException {
-        StringBuilder text = new StringBuilder("# Performance\n\nMeasured on " + LocalDate.now(ZoneOffset.UTC) + ", "
-                        + processor() + ", " + Runtime.getRuntime().availableProcessors() + " cores, Java "
+        StringBuilder text = new StringBuilder("# Performance\n\n")
+                .append(sentences())
+                .append("\n![The error of a picture falls with the seconds that it takes](performance/"
+                        + Figures.CHART + ")\n\nMeasured on " + LocalDate.now(ZoneOffset.UTC) + " with "
+                        + SelfDescription.program() + ", " + processor() + ", "
+                        + Runtime.getRuntime().availableProcessors() + " cores, Java "
                         + System.getProperty("java.version")
-                        + ", by\n\n    xvfb-run -a mvn -Pbench -DskipTests verify\n\n")
-                .append(HEAD);
-        section(text, "Ratios", RATIOS, Measure.Kind.RATIO);
-        section(text, "What people notice", NOTICED, Measure.Kind.NOTICED);
-        section(text, "Times", TIMES, Measure.Kind.TIME);
+                        + ", by\n\n    xvfb-run -a mvn -Pbench -DskipTests verify\n\n"
+                        + "All numbers are medians of one run. The scene is prepared once, as in the window.\n")
+                .append(NOTICED);
+        measures.stream().filter(each -> !each.target().isEmpty()).forEach(each -> text.append(each.line()));
+        text.append(OTHERS);
+        measures.stream().filter(each -> each.target().isEmpty()).forEach(each -> text.append(each.line()));
         text.append(details);
         String page = Files.readString(PAGE);
         text.append(page.substring(page.indexOf(BY_HAND)));
         System.out.println(text);
-        boolean whole = !quick && parts.equals(EnumSet.allOf(Part.class));
-        Files.writeString(whole ? PAGE : Path.of("target/performance.md"), text);
+        Files.writeString(page(), text);
     }
 
-    private void section(StringBuilder text, String title, String head, Measure.Kind kind) {
-        text.append("\n## ").append(title).append("\n\n").append(head);
-        measures.stream().filter(measure -> measure.kind() == kind).forEach(measure -> text.append(measure.line()));
+    private String sentences() {
+        String pov = measures.stream()
+                .map(Measure::what)
+                .filter(what -> what.contains("POV-Ray"))
+                .findFirst()
+                .orElse("");
+        return Pattern.compile("\\{(.+?)}")
+                .matcher(SENTENCES.replace("{POV}", "{" + pov + "}"))
+                .replaceAll(found -> Matcher.quoteReplacement(measured(found.group(1))));
+    }
+
+    private String measured(String what) {
+        return measures.stream()
+                .filter(each -> each.what().equals(what))
+                .findFirst()
+                .map(each -> each.measured().replace(" x", " times"))
+                .orElse("(not measured)");
     }
 
     private static String processor() throws IOException {

@@ -27,7 +27,7 @@ final class Window {
     /** Opens the window some times, and adds the medians of what was measured in it. */
     static void measure(int times, List<Measure> measures) throws IOException, InterruptedException {
         if (!isPossible()) {
-            measures.add(Measure.missing(Measure.Kind.NOTICED, "window, fig1b", NO_DISPLAY));
+            measures.add(Measure.missing("window, fig1b", NO_DISPLAY));
             return;
         }
         Map<String, List<Double>> values = new TreeMap<>();

@@ -1,39 +1,37 @@
 package tompkins.app;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.EnumMap;
+import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import tompkins.file.PendingFile;
 import tompkins.image.Fonts;
 import tompkins.io.SelfDescription;
 import tompkins.property.MistakeException;
-import tompkins.studio.Studio;
+import tompkins.study.Chart;
+import tompkins.study.ChartDrawing;
 import tompkins.study.Conclusion;
 import tompkins.study.Measurement;
 import tompkins.study.Study;
 import tompkins.study.StudyData;
 import tompkins.study.StudyKind;
 import tompkins.study.StudyPage;
-import tompkins.study.StudySetup;
 import tompkins.study.Trial;
 
 /** Charts speed against accuracy. */
 @Command(
         header = "Charts speed against accuracy.",
-        description =
-                "Measures methods against each other and writes charts, figures and"
-                        + " what they show. A study that was stopped with Ctrl-C continues where it stopped when it is started again.")
+        description = "Measures methods against each other and writes charts, figures and"
+                + " what they show. After Ctrl-C, studies that are done are not measured again.")
 final class StudyCommand extends ProgramCommand {
 
     private static final String ALL = "all";
@@ -45,15 +43,6 @@ final class StudyCommand extends ProgramCommand {
             completionCandidates = Names.class,
             description = "${COMPLETION-CANDIDATES}")
     private String name;
-
-    @Parameters(
-            index = "1",
-            arity = "0..1",
-            paramLabel = "SCENE",
-            description =
-                    "scene file or saved photograph to measure instead of the program's own scenes (aperture, exposure,"
-                            + " antialiasing, preview)")
-    private Path scene;
 
     @Option(
             names = {"-o", "--output"},
@@ -67,66 +56,51 @@ final class StudyCommand extends ProgramCommand {
 
     @Option(
             names = "--force",
-            description = "replace figures of other settings or of another machine, and a page that is there")
+            description = "measure again, and replace figures of other settings or of another machine, and a page that"
+                    + " is there")
     private boolean force;
-
-    @Option(
-            names = "--part",
-            paramLabel = "I/N",
-            description =
-                    "measure each N-th point of the charts from I on, counted from 0; without it, the page is made of all parts")
-    private Part part;
 
     @Mixin
     private ThreadsOption threads;
-
-    @Mixin
-    private SetOption option;
 
     private ProgressLine report;
 
     @Override
     public Integer call() throws Exception {
         List<StudyKind> kinds = kinds();
-        Studio own = scene == null ? null : option.read(scene, List.of());
-        if (own == null && !option.assignments().isEmpty()) {
-            throw new MistakeException(SetOption.NAME + " changes SCENE, which is missing");
-        }
-        if (own != null) {
-            kinds = requireScene(kinds);
-        }
+        String title = kinds.size() == 1 ? kinds.get(0).toString() : PAGE_OF_ALL;
         Fonts.require();
-        StudySetup setup = new StudySetup(seed, own);
-        List<StudyKind> fitting = kinds;
         output = output == null ? NamedFile.currentFolder() : output;
         report = new ProgressLine(err());
-        return OutputOption.inFolder(output, () -> threads.during(() -> study(fitting, setup)));
+        return OutputOption.inFolder(
+                output,
+                () -> OutputOption.inFolder(output.resolve(title), () -> threads.during(() -> study(kinds, title))));
     }
 
-    private int study(List<StudyKind> kinds, StudySetup setup) throws IOException {
-        StudyPage page = page(kinds);
-        Photographer.requireWritable(page.file());
-        Map<StudyKind, Study> studies = new EnumMap<>(StudyKind.class);
-        kinds.forEach(kind -> studies.put(kind, kind.study(setup)));
+    private int study(List<StudyKind> kinds, String title) throws IOException {
+        Path file = output.resolve(title + ".md");
+        Path folder = output.resolve(title);
+        Photographer.requireWritable(file);
+        List<Study> studies = kinds.stream().map(kind -> kind.study(seed)).toList();
         if (!force) {
-            refuseToReplace(studies, page);
+            refuseToReplace(kinds, studies, file, folder);
         }
+        List<StudyData> all = new ArrayList<>();
+        for (int i = 0; i < studies.size(); i++) {
+            all.add(figures(kinds.get(i), studies.get(i), folder.resolve(kinds.get(i) + ".csv")));
+        }
+        StudyPage page = new StudyPage(title, kinds.size() == 1 ? "# Study: " + title : StudyPage.introduction(all));
         boolean holds = true;
-        for (StudyKind kind : studies.keySet()) {
-            holds &= make(kind, studies.get(kind), page);
+        for (int i = 0; i < studies.size(); i++) {
+            for (Chart chart : studies.get(i).charts()) {
+                byte[] png = ChartDrawing.png(chart, all.get(i).measurements());
+                PendingFile.save(folder.resolve(chart.file(kinds.get(i))), true, out -> out.write(png));
+            }
+            holds &= tell(page.add(kinds.get(i), studies.get(i), all.get(i)));
         }
-        if (part == null) {
-            out().println(page.write().toAbsolutePath());
-        }
+        PendingFile.save(file, true, out -> out.write(page.text().getBytes(StandardCharsets.UTF_8)));
+        out().println(file.toAbsolutePath());
         return holds ? 0 : Failures.FAILURE;
-    }
-
-    private StudyPage page(List<StudyKind> kinds) throws IOException {
-        if (kinds.size() == StudyKind.values().length) {
-            return new StudyPage(output, PAGE_OF_ALL, StudyPage.introduction(SelfDescription.program()));
-        }
-        String names = kinds.stream().map(StudyKind::toString).collect(Collectors.joining(", "));
-        return new StudyPage(output, kinds.size() == 1 ? names : PAGE_OF_ALL, "# Study: " + names);
     }
 
     private List<StudyKind> kinds() {
@@ -152,53 +126,52 @@ final class StudyCommand extends ProgramCommand {
         }
     }
 
-    private List<StudyKind> requireScene(List<StudyKind> kinds) {
-        List<StudyKind> fitting = kinds.stream().filter(StudyKind::takesScene).toList();
-        if (fitting.isEmpty()) {
-            throw new MistakeException("the study " + name + " makes its own scenes; leave SCENE out, was " + scene);
-        }
-        return fitting;
-    }
-
     /** Refuses to replace anything except what the same studies have made here before. */
-    private void refuseToReplace(Map<StudyKind, Study> studies, StudyPage page) throws IOException {
+    private static void refuseToReplace(List<StudyKind> kinds, List<Study> studies, Path page, Path folder)
+            throws IOException {
         boolean madeBefore = false;
-        for (StudyKind kind : studies.keySet()) {
-            boolean hasFigures = Files.exists(page.dataOf(kind));
-            madeBefore |= hasFigures;
-            if (!hasFigures && part == null) {
-                page.chartsOf(kind, studies.get(kind)).forEach(Photographer::requireFree);
-            }
-            Optional<Path> other = data(kind, studies.get(kind), page).holdingOther();
-            if (other.isPresent()) {
+        for (int i = 0; i < studies.size(); i++) {
+            StudyKind kind = kinds.get(i);
+            Path figures = folder.resolve(kind + ".csv");
+            if (!Files.exists(figures)) {
+                studies.get(i).charts().forEach(chart -> Photographer.requireFree(folder.resolve(chart.file(kind))));
+            } else if (known(kind, studies.get(i), figures).isEmpty()) {
                 throw new MistakeException(
-                        other.get()
+                        figures
                                 + ": holds figures of other settings, another machine or another version; --force replaces them");
+            } else {
+                madeBefore = true;
             }
         }
-        if (!madeBefore && part == null) {
-            Photographer.requireFree(page.file());
+        if (!madeBefore) {
+            Photographer.requireFree(page);
         }
     }
 
-    private StudyData data(StudyKind kind, Study study, StudyPage page) {
-        return new StudyData(kind, study, file(kind, page), SelfDescription.program());
+    /** The figures that this program has measured here before, with the same settings. */
+    private static Optional<StudyData> known(StudyKind kind, Study study, Path file) throws IOException {
+        StudyData.Origin own = StudyData.Origin.here(kind, study, SelfDescription.program());
+        return StudyData.read(file).filter(data -> data.origin().equals(own));
     }
 
-    private Path file(StudyKind kind, StudyPage page) {
-        return part == null ? page.dataOf(kind) : page.dataOf(kind, part.index(), part.count());
-    }
-
-    /** Measures a study and puts it on the page; a part of it is measured alone. Says whether all is as it must be. */
-    private boolean make(StudyKind kind, Study study, StudyPage page) throws IOException {
-        List<Measurement> all = data(kind, study, page)
-                .complete(own(study.trials()), (point, done, count) -> report.measured(kind, point, done, count));
-        report.clear();
-        if (part != null) {
-            out().println(file(kind, page).toAbsolutePath());
-            return true;
+    /** The figures of a study, as its file holds them; they are measured unless it holds them already. */
+    private StudyData figures(StudyKind kind, Study study, Path file) throws IOException {
+        if (force || !Files.exists(file)) {
+            List<Measurement> measured = new ArrayList<>();
+            List<Trial> trials = study.trials();
+            for (Trial trial : trials) {
+                Measurement point = trial.measure();
+                measured.add(point);
+                report.measured(kind, point, measured.size(), trials.size());
+            }
+            new StudyData(StudyData.Origin.here(kind, study, SelfDescription.program()), measured).write(file);
+            report.clear();
         }
-        Conclusion conclusion = page.add(kind, study, all);
+        return known(kind, study, file).orElseThrow();
+    }
+
+    /** Prints what follows from a study, and says whether all is as it must be. */
+    private boolean tell(Conclusion conclusion) {
         out().println(conclusion.answer());
         boolean holds = true;
         for (Conclusion.Finding finding : conclusion.findings()) {
@@ -206,15 +179,5 @@ final class StudyCommand extends ProgramCommand {
             holds &= finding.holds();
         }
         return holds;
-    }
-
-    /** The trials of the part; those that share some work stay together. */
-    private List<Trial> own(List<Trial> trials) {
-        if (part == null) {
-            return trials;
-        }
-        Set<Object> works =
-                Set.copyOf(part.of(trials.stream().map(Trial::work).distinct().toList()));
-        return trials.stream().filter(trial -> works.contains(trial.work())).toList();
     }
 }

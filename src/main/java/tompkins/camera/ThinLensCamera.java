@@ -65,7 +65,7 @@ public record ThinLensCamera(
         Stereo stereo)
         implements Camera {
 
-    /** The pinhole camera of the paper: 20 degrees wide, focused on the plane z = 10. */
+    /** A pinhole camera as in Dr TIM for the paper: 20 degrees wide, focused on the plane z = 10. */
     public static final ThinLensCamera DEFAULT = new ThinLensCamera(
             new Vector3d(),
             new Vector3d(0, 0, 1),

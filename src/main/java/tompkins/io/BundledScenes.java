@@ -2,6 +2,7 @@ package tompkins.io;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.net.URI;
 import java.net.URISyntaxException;
 import java.net.URL;
@@ -11,6 +12,7 @@ import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -42,7 +44,7 @@ public final class BundledScenes {
     }
 
     /**
-     * That scene, read without the file system of the jar, which takes 70 ms to open.
+     * That scene, read without the file system of the jar, which takes long to open.
      *
      * @throws IOException if the program comes without its scenes
      */
@@ -78,6 +80,27 @@ public final class BundledScenes {
                     .sorted()
                     .toList();
         }
+    }
+
+    /**
+     * Some scenes, or all, in the order of the names of their files.
+     *
+     * @param wanted names without ending; all scenes if none is named
+     * @throws UncheckedIOException if the program comes without its scenes
+     */
+    public static Map<String, Studio> named(String... wanted) {
+        Map<String, Studio> scenes = new LinkedHashMap<>();
+        try {
+            for (Path file : all()) {
+                String name = file.getFileName().toString().replace(".json", "");
+                if (wanted.length == 0 || List.of(wanted).contains(name)) {
+                    scenes.put(name, StudioReader.read(file));
+                }
+            }
+        } catch (IOException missing) {
+            throw new UncheckedIOException(missing);
+        }
+        return scenes;
     }
 
     /**

@@ -50,9 +50,9 @@ public final class SelfDescription {
         return "Tompkins " + version();
     }
 
-    /** The version of the program, such as 1.1.0. */
+    /** The version of the program, such as 1.2.0. */
     public static String version() {
-        // a resource bundle would add 60 ms to a cold start
+        // a resource bundle would delay a cold start
         Properties program = new Properties();
         try (InputStream in = SelfDescription.class.getResourceAsStream(PROPERTIES)) {
             program.load(in);

@@ -127,7 +127,7 @@ public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
 
     /**
      * Decides by the signs, in one branch instead of three: most triangles of a mesh are missed, and the processor
-     * guesses wrongly on which side. A million of them take 5 % less time.
+     * guesses wrongly on which side.
      */
     private static boolean noneIsNegative(double first, double second, double third) {
         // a sum of 0 and -0 is 0

@@ -81,8 +81,8 @@ public abstract class Primitive implements Boundary, Cloneable {
 
     /**
      * The overlaps of a ball, by the distance of its centre from the line. From a single start it is a circular cone,
-     * which takes a third of the time. Short loops, because the compiler makes no instructions for several rays at once
-     * from a long one.
+     * which is faster. Short loops, because the compiler makes no instructions for several rays at once from a long
+     * one.
      */
     static boolean ballOverlaps(
             double x, double y, double z, double radius, RayPacket rays, RayStarts starts, double[] overlaps) {

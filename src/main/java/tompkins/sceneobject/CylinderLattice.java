@@ -38,7 +38,7 @@ public record CylinderLattice(
     /** Most rods of a lattice, so that a typing mistake does not fill the memory. */
     private static final long MOST_RODS = 4_000_000;
 
-    /** The lattice of the paper. */
+    /** The lattice of the paper's figures, from class {@code ShutterModelFocussing} of Dr TIM. */
     public static final CylinderLattice DEFAULT = new CylinderLattice(
             "lattice",
             new Vector3d(-1.5, -1.5, -1),

@@ -68,8 +68,8 @@ final class TreeNode {
     /**
      * Distance at which a ray enters the box (below 0 if it starts inside), or {@link #MISSED} (Kay and Kajiya 1986).
      * The largest and the smallest are found without a branch, because the processor would guess wrongly which side of
-     * the box they belong to: a million triangles take 6 % less time. A ray along a plane of the box itself gives 0
-     * times infinity, which no comparison refuses: the box then counts as met, at a distance that is NaN.
+     * the box they belong to. A ray along a plane of the box itself gives 0 times infinity, which no comparison
+     * refuses: the box then counts as met, at a distance that is NaN.
      */
     double entry(double x, double y, double z, double inverseX, double inverseY, double inverseZ, double limit) {
         double enterX = ((inverseX > 0 ? minX : maxX) - x) * inverseX;

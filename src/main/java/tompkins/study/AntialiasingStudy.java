@@ -3,6 +3,7 @@ package tompkins.study;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import tompkins.io.BundledScenes;
 import tompkins.studio.Studio;
 
 /**
@@ -19,9 +20,9 @@ record AntialiasingStudy(
         implements Study {
 
     /** The study, as thorough as for the documents. */
-    static AntialiasingStudy of(StudySetup setup) {
-        PromisedErrors promises = new PromisedErrors(setup.studios(), setup.seed(), 48, 1024);
-        return new AntialiasingStudy(setup.studios("fig1a", "fig2a"), promises, setup.seed(), 144, 4096);
+    static AntialiasingStudy of(long seed) {
+        return new AntialiasingStudy(
+                BundledScenes.named("fig1a", "fig2a"), PromisedErrors.ofAllScenes(seed), seed, 144, 4096);
     }
 
     @Override
@@ -31,10 +32,9 @@ record AntialiasingStudy(
                 seed,
                 seed + PictureStudy.SEEDS - 1,
                 width,
-                promises.width(),
                 referenceSamples,
-                StudySetup.settings(compared),
-                StudySetup.settings(promises.studios()));
+                compared.keySet(),
+                promises.settings());
     }
 
     @Override

@@ -58,8 +58,13 @@ public record Chart(
     static final Axis<Double> RAYS = new Axis<>("rays", measurement -> measurement.rays());
 
     /** Error against time. */
-    static Chart errorAgainstTime(String problem, String title, String own) {
+    public static Chart errorAgainstTime(String problem, String title, String own) {
         return new Chart(problem, title, SECONDS, ERROR, true, own);
+    }
+
+    /** The name of its file. */
+    public String file(StudyKind kind) {
+        return kind + "-" + problem + ".png";
     }
 
     /** The same chart with lines to compare the curves with. */

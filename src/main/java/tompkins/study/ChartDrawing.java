@@ -50,7 +50,7 @@ public final class ChartDrawing {
     private ChartDrawing() {}
 
     /** The chart as a PNG file. */
-    static byte[] png(Chart chart, List<Measurement> all) {
+    public static byte[] png(Chart chart, List<Measurement> all) {
         try {
             return ChartUtils.encodeAsPNG(
                     FewColours.of(drawing(chart, all, ChartStyle.PRINTED)

@@ -39,6 +39,13 @@ public final class Conclusion {
         return conclusion;
     }
 
+    /** Lets the next sentences begin a paragraph of their own. */
+    void beginParagraph() {
+        if (!sentences.isEmpty()) {
+            sentences.append("\n\n");
+        }
+    }
+
     /** Adds sentences with their figures. */
     void say(String key, Object... figures) {
         sentences.append(StudyText.of(key, figures));

@@ -47,7 +47,7 @@ final class ExactProblems {
 
     /** A straight edge along the rows or the columns, which passes across them. */
     static final ExactProblem PASSING = new ExactProblem(
-            "edge",
+            "passing-edge",
             "An edge passes, along rows or columns",
             SampledSpace.TIME_AND_PIXEL,
             -0.70,
@@ -64,7 +64,13 @@ final class ExactProblems {
 
     /** A straight edge in any direction that passes. */
     static final ExactProblem PASSING_SLANTED = new ExactProblem(
-            "slanted-edge", "A slanted edge passes", SampledSpace.TIME_AND_PIXEL, -0.62, "-2/3", 0.4, random -> {
+            "passing-slanted-edge",
+            "A slanted edge passes",
+            SampledSpace.TIME_AND_PIXEL,
+            -0.62,
+            "-2/3",
+            0.4,
+            random -> {
                 double angle = Math.toRadians(random.nextDouble(5, 85));
                 double perX = Math.cos(angle);
                 double perY = Math.sin(angle);

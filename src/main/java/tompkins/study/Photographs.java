@@ -2,8 +2,6 @@ package tompkins.study;
 
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
-import java.util.function.Function;
-import tompkins.image.LinearImage;
 import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderListener;
@@ -37,32 +35,16 @@ final class Photographs {
                 }
             }
         };
-        RenderJob job = done(renderer -> renderer.start(plan, quality, canceller));
-        if (!job.isComplete()) {
-            throw new CancellationException();
-        }
-        return job;
-    }
-
-    /** Renders with one thread, and waits for it. */
-    static RenderJob done(Function<Renderer, RenderJob> start) {
         try (Renderer renderer = new Renderer(1)) {
-            RenderJob job = start.apply(renderer);
+            RenderJob job = renderer.start(plan, quality, canceller);
             job.await();
+            if (!job.isComplete()) {
+                throw new CancellationException();
+            }
             return job;
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
             throw new CancellationException();
         }
-    }
-
-    /** The light of all pixels, three channels each. */
-    static double[] light(LinearImage image) {
-        float[] rgb = image.rgb();
-        double[] light = new double[rgb.length];
-        for (int i = 0; i < light.length; i++) {
-            light[i] = rgb[i];
-        }
-        return light;
     }
 }

@@ -73,7 +73,7 @@ public final class PictureStudy {
         }
         if (sharp && others) {
             Sampler anywhere = new PixelSampler(seed, false, false);
-            trials.add(new Trial(name, ANYWHERE, 1, () -> pixels.sampled(anywhere, 1), pixels));
+            trials.add(new Trial(name, ANYWHERE, 1, () -> pixels.sampled(anywhere, 1)));
         }
         for (int samples = 4; samples <= MOST_SAMPLES; samples *= 4) {
             trials.add(photographed(FIXED, samples, new Quality.Samples(samples)));
@@ -85,7 +85,7 @@ public final class PictureStudy {
     }
 
     private Trial photographed(String method, double setting, Quality quality) {
-        return new Trial(name, method, setting, () -> pixels.photographed(seeded, quality), pixels);
+        return new Trial(name, method, setting, () -> pixels.photographed(seeded, quality));
     }
 
     /** Number of points of the chart. */

@@ -31,7 +31,7 @@ final class Race {
     /** The trials of all methods. */
     List<Trial> trials(String problem, double setting) {
         return methods.keySet().stream()
-                .map(method -> new Trial(problem, method, setting, () -> result(method), this))
+                .map(method -> new Trial(problem, method, setting, () -> result(method)))
                 .toList();
     }
 

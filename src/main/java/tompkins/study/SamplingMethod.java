@@ -62,24 +62,19 @@ enum SamplingMethod {
         Sampler sampler(long seed, int samples, SampledSpace space);
     }
 
-    /** The comparison of some methods with that of the program, as thorough as for the documents. */
-    static SamplingStudy.Comparison comparison(StudySetup setup, Map<String, Factory> methods) {
-        return new SamplingStudy.Comparison(setup.seed(), 4096, 5, methods);
-    }
-
-    /** All methods, by title. */
-    static Map<String, Factory> all() {
+    /** The comparison of all methods, as thorough as for the documents. */
+    static SamplingStudy.Comparison all(long seed) {
         Map<String, Factory> all = new LinkedHashMap<>();
         for (SamplingMethod method : values()) {
             all.put(method.title, method.factory);
         }
-        return all;
+        return new SamplingStudy.Comparison(seed, 4096, 5, all);
     }
 
-    /** The methods that can spread samples over time, by title. */
-    static Map<String, Factory> inTime() {
-        Map<String, Factory> inTime = all();
-        inTime.remove(VOGEL.title);
-        return inTime;
+    /** The comparison of the methods that can spread samples over time. */
+    static SamplingStudy.Comparison inTime(long seed) {
+        SamplingStudy.Comparison comparison = all(seed);
+        comparison.methods().remove(VOGEL.title);
+        return comparison;
     }
 }

@@ -47,7 +47,6 @@ abstract class SamplingStudy implements Study {
     private final List<ExactProblem> problems;
     private final String photographed;
     private final Map<String, ScenePixels> scenes = new LinkedHashMap<>();
-    private final String sceneNames;
 
     /**
      * The study.
@@ -61,7 +60,6 @@ abstract class SamplingStudy implements Study {
         this.comparison = comparison;
         this.problems = problems;
         this.photographed = photographed;
-        sceneNames = StudySetup.settings(studios);
         int referenceSamples = 16 * comparison.mostSamples;
         studios.forEach((name, studio) -> scenes.put(
                 name, new ScenePixels(studio, SCENE_BLOCKS, referenceSamples, Double.POSITIVE_INFINITY, () -> false)));
@@ -79,7 +77,7 @@ abstract class SamplingStudy implements Study {
                 comparison.mostSamples,
                 comparison.repeats,
                 SCENE_BLOCKS,
-                sceneNames);
+                scenes.keySet());
     }
 
     @Override

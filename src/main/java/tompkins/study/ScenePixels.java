@@ -147,8 +147,8 @@ final class ScenePixels {
         return light;
     }
 
-    /** The light of all pixels as it should be; worked out when it is first asked for. */
-    private double[] reference() {
+    /** The light of all pixels as it should be; worked out when it is first asked for, by all threads. */
+    double[] reference() {
         while (reference == null) {
             double[] one = half(11);
             double[] other = half(12);

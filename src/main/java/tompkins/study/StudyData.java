@@ -4,168 +4,85 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
-import tompkins.file.FileException;
-import tompkins.file.OutputFolder;
 import tompkins.file.PendingFile;
 
 /**
- * The figures of a study in a file of comma-separated values: lines about the study, the program and the machine, then
- * one line for each measurement, written as soon as it is made. A study that was stopped goes on from there.
+ * The figures of a study, and where they come from: a file of comma-separated values, with lines about the study, the
+ * program and the machine at its top, then one line for each measurement.
+ *
+ * @param origin which study with which settings was made by which program on which machine
+ * @param measurements those of all trials of the study, in their order
  */
-public final class StudyData {
-
-    /** How the name of a file ends if it holds a part of the figures. */
-    private static final String PART = "-part-[0-9]*-of-[0-9]*.csv";
+public record StudyData(Origin origin, List<Measurement> measurements) {
 
     private static final String COLUMNS = "problem,method,setting,rays,seconds_low,seconds_median,seconds_high,"
             + "error_low,error_median,error_high,maximum,reference_error";
 
-    /** Is told how a study goes on. */
-    @FunctionalInterface
-    public interface Listener {
-
-        /**
-         * Another trial is done.
-         *
-         * @param measurement its result
-         * @param done trials that are done, including those of earlier runs
-         * @param all number of trials
-         */
-        void measured(Measurement measurement, int done, int all);
-    }
-
-    private final Path file;
-    private final List<String> head;
-
     /**
-     * The data of a study.
+     * Where figures come from.
      *
-     * @param kind which study it is
-     * @param file where they are kept
+     * @param study the name of the study
+     * @param settings see {@link Study#settings()}
      * @param program name and version of the program
+     * @param machine see {@link Machine}
      */
-    public StudyData(StudyKind kind, Study study, Path file, String program) {
-        this.file = file;
-        head = List.of(
-                "# study: " + kind,
-                "# settings: " + study.settings(),
-                "# program: " + program,
-                "# machine: " + Machine.text(),
-                COLUMNS);
+    public record Origin(String study, String settings, String program, String machine) {
+
+        /** What is measured here, by this program, now. */
+        public static Origin here(StudyKind kind, Study study, String program) {
+            return new Origin(kind.toString(), study.settings(), program, Machine.text());
+        }
+
+        private List<String> head() {
+            return List.of(
+                    "# study: " + study,
+                    "# settings: " + settings,
+                    "# program: " + program,
+                    "# machine: " + machine,
+                    COLUMNS);
+        }
     }
 
     /**
-     * Makes the measurements of some trials of the study that the file does not hold yet, and returns all of them in
-     * the order of the trials. Everything else in the file is replaced. What other processes have measured into the
-     * files of {@link #PART} beside it is taken over, and these files are removed.
+     * Reads a file.
+     *
+     * @return empty if it does not hold the figures of a study
+     * @throws IOException if it cannot be read
+     * @throws UncheckedIOException if a line of it is damaged
      */
-    public List<Measurement> complete(List<Trial> trials, Listener listener) throws IOException {
-        List<Path> parts = parts();
-        List<Measurement> known = new ArrayList<>(read(file));
-        for (Path part : parts) {
-            known.addAll(read(part));
-        }
-        rewrite(known);
-        List<Measurement> all = new ArrayList<>();
-        for (Trial trial : trials) {
-            Measurement measurement =
-                    known.stream().filter(trial::made).findFirst().orElse(null);
-            if (measurement == null) {
-                measurement = trial.measure();
-                append(line(measurement) + "\n");
-            }
-            all.add(measurement);
-            listener.measured(measurement, all.size(), trials.size());
-        }
-        rewrite(all);
-        for (Path part : parts) {
-            Files.deleteIfExists(part);
-        }
-        return all;
-    }
-
-    /** The files of parts of the study beside the file, which hold what other processes have measured. */
-    private List<Path> parts() throws IOException {
-        Path folder = file.toAbsolutePath().getParent();
-        if (!Files.isDirectory(folder)) {
-            return List.of();
-        }
-        String pattern = file.getFileName().toString().replace(".csv", PART);
-        List<Path> parts = new ArrayList<>();
-        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, pattern)) {
-            files.forEach(parts::add);
-        }
-        Collections.sort(parts);
-        return parts;
-    }
-
-    /**
-     * A file that is there, this one or that of a part, and holds something else: figures of another machine, program
-     * or setting, or no figures; empty if there is none.
-     */
-    public Optional<Path> holdingOther() throws IOException {
-        List<Path> files = new ArrayList<>(parts());
-        files.add(0, file);
-        for (Path each : files) {
-            if (Files.exists(each) && !isOwn(lines(each))) {
-                return Optional.of(each);
-            }
-        }
-        return Optional.empty();
-    }
-
-    /** The complete lines; a measurement whose line was cut off when the program was stopped is made again. */
-    private static List<String> lines(Path file) throws IOException {
+    public static Optional<StudyData> read(Path file) throws IOException {
+        List<String> lines;
         try {
-            String text = Files.readString(file);
-            return text.substring(0, text.lastIndexOf('\n') + 1).lines().toList();
+            lines = Files.readAllLines(file);
         } catch (CharacterCodingException notText) {
-            return List.of();
+            return Optional.empty();
         }
+        if (lines.indexOf(COLUMNS) != 4) {
+            return Optional.empty();
+        }
+        Origin origin = new Origin(value(lines.get(0)), value(lines.get(1)), value(lines.get(2)), value(lines.get(3)));
+        return Optional.of(new StudyData(
+                origin,
+                lines.stream().skip(5).map(line -> measurement(line, file)).toList()));
     }
 
-    private boolean isOwn(List<String> lines) {
-        return lines.size() >= head.size() && lines.subList(0, head.size()).equals(head);
+    /** What stands behind the colon of a line about the study. */
+    private static String value(String line) {
+        return line.substring(line.indexOf(": ") + 2);
     }
 
-    private List<Measurement> read(Path each) throws IOException {
-        List<String> lines = Files.exists(each) ? lines(each) : List.of();
-        return isOwn(lines)
-                ? lines.stream()
-                        .skip(head.size())
-                        .map(line -> measurement(line, each))
-                        .toList()
-                : List.of();
-    }
-
-    private void rewrite(List<Measurement> measurements) throws IOException {
+    /** Writes the file, in place of one that is there. */
+    public void write(Path file) throws IOException {
         Stream<String> lines =
-                Stream.concat(head.stream(), measurements.stream().map(StudyData::line));
-        OutputFolder folder = OutputFolder.at(file.toAbsolutePath().getParent());
-        try {
-            byte[] text = (String.join("\n", lines.toList()) + "\n").getBytes(StandardCharsets.UTF_8);
-            PendingFile.save(file, true, out -> out.write(text));
-        } finally {
-            folder.close();
-        }
-    }
-
-    private void append(String line) throws IOException {
-        try {
-            Files.writeString(file, line, StandardOpenOption.APPEND);
-        } catch (IOException failure) {
-            throw FileException.cannotWrite(file, failure);
-        }
+                Stream.concat(origin.head().stream(), measurements.stream().map(StudyData::line));
+        byte[] text = (String.join("\n", lines.toList()) + "\n").getBytes(StandardCharsets.UTF_8);
+        PendingFile.save(file, true, out -> out.write(text));
     }
 
     private static String line(Measurement point) {
@@ -203,7 +120,7 @@ public final class StudyData {
             }
         } catch (NumberFormatException | ArrayIndexOutOfBoundsException damaged) {
             throw new UncheckedIOException(
-                    file + ": no figures of a study: " + line + "; without this line they are measured again",
+                    file + ": no figures of a study: " + line + "; without the file they are measured again",
                     new IOException(damaged));
         }
         return new Measurement(

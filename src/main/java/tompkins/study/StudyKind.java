@@ -1,51 +1,43 @@
 package tompkins.study;
 
+import java.util.List;
 import java.util.Locale;
-import java.util.function.Function;
+import java.util.function.LongFunction;
+import tompkins.io.BundledScenes;
 
-/** The studies that the program can make. */
+/** The studies that the program can make. Each has a chapter of one page. */
 public enum StudyKind {
 
-    /** See {@link ApertureStudy}. */
-    APERTURE(setup ->
-            new ApertureStudy(setup.studios("fig3a", "fig3b"), SamplingMethod.comparison(setup, SamplingMethod.all()))),
-
-    /** See {@link ExposureStudy}. */
-    EXPOSURE(setup -> new ExposureStudy(
-            setup.studios("rolling-slit"), SamplingMethod.comparison(setup, SamplingMethod.inTime()))),
+    /** Where samples lie on the lens, in the pixel and in the exposure time; see {@link SamplingStudy}. */
+    APERTURE(seed -> new JointStudy(List.of(
+            new ApertureStudy(BundledScenes.named("fig3a", "fig3b"), SamplingMethod.all(seed)),
+            new ExposureStudy(BundledScenes.named("rolling-slit"), SamplingMethod.inTime(seed))))),
 
     /** See {@link AntialiasingStudy}. */
     ANTIALIASING(AntialiasingStudy::of),
 
-    /** See {@link PrecisionStudy}. */
-    PRECISION(setup -> new PrecisionStudy(setup.seed())),
+    /** Digits that formulas keep; see {@link PrecisionStudy} and {@link StabilityStudy}. */
+    PRECISION(seed -> new JointStudy(List.of(new PrecisionStudy(seed), new StabilityStudy(seed)))),
 
     /** See {@link TreeStudy}. */
-    TREE(setup -> new TreeStudy(setup.seed(), 1_000_000, 25)),
+    TREE(seed -> new TreeStudy(seed, 1_000_000, 25)),
 
     /** See {@link DepthStudy}. */
-    DEPTH(setup -> new DepthStudy()),
+    DEPTH(seed -> new DepthStudy());
 
-    /** See {@link PreviewStudy}. */
-    PREVIEW(setup -> new PreviewStudy(setup.studios("fig1a", "fig1b"))),
+    private final LongFunction<Study> study;
 
-    /** See {@link StabilityStudy}. */
-    STABILITY(setup -> new StabilityStudy(setup.seed()));
-
-    private final Function<StudySetup, Study> study;
-
-    StudyKind(Function<StudySetup, Study> study) {
+    StudyKind(LongFunction<Study> study) {
         this.study = study;
     }
 
-    /** Prepares the study. */
-    public Study study(StudySetup setup) {
-        return study.apply(setup);
-    }
-
-    /** Whether a user's scene can be measured. */
-    public boolean takesScene() {
-        return this == APERTURE || this == EXPOSURE || this == ANTIALIASING || this == PREVIEW;
+    /**
+     * Prepares the study.
+     *
+     * @param seed of everything that is random
+     */
+    public Study study(long seed) {
+        return study.apply(seed);
     }
 
     /** The name on the command line and of the files. */

@@ -34,7 +34,7 @@ record TreeStudy(long seed, int mostObjects, int manyRepeats) implements Study {
     private static final int RAYS = 20_000;
     private static final int LONGEST_LIST = 10_000;
     private static final int REPEATS = 3;
-    private static final double TOLERANCE = 1.1;
+    private static final double TOLERANCE = 1.5;
     private static final int MANY = 1000;
     private static final int[] STEPS = {10, 20, 30, 40, 60, 80};
     private static final int[] STEPS_OF_MANY = {10, 20, 50};

@@ -240,7 +240,6 @@ final class AccuracyReport {
         line("| reference data, closed forms, failure modes | `mvn test` |");
         line("| 10 000 random studios | `mvn test -Dtest=StudioFuzzTest -Dtompkins.fuzz=10000` |");
         line("| 1000 cancelled renders | `mvn test -Dtest=SoakTest -Dtompkins.soak=1000` |");
-        line("| mutations of physics and pictures | the command in [Contributing](contributing.md#build) |");
     }
 
     private void line(String line) {

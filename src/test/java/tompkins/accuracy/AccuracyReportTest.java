@@ -42,14 +42,14 @@ class AccuracyReportTest {
         }
     }
 
-    /** The section on mutations is written by hand, behind the report. */
+    /** The section on what turns is written by hand, behind the report. */
     private static String explanations() throws IOException {
         String old = Files.exists(FILE) ? Files.readString(FILE) : "";
         return old.isEmpty() ? "" : old.substring(reportEnd(old));
     }
 
     private static int reportEnd(String text) {
-        int end = text.indexOf("\n## Mutations");
+        int end = text.indexOf("\n## Turning objects");
         return end < 0 ? text.length() : end;
     }
 

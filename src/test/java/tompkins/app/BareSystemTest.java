@@ -34,7 +34,7 @@ class BareSystemTest extends ShellTest {
                 "tompkins explain small.json",
                 "tompkins trace small.json --pixel 3,3",
                 "tompkins measure line small.json --pixel 3,3 --pixel 4,4",
-                "tompkins study stability",
+                "tompkins study precision",
                 "tompkins small.json"
             })
     void aDisplayThatIsSetButDeadIsNotMissed(String line) throws IOException, InterruptedException {

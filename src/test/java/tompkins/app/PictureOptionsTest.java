@@ -248,8 +248,7 @@ class PictureOptionsTest {
             {"check", scene},
             {"explain", scene},
             {"trace", scene, pixel},
-            {"measure", "line", scene, pixel, "--pixel=5,3"},
-            {"study", "preview", scene, "-o", folder}
+            {"measure", "line", scene, pixel, "--pixel=5,3"}
         };
         for (Object[] command : commands) {
             List<Object> words = new ArrayList<>(List.of(command));
@@ -274,9 +273,6 @@ class PictureOptionsTest {
                 "scene[0].radius=2");
         assertThat(ray.out())
                 .contains("distance (scene)               8\n", "scene frame                    (0, 0, 8), time -8\n");
-        assertThat(ProgramRun.of("study", "preview", "--set", "settings.width=9")
-                        .err())
-                .startsWith("--set changes SCENE, which is missing");
     }
 
     @Test

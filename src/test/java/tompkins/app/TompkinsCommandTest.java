@@ -55,7 +55,7 @@ class TompkinsCommandTest {
                 "trace --pxel=3,3 | tompkins trace: unknown option --pxel; did you mean \"--pixel\"?",
                 "help rendr | rendr: there is no command of this name; the commands are render, "
                         + "animate, check, explain, trace, measure, sheet, study, completion, help; did you mean \"render\"?",
-                "study tree a b | tompkins study: too many arguments: b"
+                "study tree a b | tompkins study: too many arguments: a b"
             })
     void wordsThatMeanNothingAreNamedWithWhatThereIs(String line, String said) {
         ProgramRun run = ProgramRun.of((Object[]) line.trim().split(" "));
@@ -70,7 +70,7 @@ class TompkinsCommandTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "study | needs NAME: aperture, exposure, antialiasing, precision, tree, depth, preview, stability, all",
+                "study | needs NAME: aperture, antialiasing, precision, tree, depth, all",
                 "study -o | --output needs FOLDER: a folder for the page",
                 "render | needs SCENE: scene files, or saved photographs",
                 "check | needs SCENE: scene files, or saved photographs",
@@ -107,7 +107,7 @@ class TompkinsCommandTest {
             assertThat(run.out()).contains("SCENE");
         }
         assertThat(words(ProgramRun.of("study", "--help")))
-                .contains("NAME aperture, exposure, antialiasing, precision, tree, depth, preview, stability, all");
+                .contains("NAME aperture, antialiasing, precision, tree, depth, all");
         assertThat(ProgramRun.of("rendr", FIG1B).code()).isEqualTo(2);
     }
 

@@ -22,9 +22,11 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.ProcessorTime;
 import tompkins.Waiting;
 import tompkins.image.LinearImage;
+import tompkins.image.PictureDifference;
 import tompkins.light.AmbientLight;
 import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
@@ -89,6 +91,41 @@ class RendererTest {
 
         // of every 8th, 4th, 2nd pixel in both directions, and of all of them
         assertThat(told).containsExactly(false, false, false, true);
+    }
+
+    /** The picture of every 8th, 4th, 2nd pixel: interpolated it is nearer to the whole one than in blocks. */
+    @ParameterizedTest
+    @ValueSource(strings = {"fig1a", "fig1b"})
+    void previewsGetBetterAndAreInterpolated(String name) throws InterruptedException {
+        Studio figure = name.equals("fig1a") ? PaperStudios.fig1a() : PaperStudios.fig1b();
+        RenderPlan plan = RenderPlan.of(size(figure, 320, 240, 1));
+        List<LinearImage> pictures = Collections.synchronizedList(new ArrayList<>());
+        RenderListener listener = RenderListener.afterEachPass(job -> pictures.add(job.image()));
+
+        try (Renderer renderer = new Renderer(2)) {
+            renderer.startCoarse(plan, Quality.of(plan.studio()), listener).await();
+        }
+
+        LinearImage whole = pictures.get(3);
+        double last = Double.POSITIVE_INFINITY;
+        for (int pass = 0; pass < 3; pass++) {
+            double error = PictureDifference.ofLight(pictures.get(pass), whole);
+            assertThat(error).isPositive().isLessThan(0.9 * last);
+            assertThat(error).isLessThan(PictureDifference.ofLight(blocks(pictures.get(pass), 8 >> pass), whole));
+            last = error;
+        }
+    }
+
+    /** The picture that repeats every so many pixels of each direction. */
+    private static LinearImage blocks(LinearImage image, int stride) {
+        float[] rgb = new float[image.rgb().length];
+        for (int i = 0; i < rgb.length / 3; i++) {
+            int row = i / image.width();
+            int column = i % image.width();
+            int known = (row - row % stride) * image.width() + column - column % stride;
+            System.arraycopy(image.rgb(), 3 * known, rgb, 3 * i, 3);
+        }
+        return new LinearImage(image.width(), image.height(), rgb);
     }
 
     @Test

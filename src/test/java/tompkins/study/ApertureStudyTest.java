@@ -22,7 +22,7 @@ class ApertureStudyTest {
 
     @Test
     void methodsFallAsTheoryAndTableSay() {
-        ApertureStudy study = study(1024, SamplingMethod.all());
+        ApertureStudy study = study(1024, SamplingMethod.all(7).methods());
         List<Measurement> all = measure(study);
         assertThat(Conclusion.of(study, all).findings())
                 .allSatisfy(finding ->

@@ -53,7 +53,7 @@ class ExposureStudyTest {
 
     @Test
     void methodsFallAsTheorySays() {
-        ExposureStudy study = study(1024, SamplingMethod.inTime());
+        ExposureStudy study = study(1024, SamplingMethod.inTime(7).methods());
         List<Measurement> all = measure(study);
         assertThat(Conclusion.of(study, all).findings())
                 .allSatisfy(finding ->
@@ -88,7 +88,7 @@ class ExposureStudyTest {
         List<Measurement> all = new PromisedErrors(exposed, 1, 40, 256)
                 .trials().stream().map(Trial::measure).toList();
 
-        assertThat(all).hasSize(27);
+        assertThat(all).hasSize(18);
         Conclusion conclusion = new Conclusion();
         PromisedErrors.conclude(all, conclusion);
         assertThat(conclusion.findings())
