@@ -336,6 +336,8 @@ class LessonPanelTest {
                 1,
                 new LessonControl("velocity.beta", text(40), 0, 0.9, 0.5),
                 text(450),
+                text(160),
+                text(200),
                 Collections.nCopies(4, number));
     }
 
