@@ -16,6 +16,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.IntSummaryStatistics;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -31,6 +32,7 @@ import tompkins.io.BundledScenes;
 import tompkins.io.StudioReader;
 import tompkins.lesson.Lesson;
 import tompkins.lesson.LessonNumber;
+import tompkins.lesson.Prediction;
 import tompkins.studio.Studio;
 
 /** Each lesson of the program measures what closed formulas say; they stand here, and not in the scene files. */
@@ -107,6 +109,44 @@ class LessonNumbersTest {
         double shown = lesson.number().in(lesson.studio());
         assertThat(shown).isEqualTo(lesson.lesson().control().from());
         assertThat(shown).isNotEqualTo(lesson.lesson().control().measuredAt());
+    }
+
+    /** Nobody can tell the right answer from its length, or from a reason that only it has. */
+    @Test
+    void answersDoNotGiveThemselvesAway() throws IOException {
+        List<Lesson> all = BundledScenes.studios().stream()
+                .map(Studio::lesson)
+                .filter(Lesson.class::isInstance)
+                .map(Lesson.class::cast)
+                .toList();
+        long shortest = 0;
+        long longest = 0;
+        for (Lesson lesson : all) {
+            List<String> answers =
+                    lesson.predictions().stream().map(Prediction::text).toList();
+            int right = answers.get(lesson.right() - 1).length();
+            IntSummaryStatistics lengths =
+                    answers.stream().mapToInt(String::length).summaryStatistics();
+            shortest += right == lengths.getMin() ? 1 : 0;
+            longest += right == lengths.getMax() ? 1 : 0;
+            for (String reason : List.of(":", "because", ";")) {
+                assertThat(answers.stream()
+                                .filter(text -> text.contains(reason))
+                                .count())
+                        .as("“%s” in “%s”", reason, lesson.question())
+                        .isIn(0L, (long) answers.size());
+            }
+        }
+        assertThat(shortest).isLessThanOrEqualTo(all.size() / 2);
+        assertThat(longest).isLessThanOrEqualTo(all.size() / 2);
+    }
+
+    /** Until the lesson is done, its title asks. */
+    @Test
+    void titlesAreQuestions() throws IOException {
+        assertThat(BundledScenes.studios().stream().filter(studio -> studio.lesson() instanceof Lesson))
+                .extracting(Studio::title)
+                .allMatch(title -> title.matches("Lesson [0-9]+: .*[?]"));
     }
 
     @Test
@@ -217,7 +257,7 @@ class LessonNumbersTest {
                         .map(Studio::lesson)
                         .filter(Lesson.class::isInstance)
                         .map(Lesson.class::cast)
-                        .filter(LessonStudio::comparesShutters))
+                        .filter(lesson -> LessonStudio.otherShutter(lesson).isPresent()))
                 .containsExactly((Lesson) studio("12-shutter").lesson());
     }
 
