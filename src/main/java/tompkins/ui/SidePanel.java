@@ -87,8 +87,8 @@ final class SidePanel {
     private final JComponent shutters;
     private Runnable whenWidthChanges = () -> {};
 
-    /** Whether whole sections are shown, which a slim panel has no room for. */
-    private boolean full = true;
+    /** The least width of what is shown, in sizes of the type. */
+    private double sizes = WIDTH;
 
     private Picture shown;
 
@@ -225,9 +225,9 @@ final class SidePanel {
         shutter.setBrief(brief);
         all.setVisible(ofLesson || Look.isSlim());
         all.setText(Texts.get(all.isSelected() ? "panel.few" : "panel.all"));
-        boolean before = full;
-        full = !few;
-        if (full != before) {
+        double before = sizes;
+        sizes = !few || !Look.isSlim() ? WIDTH : ofLesson ? LESSON : SLIM;
+        if (sizes != before) {
             whenWidthChanges.run();
         }
     }
@@ -275,9 +275,7 @@ final class SidePanel {
     /** The width that it needs: that of its texts, at least that of a narrow panel, or of a slim one. */
     int width() {
         int texts = panel.getMinimumSize().width + scroll.getVerticalScrollBar().getPreferredSize().width;
-        boolean ofLesson = model.studio().lesson() instanceof Lesson;
-        int least = full ? Look.pixels(WIDTH) : ofLesson ? Math.max(Look.pixels(LESSON), leastWidth()) : leastWidth();
-        return Math.max(least, texts);
+        return Math.max(Look.pixels(sizes), texts);
     }
 
     JComponent component() {

@@ -35,12 +35,11 @@ final class LessonNumbersPage extends Part {
             LessonNumber number = result.number();
             String unit = FactText.SIGNS.unit(number.unit());
             table.add(Note.paragraph(FactText.readable(number.name())).component(), "wmin 0, gaptop 4");
-            add(Texts.get(
-                    "lesson.predicted", FactText.readable(result.predictedText()) + unit, unbroken(number.formula())));
-            add(Texts.get(
-                    result.agrees() ? "lesson.agrees" : "lesson.differs",
-                    FactText.readable(result.measuredText()) + unit,
-                    FactText.readable(result.allowedText())));
+            String predicted = FactText.readable(result.predictedText()) + unit;
+            add(new Note(Texts.get("lesson.predicted", predicted, unbroken(number.formula()))));
+            String measured = FactText.readable(result.measuredText()) + unit;
+            String key = result.agrees() ? "lesson.agrees" : "lesson.differs";
+            add(Note.paragraph(Texts.get(key, measured, FactText.readable(result.allowedText()))));
         }
         boolean agree = results.stream().allMatch(LessonResult::agrees);
         note.setText(agree ? "" : Texts.get("lesson.disagree"));
@@ -48,8 +47,8 @@ final class LessonNumbersPage extends Part {
         table.repaint();
     }
 
-    private void add(String text) {
-        table.add(Note.paragraph(text).component(), "wmin 0");
+    private void add(Note line) {
+        table.add(line.component(), "wmin 0");
     }
 
     /** A formula that breaks into lines outside of its parentheses only. */
