@@ -68,7 +68,13 @@ final class SheetCommand extends ProgramCommand {
     private LessonSheet sheet(Studio studio) throws IOException, InterruptedException {
         LessonStudio lesson = ScenePlan.lesson(studio, scene);
         List<LessonResult> results = StudioReader.used(scene, lesson::results);
-        return new LessonSheet(studio.title(), lesson.lesson(), picture(studio), results);
+        return new LessonSheet(
+                studio.title(),
+                studio.remarks(),
+                lesson.lesson(),
+                picture(studio),
+                picture(lesson.measured()),
+                results);
     }
 
     /** The picture alone: the scene in it would hold the answers. */

@@ -16,11 +16,14 @@ import tompkins.property.OneLine;
  * that loads nothing from elsewhere; all texts of the lesson are letters in it and never tags.
  *
  * @param title title of the scene
+ * @param remarks what there is to know about the picture
  * @param lesson the lesson
  * @param png the picture that is seen with the question
+ * @param measured the picture in which is measured
  * @param results what the program measures
  */
-public record LessonSheet(String title, Lesson lesson, byte[] png, List<LessonResult> results) {
+public record LessonSheet(
+        String title, String remarks, Lesson lesson, byte[] png, byte[] measured, List<LessonResult> results) {
 
     private static final String STYLE = """
             @page { margin: 2cm }
@@ -62,9 +65,8 @@ public record LessonSheet(String title, Lesson lesson, byte[] png, List<LessonRe
     private String question() {
         return tag("h1", text(title))
                 + tag("p", text(lesson.question()))
-                + "<img alt=\"The picture of the question\" src=\"data:image/png;base64,"
-                + Base64.getEncoder().encodeToString(png)
-                + "\">\n"
+                + picture("The picture of the question", png)
+                + tag("p", text(FactText.readable(remarks)))
                 + lesson.shuffled().stream()
                         .map(prediction -> tag("p", "&#x2610; " + text(prediction.text())))
                         .collect(Collectors.joining())
@@ -77,12 +79,13 @@ public record LessonSheet(String title, Lesson lesson, byte[] png, List<LessonRe
         return tag("h2", "Look, and measure")
                 + tag(
                         "p",
-                        "Move " + tag("b", text(control.name())).strip() + " from " + NumberText.of(control.from())
-                                + " to " + NumberText.of(control.to()) + ". What do you see? Why is it so?")
-                + lines(2 * LINES)
-                + tag(
-                        "p",
-                        "Now set it to " + NumberText.of(control.measuredAt()) + ". Work the numbers out, and measure.")
+                        "This is the picture at " + NumberText.of(control.measuredAt()) + " for "
+                                + tag("b", text(control.name())).strip() + "; that of the question is at "
+                                + NumberText.of(control.from()) + ". What do you see? Why is it so?")
+                + picture("The picture in which is measured", measured)
+                + lines(LINES)
+                + tag("p", "Work the numbers out, and measure as many as you can in the picture.")
+                + tag("p", text(FactText.readable(lesson.letters())))
                 + table(
                         "<th>number<th>worked out<th>measured",
                         results.stream()
@@ -94,6 +97,7 @@ public record LessonSheet(String title, Lesson lesson, byte[] png, List<LessonRe
         return tag("h2", "Answers: " + text(title))
                 + lesson.shuffled().stream().map(this::answer).collect(Collectors.joining())
                 + tag("p", text(FactText.readable(lesson.reveal())))
+                + tag("p", text(FactText.readable(lesson.law())))
                 + table(
                         "<th>number<th>formula<th>worked out<th>measured by the program",
                         results.stream()
@@ -112,6 +116,11 @@ public record LessonSheet(String title, Lesson lesson, byte[] png, List<LessonRe
     private static String unit(LessonResult result) {
         String unit = result.number().unit();
         return unit.isEmpty() ? "" : " (" + text(unit) + ")";
+    }
+
+    private static String picture(String name, byte[] png) {
+        return "<img alt=\"" + name + "\" src=\"data:image/png;base64,"
+                + Base64.getEncoder().encodeToString(png) + "\">\n";
     }
 
     private static String lines(int count) {

@@ -29,6 +29,14 @@ public record Lesson(
         @Meaning(value = "Why it is so, at most 450 letters", prose = true)
         String reveal,
 
+        @Meaning(
+                value = "What the formulas say, in a plain sentence of at most 160 letters; may be empty",
+                prose = true)
+        String law,
+
+        @Meaning(value = "What the letters of the formulas mean, at most 200 letters; may be empty", prose = true)
+        String letters,
+
         @Meaning("What is measured at the end, at most four numbers")
         List<LessonNumber> numbers)
         implements LessonPlan {
@@ -40,6 +48,8 @@ public record Lesson(
             2,
             LessonControl.DEFAULT,
             "Aberration crowds the scene towards the direction of motion.",
+            "",
+            "",
             List.of(LessonNumber.DEFAULT));
 
     private static final int FEWEST_PREDICTIONS = 2;
@@ -47,6 +57,8 @@ public record Lesson(
     private static final int MOST_NUMBERS = 4;
     private static final int LONGEST_QUESTION = 300;
     private static final int LONGEST_REVEAL = 450;
+    private static final int LONGEST_LAW = 160;
+    private static final int LONGEST_LETTERS = 200;
 
     /** Checks that there is something to ask and one right answer, and that everything has room. */
     public Lesson {
@@ -63,6 +75,8 @@ public record Lesson(
                     "right", "the number of a prediction, from 1 to " + predictions.size(), right);
         }
         LessonText.required("reveal", reveal, LONGEST_REVEAL);
+        LessonText.optional("law", law, LONGEST_LAW);
+        LessonText.optional("letters", letters, LONGEST_LETTERS);
         numbers = Require.list("numbers", numbers);
         if (numbers.size() > MOST_NUMBERS) {
             throw new InvalidPropertyException(

@@ -2,6 +2,7 @@ package tompkins.measure;
 
 import java.util.List;
 import tompkins.lesson.LessonNumber;
+import tompkins.property.NumberText;
 
 /**
  * The result of measuring a number of a lesson.
@@ -27,7 +28,7 @@ public record LessonResult(LessonNumber number, double measured, Sketch sketch) 
                 Quantity.exact("measured", "", number.unit(), measured),
                 new Fact.Word("", "value", predictedText() + unit),
                 new Fact.Word("", "measured", measuredText() + unit),
-                Quantity.exact("tolerance", "tolerance", "", number.tolerance()),
+                Quantity.exact("tolerance", "allowed difference", "", number.tolerance()),
                 new Fact.Flag("agrees", "agrees", agrees()),
                 new Fact.Word("unit", "", number.unit()));
     }
@@ -37,14 +38,16 @@ public record LessonResult(LessonNumber number, double measured, Sketch sketch) 
         return new Quantity("", "", number.unit(), number.value(), number.tolerance()).briefText();
     }
 
-    /** What was measured, to the second digit of the tolerance. */
+    /** What was measured: what is counted in full, else to the second digit of the tolerance. */
     public String measuredText() {
-        return told().text(0);
+        return Math.rint(measured) == measured
+                ? NumberText.of(measured)
+                : new Quantity("", "", "", measured, number.tolerance()).text(0);
     }
 
-    /** What was measured, with the tolerance as its uncertainty. */
-    public Quantity told() {
-        return new Quantity("", "", number.unit(), measured, number.tolerance());
+    /** By how much the measured number may differ from that of the formula. */
+    public String allowedText() {
+        return NumberText.of(number.tolerance());
     }
 
     /** Whether the measured number is as near to the formula as the lesson says. */

@@ -3,6 +3,7 @@ package tompkins.measure;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import tompkins.lesson.Lesson;
 import tompkins.lesson.LessonControl;
 import tompkins.lesson.LessonNumber;
@@ -10,6 +11,7 @@ import tompkins.lesson.WithShutter;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
+import tompkins.shutter.Shutter;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
 
@@ -57,13 +59,18 @@ public record LessonStudio(Studio studio, Lesson lesson, StudioNumber number) {
         }
     }
 
-    /** Whether a lesson compares shutters. */
-    public static boolean comparesShutters(Lesson lesson) {
-        return holds(WithShutter.class, lesson.numbers());
+    /** The shutter with which a lesson compares that of its scene; empty if it compares none. */
+    public static Optional<Class<? extends Shutter>> otherShutter(Lesson lesson) {
+        return parts(lesson.numbers())
+                .filter(WithShutter.class::isInstance)
+                .<Class<? extends Shutter>>map(
+                        part -> ((WithShutter) part).shutter().getClass())
+                .findFirst();
     }
 
-    private static boolean holds(Class<?> type, Object part) {
-        return type.isInstance(part) || Descriptions.parts(part).stream().anyMatch(each -> holds(type, each));
+    private static Stream<Object> parts(Object whole) {
+        return Stream.concat(
+                Stream.of(whole), Descriptions.parts(whole).stream().flatMap(LessonStudio::parts));
     }
 
     /** The studio in which everything is measured. */

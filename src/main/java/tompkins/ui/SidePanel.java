@@ -18,8 +18,8 @@ import net.miginfocom.swing.MigLayout;
 import tompkins.camera.Camera;
 import tompkins.camera.FocusDistance;
 import tompkins.lesson.Lesson;
-import tompkins.measure.LessonStudio;
 import tompkins.property.NumberText;
+import tompkins.shutter.Shutter;
 import tompkins.studio.StudioPath;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.compare.ComparePanel;
@@ -53,6 +53,9 @@ final class SidePanel {
     /** Its width on a projector. */
     private static final double SLIM = 18;
 
+    /** That of a lesson there. */
+    private static final double LESSON = 25;
+
     /** Where the place of the pinned ray begins, as a share of the height. */
     private static final double RAY_BEGINS = 0.45;
 
@@ -68,6 +71,7 @@ final class SidePanel {
     private final JPanel quickColours;
     private final ShutterPanel shutter;
     private final LensPanel lens;
+    private final ComparePanel compare;
     private final Note title = Note.ofLines(1);
     private final Note warnings = new Note("");
     private final Note sentences = new Note("");
@@ -83,15 +87,15 @@ final class SidePanel {
     private final JComponent shutters;
     private Runnable whenWidthChanges = () -> {};
 
-    /** Whether whole sections are shown, which a slim panel has no room for. */
-    private boolean full = true;
+    /** The least width of what is shown, in sizes of the type. */
+    private double sizes = WIDTH;
 
     private Picture shown;
 
     /**
      * The panel for a photograph.
      *
-     * @param slider what the lesson of a scene lets its readers move
+     * @param lesson the lesson of the scene, invisible without one
      * @param besideRest whether the photograph is compared with that of a camera at rest from the beginning
      * @param teller says in a line what becomes of a click
      * @param editor opens the editor for a part of the studio
@@ -99,7 +103,7 @@ final class SidePanel {
     SidePanel(
             StudioModel model,
             PhotographView view,
-            JComponent slider,
+            JComponent lesson,
             boolean besideRest,
             Consumer<String> teller,
             Consumer<StudioPath> editor) {
@@ -108,7 +112,7 @@ final class SidePanel {
         quickColours = LawPanel.quickColours(model);
         shutter = new ShutterPanel(model);
         lens = new LensPanel(model, picking -> pick(model, view, teller, picking));
-        ComparePanel compare = new ComparePanel(model, view::compare, view.canvas()::setOtherAlone, view::keepPicture);
+        compare = new ComparePanel(model, view::compare, view.canvas()::setOtherAlone, view::keepPicture);
         if (besideRest) {
             compare.begin(ComparePanel.Other.AT_REST);
         }
@@ -119,7 +123,7 @@ final class SidePanel {
         head.add(remarks.button());
         panel.add(head, "wmin 0, gapleft 6");
         panel.add(remarks.component(), "wmin 0, gapleft 6, gapbottom 4");
-        panel.add(slider, "wmin 0, gapleft 6, gapbottom 4");
+        panel.add(lesson, "wmin 0, gapleft 6, gapbottom 4");
         speed = add("section.velocity", below(velocity.component(), quickColours, 0), true);
         add(
                 "section.camera",
@@ -184,7 +188,9 @@ final class SidePanel {
 
     /** Scrolls to what there is to see in another scene. */
     private void show(StudioModel model) {
-        String text = model.studio().remarks();
+        // a lesson has them in full
+        String text =
+                model.studio().lesson() instanceof Lesson ? "" : model.studio().remarks();
         title.setText(titled(model, model.studio().shortTitle()));
         if (!remarks.text().equals(text)) {
             remarks.setText(text);
@@ -206,23 +212,22 @@ final class SidePanel {
 
     /** In a lesson the controls of its subject, on a projector speed, colours and opening time; else all. */
     private void showSections() {
-        Lesson lesson = model.studio().lesson() instanceof Lesson its ? its : null;
-        boolean few = !all.isSelected() && (lesson != null || Look.isSlim());
-        boolean brief = few && lesson == null;
+        boolean ofLesson = model.studio().lesson() instanceof Lesson;
+        boolean few = !all.isSelected() && (ofLesson || Look.isSlim());
+        boolean brief = few && !ofLesson;
         sections.forEach(section -> section.setVisible(!few));
         speed.setVisible(!few || brief);
         velocity.setBrief(brief);
         // a slim panel has room for two of three side by side
         ((MigLayout) quickColours.getLayout())
                 .setComponentConstraints(quickColours.getComponent(1), brief ? "wmin 0, wrap" : "wmin 0");
-        boolean comparesShutters = lesson != null && LessonStudio.comparesShutters(lesson);
-        shutters.setVisible(!few || brief || comparesShutters);
+        shutters.setVisible(!few || brief);
         shutter.setBrief(brief);
-        all.setVisible(lesson != null || Look.isSlim());
+        all.setVisible(ofLesson || Look.isSlim());
         all.setText(Texts.get(all.isSelected() ? "panel.few" : "panel.all"));
-        boolean before = full;
-        full = !few || comparesShutters;
-        if (full != before) {
+        double before = sizes;
+        sizes = !few || !Look.isSlim() ? WIDTH : ofLesson ? LESSON : SLIM;
+        if (sizes != before) {
             whenWidthChanges.run();
         }
     }
@@ -257,6 +262,11 @@ final class SidePanel {
         return distance > 0;
     }
 
+    /** Shows what another shutter sees beside the picture. */
+    void compare(Class<? extends Shutter> other) {
+        compare.compareShutter(other);
+    }
+
     /** The least width of the panel. */
     static int leastWidth() {
         return Look.pixels(Look.isSlim() ? SLIM : WIDTH);
@@ -265,7 +275,7 @@ final class SidePanel {
     /** The width that it needs: that of its texts, at least that of a narrow panel, or of a slim one. */
     int width() {
         int texts = panel.getMinimumSize().width + scroll.getVerticalScrollBar().getPreferredSize().width;
-        return Math.max(full ? Look.pixels(WIDTH) : leastWidth(), texts);
+        return Math.max(Look.pixels(sizes), texts);
     }
 
     JComponent component() {

@@ -95,12 +95,9 @@ public final class TompkinsWindow {
         strip = new TabStrip();
         lessonMarks = new MeasureMarks(view::otherPicture);
         view.canvas().addOverlay(lessonMarks);
-        lesson = new LessonPanel(model, course, results -> {
-            lessonMarks.show(results);
-            view.canvas().repaint();
-        });
+        lesson = new LessonPanel(model, course, new LessonPicture(this, lessonMarks));
         side = new FoldingPanel(
-                () -> new SidePanel(model, view, lesson.control(), first.besideRest(), status::report, this::edit));
+                () -> new SidePanel(model, view, lesson.component(), first.besideRest(), status::report, this::edit));
         parts = new WindowParts(frame, model, view, status, settings);
         dialogs = new FileDialogs(parts, this::pause);
         saver = new SceneSaver(parts, dialogs);
@@ -114,8 +111,6 @@ public final class TompkinsWindow {
         clipboard = new ClipboardActions(parts, captions, overlays);
         measure = new MeasureTool(view, clipboard::copyMeasured);
         strip.fill(TabStrip.Tab.MEASURE, measure::component, measure::setOn);
-        strip.fill(TabStrip.Tab.LESSON, lesson::component, lesson::setShown);
-        model.follow(this::offerLesson);
         // it asks for the editor and the full screen, made below, only when they are chosen
         menus = new Menus(this);
         frame.setJMenuBar(menus.bar());
@@ -187,15 +182,13 @@ public final class TompkinsWindow {
     private void beginLesson() {
         JComponent keys = view.canvas();
         if (lesson.begin()) {
-            strip.open(TabStrip.Tab.LESSON);
+            strip.close();
+            side.panel();
+            side.setShown(true);
             keys = lesson.entry();
         }
         // what had them may have nothing to do in this scene
         SwingUtilities.invokeLater(keys::requestFocusInWindow);
-    }
-
-    private void offerLesson() {
-        strip.offer(TabStrip.Tab.LESSON, model.studio().lesson() instanceof Lesson);
     }
 
     private void openExample(Studio example) {

@@ -201,7 +201,7 @@ class MeasureCommandTest {
         assertThat(text.code()).isZero();
         assertThat(text.out().lines().map(line -> line.replaceAll(" {2,}", "|")))
                 .containsExactly(
-                        "number|formula|value|measured|tolerance|agrees",
+                        "number|formula|value|measured|allowed difference|agrees",
                         "Ahead, \"D\"|sqrt((1 + v)/(1 - v))|4.359|4.3589|0.002|yes",
                         "Wrong|sqrt((1 + v)/(1 - v))|4 turns|4.3589 turns|0.002|no");
         assertThat(csv.get(0)).isEqualTo("name,formula,value,measured,tolerance,agrees,unit");

@@ -39,7 +39,7 @@ class SheetCommandTest {
         String[] sections = sections();
         assertThat(sections).hasSize(4);
         String answer = "&#x2611; ";
-        assertThat(sections[1]).contains("What", "&#x2610; ").doesNotContain(answer);
+        assertThat(sections[1]).contains("What", "Penrose 1959", "&#x2610; ").doesNotContain(answer);
         assertThat(sections[2]).contains("<th>measured").doesNotContain(answer, "3.45", "5.73");
         assertThat(sections[3]).contains(answer, "3.4509", "5.7392");
     }
@@ -56,6 +56,10 @@ class SheetCommandTest {
         byte[] png = Base64.getDecoder().decode(data.group(1));
         BufferedImage picture = ImageIO.read(new ByteArrayInputStream(png));
         assertThat(picture.getWidth()).isEqualTo(80);
+        String question = data.group(1);
+        assertThat(data.find()).as("and the one in which is measured").isTrue();
+        assertThat(data.group(1)).isNotEqualTo(question);
+        assertThat(data.find()).isFalse();
         assertThat(new String(png, StandardCharsets.ISO_8859_1)).doesNotContain("reveal");
         assertThat(page).doesNotContain("http://", "https://", "<script", "<link");
     }

@@ -50,6 +50,8 @@ final class RandomLesson {
                 1 + random.nextInt(2),
                 new LessonControl("velocity.beta", "Speed", -1, random.nextDouble(), -0.5),
                 "So it is.",
+                random.nextBoolean() ? "" : "Much is seen.",
+                random.nextBoolean() ? "" : "x: how much.",
                 Stream.generate(this::number).limit(random.nextInt(5)).toList());
     }
 

@@ -42,6 +42,7 @@ import tompkins.ui.editor.RecordForm;
 import tompkins.ui.editor.SceneEditor;
 import tompkins.ui.lesson.LessonCourse;
 import tompkins.ui.lesson.LessonPanel;
+import tompkins.ui.lesson.NotedStage;
 import tompkins.ui.model.Settings;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.number.NumberProperty;
@@ -121,7 +122,7 @@ class EveryFieldTest {
         StudioModel model = new StudioModel(BundledScenes.studio("lesson-02-turned-cube.json"), null);
         JPanel panel = new JPanel();
         LessonPanel lesson =
-                new LessonPanel(model, new LessonCourse(new Settings((Path) null), studio -> {}), results -> {});
+                new LessonPanel(model, new LessonCourse(new Settings((Path) null), studio -> {}), new NotedStage());
         panel.add(lesson.component());
         // the field stands on a page that comes later
         List<EntryField> fields = EntryField.in(panel).toList();

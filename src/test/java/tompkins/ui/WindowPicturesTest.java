@@ -211,7 +211,8 @@ class WindowPicturesTest {
         }
         WindowDriver.await(
                 "the numbers",
-                () -> Components.labels(driver.window().frame()).anyMatch(Texts.get("lesson.measured")::equals));
+                () -> Components.notes(driver.window().frame()).stream()
+                        .anyMatch(text -> text.startsWith("Measured ")));
     }
 
     /** A moment of the recorded ride, with all that can be drawn over the picture. */

@@ -161,6 +161,15 @@ public final class ComparePanel extends Part {
         ofScene = true;
     }
 
+    /** Shows the picture of another shutter beside the picture, until another scene is opened. */
+    public void compareShutter(Class<? extends Shutter> shutter) {
+        updating.during(() -> {
+            shutters.setSelectedItem(shutter);
+            views.get(Comparison.BESIDE).setSelected(true);
+        });
+        begin(Other.OTHER_SHUTTER);
+    }
+
     private void choose() {
         ofScene = false;
         if (other() == Other.OTHER_SHUTTER

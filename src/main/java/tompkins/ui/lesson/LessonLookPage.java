@@ -1,23 +1,25 @@
 package tompkins.ui.lesson;
 
+import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 
-/** The second page of a lesson: one number to move, and the picture to look at. */
+/** The second page of a lesson: what was expected, and what to do with the slider below. */
 final class LessonLookPage extends Part {
 
     private final Note answer = Note.paragraph("");
     private final Note hint = Note.paragraph("");
 
-    /** The page with the slider of a lesson. */
-    LessonLookPage(LessonSlider slider) {
+    /** The page; {@code flyer} flies the ride of the scene, null if it has none. */
+    LessonLookPage(Runnable flyer) {
         super(Rows.column());
         panel.add(answer.component(), "wmin 0");
-        panel.add(slider.component(), "wmin 0");
         panel.add(hint.component(), "wmin 0");
-        update(slider.isThere());
+        if (flyer != null) {
+            panel.add(Buttons.of("lesson.fly", flyer), "growx 0");
+        }
     }
 
     /** Says what to do with the slider, or that the scene has lost what it moves. */

@@ -2,13 +2,10 @@ package tompkins.ui.lesson;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Window;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Consumer;
 import javax.swing.ButtonGroup;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -16,7 +13,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import javax.swing.SwingUtilities;
-import net.miginfocom.swing.MigLayout;
+import tompkins.io.FactText;
 import tompkins.lesson.Lesson;
 import tompkins.lesson.LessonPlan;
 import tompkins.lesson.NoLesson;
@@ -29,7 +26,6 @@ import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Buttons;
-import tompkins.ui.widget.CardPanel;
 import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Naming;
@@ -38,46 +34,39 @@ import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 
-/** The strip of a lesson under the picture. It leads from page to page: predict, look, learn why, measure. */
+/** A lesson beside its picture. It leads from page to page: predict, look, learn why, measure. */
 public final class LessonPanel extends Part {
 
     /** The pages, in their order. */
     private enum Step {
-        PREDICT(LessonQuestionPage.class),
-        LOOK(LessonLookPage.class),
-        REASON(LessonReasonPage.class),
-        MEASURE(LessonNumbersPage.class);
-
-        private final Class<?> page;
-
-        Step(Class<?> page) {
-            this.page = page;
-        }
+        PREDICT,
+        LOOK,
+        REASON,
+        MEASURE
     }
 
     private final StudioModel model;
     private final LessonCourse course;
-    private final Consumer<List<LessonResult>> drawer;
-    private final JPanel head = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 2 0"));
-
-    private final JPanel stepRow = Rows.of("gap 2", "[]".repeat(Step.values().length));
-    private final JPanel buttonRow = Rows.of("hidemode 3, gap 6", "[][][]");
-    private final Map<Step, JToggleButton> steps = new EnumMap<>(Step.class);
+    private final LessonStage stage;
+    private final JPanel head = Rows.of("hidemode 3, gap 2", "[]".repeat(Step.values().length) + "push[]");
+    private final JPanel foot = Rows.of("gap 6", "[grow,fill][]");
     private final JButton again = Buttons.of("lesson.again", this::startAgain);
+    private final Map<Step, JToggleButton> steps = new EnumMap<>(Step.class);
     private final JButton next = new JButton();
     private final JLabel progress = new JLabel();
     private final Note problem = new Note("");
 
-    /** Holds a slider of the lesson that stays while its pages change. */
-    private final JPanel control = Rows.column();
+    /** Holds the pages, of which one is seen. */
+    private final JPanel pageRoom = Rows.column();
 
-    /** Whether it is to be seen where there is a lesson. */
-    private boolean wanted = true;
+    private final Map<Step, Part> pages = new EnumMap<>(Step.class);
 
-    /** What is drawn into the picture while the lesson is shown. */
-    private List<LessonResult> drawn = List.of();
+    /** Holds the slider of the lesson, which stays while the pages change. */
+    private final JPanel sliderRoom = Rows.column();
 
-    /** What the strip was made for. */
+    private final Note remarks = new Note("");
+
+    /** What it was made for. */
     private LessonPlan shown = NoLesson.DEFAULT;
 
     private LessonStudio lesson;
@@ -90,25 +79,23 @@ public final class LessonPanel extends Part {
     /** The last page that was seen: from there one can go back, and forward again. */
     private Step farthest = Step.PREDICT;
 
-    private CardPanel cards;
     private LessonQuestionPage question;
     private LessonLookPage look;
     private LessonSlider slider;
-    private LessonSlider lastingSlider;
     private LessonReasonPage reason;
+
+    /** Whether the ride was flown, which shows more than the slider. */
+    private boolean flown;
+
     private LessonNumbersPage numbers;
 
-    /**
-     * The strip, invisible as long as the studio of the model has no lesson.
-     *
-     * @param drawer draws into the picture where something was measured
-     */
-    public LessonPanel(StudioModel model, LessonCourse course, Consumer<List<LessonResult>> drawer) {
-        super(new JPanel(new MigLayout("novisualpadding, insets 0 4 0 4, fillx, hidemode 3, gap 6 6")));
+    /** The lesson, invisible as long as the studio of the model has none. */
+    public LessonPanel(StudioModel model, LessonCourse course, LessonStage stage) {
+        super(Rows.column());
         this.model = model;
         this.course = course;
-        this.drawer = drawer;
-        panel.setVisible(false);
+        this.stage = stage;
+        progress.putClientProperty(FlatClientProperties.STYLE, "font: $small.font");
         ButtonGroup group = new ButtonGroup();
         for (Step each : Step.values()) {
             JToggleButton button = new JToggleButton(Texts.get("lesson.step." + each));
@@ -117,19 +104,36 @@ public final class LessonPanel extends Part {
             ChoiceRow.whenChosen(button, () -> choose(each));
             group.add(button);
             steps.put(each, button);
+            head.add(button, "wmin 0");
         }
         next.addActionListener(event -> goOn());
         Keys.bindEnter(next, next::doClick);
+        Keys.bindEnter(pageRoom, this::goOnByKey);
+        Keys.bindEnter(sliderRoom, this::goOnByKey);
+        head.add(next);
+        foot.add(progress, "wmin 0");
+        foot.add(again);
         // always here, even while there is no lesson: what is added later would not have taken part in a change of look
-        panel.add(head, "growx, wmin 0, wrap");
-        panel.add(problem.component(), "growx, wmin 0, wrap");
-        fillHead();
+        for (JComponent part : List.of(head, problem.component(), pageRoom, sliderRoom, foot, remarks.component())) {
+            panel.add(part, "wmin 0, gapbottom 4");
+        }
+        make();
         model.follow(this::update);
         course.follow(() -> {
             if (lesson != null) {
                 updateNext();
             }
         });
+    }
+
+    private void goOnByKey() {
+        if (next.isEnabled()) {
+            next.doClick();
+        }
+        if (next.isEnabled()) {
+            // the page with the keys is hidden now; a request before that could be lost
+            next.requestFocusInWindow();
+        }
     }
 
     /** Begins the lesson of the model's studio with its first page; false if it has none. */
@@ -144,81 +148,44 @@ public final class LessonPanel extends Part {
         return lesson == null ? again : question.entry();
     }
 
-    /** Shows the lesson, or hides it. */
-    public void setShown(boolean now) {
-        wanted = now;
-        draw(drawn);
-        panel.setVisible(wanted && shown instanceof Lesson);
-    }
-
-    private void draw(List<LessonResult> results) {
-        drawn = results;
-        drawer.accept(wanted ? results : List.of());
-    }
-
     private void update() {
         if (measured != null && !model.studio().equals(measured)) {
             measured = null;
-            draw(List.of());
+            stage.mark(List.of());
         }
         LessonPlan plan = model.studio().lesson();
         if (!Descriptions.areEqual(plan, shown)) {
             shown = plan;
             make();
         } else if (lesson != null) {
-            slider.update();
-            lastingSlider.update();
-            look.update(slider.isThere());
+            showSlider();
             updateNext();
         }
     }
 
-    private void fillHead() {
-        head.setOpaque(false);
-        steps.values().forEach(button -> stepRow.add(button, "wmin 0"));
-        buttonRow.add(progress, "wmin 0");
-        buttonRow.add(again);
-        buttonRow.add(next);
-        head.add(stepRow, "pushx");
-        head.add(buttonRow, "alignx right");
-        head.addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent event) {
-                arrangeHead();
-            }
-        });
-    }
-
-    /** Gives the buttons a line of their own where one line has no room for all. */
-    private void arrangeHead() {
-        boolean fits = stepRow.getPreferredSize().width + buttonRow.getPreferredSize().width < head.getWidth();
-        ((MigLayout) head.getLayout())
-                .setComponentConstraints(buttonRow, fits ? "alignx right" : "newline, alignx right");
-        head.revalidate();
-    }
-
     private void make() {
-        if (cards != null) {
-            panel.remove(cards.component());
-            cards = null;
-        }
         lesson = null;
-        control.removeAll();
-        control.setVisible(false);
-        control.revalidate();
+        pages.clear();
+        pageRoom.removeAll();
+        sliderRoom.removeAll();
         problem.setText("");
-        setShown(wanted);
+        panel.setVisible(shown instanceof Lesson);
+        remarks.setText(FactText.readable(model.studio().remarks()));
         if (shown instanceof Lesson) {
             try {
                 lesson = LessonStudio.of(model.studio()).orElseThrow();
                 addPages(lesson.lesson());
                 farthest = Step.PREDICT;
+                flown = false;
                 show(Step.PREDICT);
             } catch (InvalidPropertyException wrong) {
                 problem.setError(Texts.get("lesson.unusable", wrong.getMessage()));
             }
         }
-        head.setVisible(lesson != null);
+        List.of(head, sliderRoom, foot).forEach(part -> part.setVisible(lesson != null));
+        if (lesson != null) {
+            showSlider();
+        }
         panel.revalidate();
         panel.repaint();
     }
@@ -226,32 +193,44 @@ public final class LessonPanel extends Part {
     private void addPages(Lesson fitting) {
         question = new LessonQuestionPage(fitting, this::updateNext);
         slider = new LessonSlider(model, lesson);
-        lastingSlider = new LessonSlider(model, lesson);
-        control.add(lastingSlider.component(), "wmin 0");
-        look = new LessonLookPage(slider);
-        reason = new LessonReasonPage(fitting);
-        numbers = new LessonNumbersPage();
-        cards = new CardPanel();
-        Keys.bindEnter(cards.component(), () -> {
-            if (next.isEnabled()) {
-                next.doClick();
-            }
-            if (next.isEnabled()) {
-                // the page with the keys is hidden now; a request before that could be lost
-                next.requestFocusInWindow();
-            }
-        });
-        cards.add(LessonQuestionPage.class, question.component());
-        cards.add(LessonLookPage.class, look.component());
-        cards.add(LessonReasonPage.class, reason.component());
-        cards.add(LessonNumbersPage.class, numbers.component());
-        panel.add(cards.component(), "growx, wmin 0");
+        look = new LessonLookPage(model.opened().ride().isEmpty() ? null : this::fly);
+        reason = new LessonReasonPage(fitting, model.studio().scene().isEmpty(), stage::showOutlines, this::setSlider);
+        numbers = new LessonNumbersPage(fitting);
+        pages.put(Step.PREDICT, question);
+        pages.put(Step.LOOK, look);
+        pages.put(Step.REASON, reason);
+        pages.put(Step.MEASURE, numbers);
+        pages.values().forEach(page -> pageRoom.add(page.component(), "wmin 0"));
+        sliderRoom.add(slider.component(), "wmin 0");
+    }
+
+    /**
+     * The slider stays from the second page on, but for what is measured, and while a ride has its number beyond the
+     * ends.
+     */
+    private void showSlider() {
+        slider.update();
+        look.update(slider.isThere());
+        sliderRoom.setVisible(farthest != Step.PREDICT && step != Step.MEASURE && slider.isReached());
+    }
+
+    private void setSlider(double value) {
+        fitting().ifPresent(present -> model.set(present.number().with(present.studio(), value)));
+    }
+
+    /** Flies the ride of the scene, from its beginning. */
+    private void fly() {
+        flown = true;
+        model.set(LessonStudio.unmoved(model.atHome(), model.opened()));
+        updateNext();
+        stage.fly();
     }
 
     private void show(Step other) {
         step = other;
-        draw(List.of());
-        cards.show(step.page);
+        stage.mark(List.of());
+        stage.showOutlines(false);
+        pages.forEach((each, page) -> page.component().setVisible(each == step));
         if (step.compareTo(farthest) > 0) {
             farthest = step;
             question.close();
@@ -261,8 +240,7 @@ public final class LessonPanel extends Part {
             button.setEnabled(each.compareTo(farthest) <= 0);
             button.putClientProperty(FlatClientProperties.STYLE, each == step ? "font: bold" : "");
         });
-        // before the prediction it would show the answer
-        control.setVisible(farthest != Step.PREDICT);
+        showSlider();
         updateNext();
     }
 
@@ -278,10 +256,9 @@ public final class LessonPanel extends Part {
         Naming.name(next, key);
         next.setText(Texts.get(key));
         next.setVisible(hasNextPage() || course.goesOnAfter(model.studio()));
-        boolean looked = step != Step.LOOK || farthest != Step.LOOK || slider.isMoved();
+        boolean looked = step != Step.LOOK || farthest != Step.LOOK || slider.isMoved() || flown;
         next.setEnabled(question.answer().isPresent() && looked);
         progress.setText(course.progress(model.studio()));
-        arrangeHead();
     }
 
     private boolean hasNextPage() {
@@ -309,22 +286,19 @@ public final class LessonPanel extends Part {
         following().ifPresentOrElse(this::goTo, () -> course.openAfter(model.studio()));
     }
 
-    /** A slider of the lesson for another part of the window; seen from the prediction on. */
-    public JComponent control() {
-        return control;
-    }
-
     private void goTo(Step following) {
         question.answer().ifPresent(answer -> {
             look.show(answer);
             reason.show(answer);
         });
         show(following);
+        LessonStudio.otherShutter(lesson.lesson()).ifPresent(stage::compare);
         if (!next.isEnabled()) {
             // after a tap it gets the keys only now, and would hold them without using them
             slider.takeKeys();
         }
         if (following == Step.REASON) {
+            reason.showFirst();
             // the text explains what must be on the screen
             fitting().ifPresent(present -> {
                 model.set(present.measured());
@@ -349,7 +323,7 @@ public final class LessonPanel extends Part {
     }
 
     private boolean isWhereItBegan() {
-        Studio unmoved = LessonStudio.unmoved(model.studio(), model.opened());
+        Studio unmoved = model.unmoved();
         Shutter shutter = unmoved.camera().shutter();
         return model.isAtHome(unmoved)
                 && (!shutter.hasOpeningTime()
@@ -372,7 +346,7 @@ public final class LessonPanel extends Part {
             if (found.problem == null) {
                 page.show(found.results);
                 if (model.studio().equals(measured)) {
-                    draw(found.results);
+                    stage.mark(found.results);
                     finishIf(found.results.stream().allMatch(LessonResult::agrees));
                 }
             } else {

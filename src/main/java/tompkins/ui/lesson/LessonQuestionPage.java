@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Optional;
 import javax.swing.ButtonGroup;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JRadioButton;
 import tompkins.lesson.Lesson;
@@ -46,8 +45,7 @@ final class LessonQuestionPage extends Part {
         lesson.shuffled().forEach(prediction -> add(prediction, group, answers));
         panel.add(answers, "wmin 0");
         ButtonGroup sureness = new ButtonGroup();
-        JPanel row = Rows.of("flowx, gap 12 0", "[pref!][pref!][pref!][grow]");
-        row.add(new JLabel(Texts.get("lesson.howSure")));
+        JPanel row = Rows.of("flowx, gap 12 0", "[pref!][pref!][grow]");
         for (JRadioButton button : new JRadioButton[] {sure, unsure}) {
             sureness.add(button);
             ChoiceRow.whenChosen(button, answered);

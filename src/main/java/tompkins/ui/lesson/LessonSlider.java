@@ -22,13 +22,14 @@ final class LessonSlider extends Part {
     private final NumberField field;
     private final StudioModel model;
     private final StudioNumber number;
+    private final LessonControl control;
 
     /** A slider for a lesson that fits its studio. */
     LessonSlider(StudioModel model, LessonStudio lesson) {
         super(Rows.column());
         this.model = model;
         number = lesson.number();
-        LessonControl control = lesson.lesson().control();
+        control = lesson.lesson().control();
         Note note = new Note("");
         String tip = Texts.get("lesson.sliderTip");
         slider = new ValueSlider(
@@ -65,10 +66,16 @@ final class LessonSlider extends Part {
         boolean there = isThere();
         slider.slider().setEnabled(there);
         field.setEnabled(there);
-        if (there) {
+        if (there && isReached()) {
             slider.show(number.in(model.studio()));
             field.show(number.in(model.studio()));
         }
+    }
+
+    /** Whether the number, if it is there, lies on the slider. */
+    boolean isReached() {
+        return !number.isIn(model.studio())
+                || number.in(model.studio()) >= control.from() && number.in(model.studio()) <= control.to();
     }
 
     /** Lets the keys move the slider. */

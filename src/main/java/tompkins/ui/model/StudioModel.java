@@ -122,6 +122,11 @@ public final class StudioModel {
         return LensEvent.moved(studio(), LensEvent.inScene(opened()), opened().velocity(), turn.rotation());
     }
 
+    /** The studio with the number that its lesson moves as it was then. */
+    public Studio unmoved() {
+        return LessonStudio.unmoved(studio(), opened());
+    }
+
     /** Whether the studio differs from what was opened or saved. */
     public boolean isModified() {
         return !current.studio().equals(current.opened());

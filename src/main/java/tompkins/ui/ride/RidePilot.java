@@ -289,7 +289,7 @@ public final class RidePilot {
 
     /** Where what can be replayed begins: the flight that the ride comes with, or what was flown; else the present. */
     public Studio beginning() {
-        return moment() == null ? model.studio() : start.ride().isEmpty() ? recorder.studio() : start;
+        return moment() == null ? model.unmoved() : start.ride().isEmpty() ? recorder.studio() : start;
     }
 
     /** Shows the ride that begins with {@link #beginning}. */

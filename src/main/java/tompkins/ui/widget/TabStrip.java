@@ -17,13 +17,11 @@ import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 
-/** The strip under the photograph: its tabs, of which one is open, in at most a third of the window's height. */
+/** The strip under the photograph: its tabs, of which one is open, in a part of the window's height. */
 public final class TabStrip extends Part {
 
     /** What there is a tab for. */
     public enum Tab {
-        /** The lesson of the scene. */
-        LESSON,
         /** The ride. */
         RIDE,
         /** Measuring in the picture. */
@@ -32,10 +30,7 @@ public final class TabStrip extends Part {
         PLAY
     }
 
-    /** The most that the text of a lesson takes of the window's height. */
-    private static final double LESSON_SHARE = 1 / 3.0;
-
-    /** The most that other tabs take, where the picture counts. */
+    /** The most that a tab takes of the window's height. */
     private static final double SHARE = 2 / 7.0;
 
     private final JPanel head = new JPanel(new MigLayout("novisualpadding, insets 2 6 0 6, fillx, gap 2 0"));
@@ -59,7 +54,6 @@ public final class TabStrip extends Part {
             buttons.put(tab, button);
             head.add(button, "wmin 0");
         }
-        buttons.get(Tab.LESSON).setEnabled(false);
         head.add(Buttons.closing("strip.close", this::close), "pushx, alignx right");
         JScrollPane scroll = new Scroll(column);
         panel.add(head, BorderLayout.NORTH);
@@ -92,7 +86,6 @@ public final class TabStrip extends Part {
         }
         Tab before = open;
         open = tab;
-        ((Room) panel).share = tab == Tab.LESSON ? LESSON_SHARE : SHARE;
         if (before != null) {
             listeners.get(before).accept(false);
         }
@@ -129,17 +122,6 @@ public final class TabStrip extends Part {
         return was;
     }
 
-    /** Offers a tab or not, from now on. One that is new opens if no other is; one that is not offered closes. */
-    public void offer(Tab tab, boolean offered) {
-        boolean isNew = offered && !buttons.get(tab).isEnabled();
-        buttons.get(tab).setEnabled(offered);
-        if (!offered) {
-            closeIfOpen(tab);
-        } else if (isNew && open == null) {
-            open(tab);
-        }
-    }
-
     /** Scrolls what is too high; what becomes higher makes the strip higher. */
     private static final class Scroll extends JScrollPane {
 
@@ -162,8 +144,6 @@ public final class TabStrip extends Part {
 
         private static final long serialVersionUID = 1;
 
-        private double share;
-
         Room() {
             super(new BorderLayout());
         }
@@ -178,7 +158,7 @@ public final class TabStrip extends Part {
         public Dimension getPreferredSize() {
             Dimension size = super.getPreferredSize();
             double most =
-                    getRootPane() == null ? size.height : share * getRootPane().getHeight();
+                    getRootPane() == null ? size.height : SHARE * getRootPane().getHeight();
             return new Dimension(size.width, (int) Math.min(size.height, most));
         }
     }

@@ -38,9 +38,11 @@ import tompkins.measure.LessonResult;
 import tompkins.measure.LessonStudio;
 import tompkins.measure.Sketch;
 import tompkins.property.Descriptions;
+import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.FixedPointSurfaceShutter;
 import tompkins.spacetime.Event;
 import tompkins.studio.LensEvent;
+import tompkins.studio.RideMoment;
 import tompkins.studio.Studio;
 import tompkins.ui.Components;
 import tompkins.ui.LayoutProblems;
@@ -52,29 +54,20 @@ import tompkins.ui.widget.Texts;
 
 class LessonPanelTest {
 
-    /** Sizes in sizes of the type: of the panel on the right with its scroll bar, and of the strip at most. */
-    private static final double SIDE = 27;
+    /** The widths of the panel that the texts have, in sizes of the type. */
+    private static final double WIDTH = 22.5;
 
-    private static final double HEIGHT = 18;
+    private static final double SLIM = 22.5;
 
-    /** Of the first line of the strip, and of its margins. */
-    private static final double HEAD = 3.5;
-
-    private static final int WINDOW = 1280;
-
-    /** Of a page in a window of 1024 x 700, of which the strip takes a third; in sizes of the type. */
-    private static final double SMALL_WIDTH = 46.4;
-
-    private static final double SMALL_HEIGHT = 11.7;
-
-    private static final int MARGINS = 20;
+    /** The height that is left for the pages in a window of 1024 x 700; the slider stands below two of them. */
+    private static final List<Double> HEIGHTS = List.of(26.0, 22.0, 22.0, 26.0);
 
     private final StudioModel model = new StudioModel(with(Lesson.DEFAULT), null);
-    private final List<List<LessonResult>> drawn = new ArrayList<>();
     private final List<Studio> followed = new ArrayList<>();
+    private final NotedStage stage = new NotedStage();
     private final Settings settings = new Settings((Path) null);
     private final LessonCourse course = new LessonCourse(settings, followed::add);
-    private final LessonPanel panel = new LessonPanel(model, course, drawn::add);
+    private final LessonPanel panel = new LessonPanel(model, course, stage);
 
     @BeforeAll
     static void useLook() {
@@ -91,7 +84,7 @@ class LessonPanelTest {
     void theStripOfALaterLessonHasThePresentLook() {
         StudioModel later = new StudioModel(Studio.DEFAULT, null);
         JComponent strip = new LessonPanel(
-                        later, new LessonCourse(new Settings((Path) null), studio -> {}), results -> {})
+                        later, new LessonCourse(new Settings((Path) null), studio -> {}), new NotedStage())
                 .component();
         int before = new JButton().getFont().getSize();
         Look.PROJECTOR.install();
@@ -369,6 +362,8 @@ class LessonPanelTest {
                 1,
                 new LessonControl("velocity.beta", text(40), 0, 0.9, 0.5),
                 text(450),
+                text(160),
+                text(200),
                 Collections.nCopies(4, number));
     }
 
@@ -376,15 +371,29 @@ class LessonPanelTest {
         return "as long as texts may be, and so on, ".repeat(20).substring(0, letters);
     }
 
+    /** Each page of our lessons is in sight without scrolling; the texts of others may be longer. */
     @ParameterizedTest(name = "{index}")
     @MethodSource("lessonsInAllLooks")
-    void everyPageFitsUnderThePictureWithoutScrolling(Look look, Lesson lesson) {
-        WindowDriver.onEventThread(() -> assertPagesFit(look, lesson));
-        // the head of the strip takes a line or two when its width is known
+    void everyPageIsInSight(Look look, Lesson lesson) {
         WindowDriver.onEventThread(() -> {
-            Components.layOut(strip(), WINDOW - Look.pixels(SIDE));
+            look.install(1);
+            SwingUtilities.updateComponentTreeUI(strip());
+            model.open(with(lesson), null);
+            Prediction wrong = lesson.predictions()
+                    .get(lesson.right() % lesson.predictions().size());
+            int width = Look.pixels(look == Look.PROJECTOR ? SLIM : WIDTH);
+            List<JComponent> pages = pages(lesson, wrong);
+            for (JComponent page : pages) {
+                Components.layOut(page, width);
+                assertThat(LayoutProblems.in(page)).isEmpty();
+                if (look == Look.PROJECTOR) {
+                    assertThat(page.getHeight())
+                            .as("page %d of “%s”", pages.indexOf(page), lesson.question())
+                            .isLessThan(Look.pixels(HEIGHTS.get(pages.indexOf(page))));
+                }
+            }
+            Components.layOut(strip(), width);
             assertThat(LayoutProblems.in(strip())).isEmpty();
-            assertThat(strip().getHeight()).isLessThan(Look.pixels(HEIGHT));
         });
     }
 
@@ -408,50 +417,16 @@ class LessonPanelTest {
                 .map(Lesson.class::cast);
     }
 
-    @ParameterizedTest(name = "{index}")
-    @MethodSource("ours")
-    void everyPageOfOurLessonsFitsASmallWindow(Lesson lesson) {
-        WindowDriver.onEventThread(() -> {
-            Look.LIGHT.install(1);
-            for (Prediction chosen : lesson.predictions()) {
-                List<JComponent> pages = pages(lesson, chosen);
-                for (JComponent page : pages) {
-                    Components.layOut(page, Look.pixels(SMALL_WIDTH));
-                    assertThat(page.getHeight())
-                            .as("page %d after “%s”", pages.indexOf(page), chosen.text())
-                            .isLessThanOrEqualTo(Look.pixels(SMALL_HEIGHT));
-                }
-            }
-        });
-    }
-
-    private void assertPagesFit(Look look, Lesson lesson) {
-        look.install(1);
-        int width = WINDOW - Look.pixels(SIDE);
-        model.open(with(lesson), null);
-        Prediction wrong =
-                lesson.predictions().get(lesson.right() % lesson.predictions().size());
-        List<JComponent> pages = pages(lesson, wrong);
-        for (JComponent page : pages) {
-            Components.layOut(page, width - MARGINS);
-            assertThat(LayoutProblems.in(page)).isEmpty();
-            assertThat(page.getHeight())
-                    .as("page %d of “%s”", pages.indexOf(page), lesson.question())
-                    .isLessThan(Look.pixels(HEIGHT - HEAD));
-        }
-        Components.layOut(strip(), width);
-    }
-
     /** All pages, after a sure answer. */
     private List<JComponent> pages(Lesson lesson, Prediction chosen) {
         LessonQuestionPage.Answer answer = new LessonQuestionPage.Answer(chosen, true);
-        LessonReasonPage reason = new LessonReasonPage(lesson);
+        LessonReasonPage reason = new LessonReasonPage(lesson, false, shown -> {}, value -> {});
         reason.show(answer);
-        LessonNumbersPage numbers = new LessonNumbersPage();
+        LessonNumbersPage numbers = new LessonNumbersPage(lesson);
         numbers.show(lesson.numbers().stream()
-                .map(number -> new LessonResult(number, number.value() - 0.123456, Sketch.EMPTY))
+                .map(number -> new LessonResult(number, number.value(), Sketch.EMPTY))
                 .toList());
-        LessonLookPage lookPage = new LessonLookPage(new LessonSlider(model, lookStudio(lesson)));
+        LessonLookPage lookPage = new LessonLookPage(() -> {});
         lookPage.show(answer);
         return List.of(
                 new LessonQuestionPage(lesson, () -> {}).component(),
@@ -460,11 +435,55 @@ class LessonPanelTest {
                 numbers.component());
     }
 
-    /** The slider is as wide whatever it moves. */
-    private static LessonStudio lookStudio(Lesson lesson) {
-        LessonControl speed =
-                new LessonControl("velocity.beta", lesson.control().name(), 0, 0.9, 0.5);
-        return LessonStudio.of(with(Descriptions.with(lesson, "control", speed)))
-                .orElseThrow();
+    /** The question comes back, too, and what was drawn is gone with the page. */
+    @Test
+    void theReasonHasTwoMorePictures() {
+        go("Nothing.", "lesson.sure");
+        JToggleButton other = Components.find(strip(), JToggleButton.class, Texts.get("lesson.otherPicture"));
+        other.doClick();
+        assertThat(model.studio().velocity().isRest()).isTrue();
+        other.doClick();
+        assertThat(model.studio().velocity().speed()).isEqualTo(0.9);
+        stage.outlines.clear();
+        Components.find(strip(), JToggleButton.class, Texts.get("lesson.outlines"))
+                .doClick();
+        next("MEASURE").doClick();
+        assertThat(stage.outlines).containsExactly(true, false);
+    }
+
+    @Test
+    void theOtherShutterComesAfterTheQuestion() throws IOException {
+        model.open(BundledScenes.studio("lesson-12-shutter.json"), null);
+        panel.begin();
+        assertThat(stage.compared).isEmpty();
+        choose("Both of them.");
+        choose(Texts.get("lesson.sure"));
+        next("LOOK").doClick();
+        assertThat(stage.compared).containsExactly(DetectorPlaneShutter.class);
+    }
+
+    /** From home, wherever the slider is; and what is beyond its ends is not shown on it. */
+    @Test
+    void aRideIsFlownFromHome() throws IOException {
+        Studio twins = BundledScenes.studio("lesson-18-twins.json");
+        model.open(twins, null);
+        panel.begin();
+        choose("6 minutes.");
+        choose(Texts.get("lesson.sure"));
+        next("LOOK").doClick();
+        JSlider slider = Components.find(strip(), JSlider.class, "Your watch on the way out (min), slider");
+        slider.setValue(1000);
+        Components.find(strip(), JButton.class, Texts.get("lesson.fly")).doClick();
+        assertThat(stage.flights).isOne();
+        assertThat(model.studio()).isEqualTo(twins);
+        assertThat(next("REASON").isEnabled()).isTrue();
+        assertThat(slider.getParent().isVisible()).isTrue();
+        model.look(RideMoment.onRide(twins, 5).studio(), this);
+        assertThat(isSeen(slider)).isFalse();
+        assertThat(slider.getValue()).isZero();
+    }
+
+    private boolean isSeen(Component component) {
+        return component == strip() || component.isVisible() && isSeen(component.getParent());
     }
 }
