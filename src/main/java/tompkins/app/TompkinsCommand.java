@@ -4,7 +4,9 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
@@ -34,6 +36,8 @@ final class TompkinsCommand extends ProgramCommand {
     /** The name of the program. */
     static final String NAME = "tompkins";
 
+    private static final String RENDER = "render";
+
     /** Commands that compute without telling how far they are. */
     private static final Set<String> QUIET = Set.of("check", "explain", "trace", "measure");
 
@@ -41,7 +45,7 @@ final class TompkinsCommand extends ProgramCommand {
     private static final Map<String, Class<?>> COMMANDS = new LinkedHashMap<>();
 
     static {
-        COMMANDS.put("render", RenderCommand.class);
+        COMMANDS.put(RENDER, RenderCommand.class);
         COMMANDS.put("animate", AnimateCommand.class);
         COMMANDS.put("check", CheckCommand.class);
         COMMANDS.put("explain", ExplainCommand.class);
@@ -96,6 +100,13 @@ final class TompkinsCommand extends ProgramCommand {
     /** Whether some arguments call one of the commands, none of which opens a window. */
     static boolean isNamedBy(String... arguments) {
         return arguments.length > 0 && COMMANDS.containsKey(arguments[0]);
+    }
+
+    /** Whether some arguments ask for photographs of scenes, and not for help. */
+    static boolean takesPhotograph(String... arguments) {
+        return arguments.length > 1
+                && arguments[0].equals(RENDER)
+                && Collections.disjoint(List.of(arguments), List.of("-h", "--help"));
     }
 
     /** Whether some arguments ask for a window, provided that there is nothing wrong with them; quickly decided. */
