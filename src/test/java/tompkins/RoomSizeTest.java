@@ -32,12 +32,12 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        27_505),
-                arguments("file, image", 4_535),
-                arguments("explain, lesson, measure, animation", 6_393),
-                arguments("io, app", 8_523),
-                arguments("study", 4_084),
-                arguments("ui", 20_946));
+                        28_494),
+                arguments("file, image", 4_230),
+                arguments("explain, lesson, measure, animation", 6_182),
+                arguments("io, app", 8_285),
+                arguments("study", 3_807),
+                arguments("ui", 21_125));
     }
 
     @ParameterizedTest
