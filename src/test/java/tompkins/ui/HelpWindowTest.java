@@ -271,9 +271,9 @@ class HelpWindowTest {
         follow("speed-and-accuracy.md#aperture");
         WindowDriver.await("the studies", () -> title().equals("Speed and accuracy \u2013 Tompkins"));
 
-        follow("speed-and-accuracy/stability.csv");
+        follow("speed-and-accuracy/precision.csv");
 
-        WindowDriver.await("the figures", () -> title().equals("# study: stability \u2013 Tompkins"));
+        WindowDriver.await("the figures", () -> title().equals("# study: precision \u2013 Tompkins"));
     }
 
     @Test
