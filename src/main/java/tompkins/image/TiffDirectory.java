@@ -9,6 +9,7 @@ import com.twelvemonkeys.imageio.stream.ByteArrayImageInputStream;
 import java.io.IOException;
 import java.lang.reflect.Array;
 import java.nio.ByteOrder;
+import java.util.NavigableMap;
 import java.util.TreeMap;
 import javax.imageio.stream.ImageInputStream;
 
@@ -64,7 +65,7 @@ final class TiffDirectory {
     }
 
     /** The places of the file that no pixels can have: its header, its directory and its end, each with its own end. */
-    TreeMap<Long, Long> places() {
+    NavigableMap<Long, Long> places() {
         return new TreeMap<>(places);
     }
 

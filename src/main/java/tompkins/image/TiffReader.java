@@ -5,8 +5,8 @@ import java.awt.image.Raster;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.NavigableMap;
 import java.util.Set;
-import java.util.TreeMap;
 import tompkins.file.FileException;
 
 /**
@@ -156,7 +156,7 @@ final class TiffReader {
             throw new IOException("it lists " + Math.min(starts.length, sizes.length) + " " + part + "s of " + count);
         }
         long rowBytes = (columns * bits * (isPlanar ? 1 : samples) + 7) / 8;
-        TreeMap<Long, Long> taken = tags.places();
+        NavigableMap<Long, Long> taken = tags.places();
         for (int i = 0; i < count; i++) {
             long ownRows = isTiled ? rows : Math.min(rows, height - i % down * rows);
             long least = compression == NOT_PACKED ? rowBytes * ownRows : 1;
@@ -173,7 +173,7 @@ final class TiffReader {
     }
 
     /** Takes bytes for a part of the picture, unless some are taken or are none of the file. */
-    private static boolean takes(TreeMap<Long, Long> taken, long start, long size) {
+    private static boolean takes(NavigableMap<Long, Long> taken, long start, long size) {
         var before = taken.floorEntry(start);
         Long after = taken.ceilingKey(start);
         boolean isFree = before != null && before.getValue() <= start && after != null && size <= after - start;

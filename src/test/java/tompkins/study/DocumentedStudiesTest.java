@@ -34,8 +34,8 @@ class DocumentedStudiesTest {
         List<StudyData> all =
                 Stream.of(StudyKind.values()).map(DocumentedStudiesTest::data).toList();
         StudyPage page = new StudyPage("speed-and-accuracy", StudyPage.introduction(all));
-        for (StudyData data : all) {
-            StudyKind kind = StudyKind.values()[all.indexOf(data)];
+        for (StudyKind kind : StudyKind.values()) {
+            StudyData data = data(kind);
             Study study = kind.study(1);
             assertThat(data.origin().study()).isEqualTo(kind.toString());
             // all scenes too: a scene that is new or has another name is not among the settings of old figures

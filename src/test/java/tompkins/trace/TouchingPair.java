@@ -90,9 +90,10 @@ record TouchingPair(Studio touching, Studio other, String name) {
 
         Maker(long seed) {
             random = new SplittableRandom(seed);
-            kind = Kind.values()[(int) (seed % Kind.values().length)];
+            Kind[] kinds = Kind.values();
+            kind = kinds[(int) (seed % kinds.length)];
             Home[] homes = Home.values();
-            Home wanted = homes[(int) (seed / Kind.values().length % homes.length)];
+            Home wanted = homes[(int) (seed / kinds.length % homes.length)];
             home = wanted == Home.TURNING && isOfMedia() ? Home.SCENE : wanted;
             slant = random.nextDouble(-0.3, 0.3);
             Vector3d axis = new Vector3d(number(), number(), number());

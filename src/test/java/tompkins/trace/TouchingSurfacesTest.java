@@ -59,11 +59,11 @@ class TouchingSurfacesTest {
     @ParameterizedTest
     @EnumSource(TouchingPair.Kind.class)
     void touchingLooksAsWithAGap(TouchingPair.Kind kind) {
-        int kinds = TouchingPair.Kind.values().length;
+        List<TouchingPair.Kind> kinds = List.of(TouchingPair.Kind.values());
         int pairs = TestRun.cases(10, 500);
         int differing = 0;
         for (int i = 0; i < pairs; i++) {
-            differing += differing(TouchingPair.of((long) i * kinds + kind.ordinal()));
+            differing += differing(TouchingPair.of((long) i * kinds.size() + kinds.indexOf(kind)));
         }
         assertThat(differing).isLessThanOrEqualTo(pairs * RAYS / 1000);
     }
