@@ -33,7 +33,7 @@ class RoomSizeTest {
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
                         28_494),
-                arguments("file, image", 4_231),
+                arguments("file, image", 4_241),
                 arguments("explain, lesson, measure, animation", 6_182),
                 arguments("io, app", 8_285),
                 arguments("study", 3_807),

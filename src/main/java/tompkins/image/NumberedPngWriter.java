@@ -43,7 +43,7 @@ final class NumberedPngWriter extends AnimationWriter {
 
     @Override
     void discard(int frames) throws IOException {
-        for (int frame = 0; frame < frames; frame++) {
+        for (int frame = 0; frame < frames && !OutputFolder.keepsWholeFiles(); frame++) {
             Files.deleteIfExists(folder.file(frame));
         }
         made.close();

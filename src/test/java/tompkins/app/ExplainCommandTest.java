@@ -309,7 +309,8 @@ class ExplainCommandTest {
         String out = ProgramRun.of("explain", "scenes/smallest.json", "--size", "100x70", "--error", "0.00001")
                 .out();
         assertThat(out)
-                .containsPattern("it will take about [0-9.]+ s with [0-9.]+( million)? samples, [0-9.]+ per pixel");
+                .containsPattern(
+                        "it will take ([0-9.]+ to )?[0-9.]+ s with [0-9.]+( million)? samples, about [0-9.]+ per pixel");
     }
 
     /** Light that is split at each of 90 spheres: no block of pixels ends soon. */
