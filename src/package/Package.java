@@ -48,7 +48,7 @@ public final class Package {
     }
 
     /** What jdeps finds in the jar, file systems in jars, and screen readers. */
-    private static final String MODULES = "java.base,java.desktop,jdk.unsupported,jdk.zipfs,jdk.accessibility";
+    private static final String MODULES = "java.base,java.desktop,java.management,jdk.unsupported,jdk.zipfs,jdk.accessibility";
 
     /**
      * Libraries of sound, splash screens and filters of pictures, which the program may not use ({@code ArchitectureTest}), what other
