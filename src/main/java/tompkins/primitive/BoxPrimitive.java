@@ -164,22 +164,16 @@ public final class BoxPrimitive extends Primitive {
     }
 
     @Override
+    protected boolean isConvex() {
+        return true;
+    }
+
+    @Override
     public double minimumAlong(double nx, double ny, double nz) {
         double least = nx * centre.x + ny * centre.y + nz * centre.z;
         for (int axis = 0; axis < 3; axis++) {
             least -= Math.abs(along(axis, nx, ny, nz)) * half[axis];
         }
         return least;
-    }
-
-    @Override
-    public Bounds bounds() {
-        double[] reach = new double[3];
-        for (int component = 0; component < 3; component++) {
-            for (int axis = 0; axis < 3; axis++) {
-                reach[component] += Math.abs(axes[axis].get(component)) * half[axis];
-            }
-        }
-        return Bounds.around(centre, reach[0], reach[1], reach[2]);
     }
 }

@@ -154,8 +154,8 @@ public final class CapPrimitive extends Primitive {
 
     /** What is hollow can be met again by what leaves it. */
     @Override
-    public boolean surelyMisses(Hit from, double dx, double dy, double dz) {
-        return curvature >= 0 && super.surelyMisses(from, dx, dy, dz);
+    protected boolean isConvex() {
+        return curvature >= 0;
     }
 
     @Override
@@ -207,12 +207,5 @@ public final class CapPrimitive extends Primitive {
         return curvature != 0 && holds(x, y, z, axis, radius, curvature)
                 ? nx * (vertex.x + x) + ny * (vertex.y + y) + nz * (vertex.z + z)
                 : nx * edge.x + ny * edge.y + nz * edge.z - radius * lengthOfCross(nx, ny, nz, axis.x, axis.y, axis.z);
-    }
-
-    @Override
-    public Bounds bounds() {
-        Vector3d least = new Vector3d(minimumAlong(1, 0, 0), minimumAlong(0, 1, 0), minimumAlong(0, 0, 1));
-        Vector3d most = new Vector3d(-minimumAlong(-1, 0, 0), -minimumAlong(0, -1, 0), -minimumAlong(0, 0, -1));
-        return Bounds.around(least, most);
     }
 }

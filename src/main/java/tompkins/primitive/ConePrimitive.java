@@ -162,21 +162,15 @@ public final class ConePrimitive extends Primitive {
     }
 
     @Override
+    protected boolean isConvex() {
+        return true;
+    }
+
+    @Override
     public double minimumAlong(double nx, double ny, double nz) {
         double top = nx * tip.x + ny * tip.y + nz * tip.z;
         double rise = nx * axis.x + ny * axis.y + nz * axis.z;
         double across = lengthOfCross(nx, ny, nz, axis.x, axis.y, axis.z);
         return Math.min(top, top + rise * height - baseRadius * across);
-    }
-
-    @Override
-    public Bounds bounds() {
-        Vector3d centre = new Vector3d(axis).mul(height).add(tip);
-        return Bounds.around(
-                        centre,
-                        baseRadius * Math.hypot(axis.y, axis.z),
-                        baseRadius * Math.hypot(axis.z, axis.x),
-                        baseRadius * Math.hypot(axis.x, axis.y))
-                .with(Bounds.around(tip));
     }
 }

@@ -335,24 +335,19 @@ public final class CylinderPrimitive extends Primitive {
     }
 
     @Override
+    protected boolean isConvex() {
+        return true;
+    }
+
+    @Override
     public double minimumAlong(double nx, double ny, double nz) {
         double start = nx * startX + ny * startY + nz * startZ;
         double rise = nx * axisX + ny * axisY + nz * axisZ;
         return Math.min(start, start + rise) - radius * lengthOfCross(nx, ny, nz, axisX, axisY, axisZ) / length;
     }
 
-    @Override
+    /** Its axis if it is a rod, much longer than wide; else null. */
     public Vector3d longAxis() {
         return length > 4 * radius ? new Vector3d(axisX, axisY, axisZ) : null;
-    }
-
-    @Override
-    public Bounds bounds() {
-        Vector3d start = new Vector3d(startX, startY, startZ);
-        Vector3d end = new Vector3d(axisX, axisY, axisZ).add(start);
-        double reachX = radius * Math.hypot(axisY, axisZ) / length;
-        double reachY = radius * Math.hypot(axisZ, axisX) / length;
-        double reachZ = radius * Math.hypot(axisX, axisY) / length;
-        return Bounds.around(start, reachX, reachY, reachZ).with(Bounds.around(end, reachX, reachY, reachZ));
     }
 }

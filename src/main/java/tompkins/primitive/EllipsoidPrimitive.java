@@ -147,23 +147,15 @@ public final class EllipsoidPrimitive extends Primitive {
     }
 
     @Override
+    protected boolean isConvex() {
+        return true;
+    }
+
+    @Override
     public double minimumAlong(double nx, double ny, double nz) {
         double x = dot(axes[0], nx, ny, nz);
         double y = dot(axes[1], nx, ny, nz);
         double z = dot(axes[2], nx, ny, nz);
         return dot(centre, nx, ny, nz) - Math.sqrt(x * x + y * y + z * z);
-    }
-
-    @Override
-    public Bounds bounds() {
-        return Bounds.around(centre, half(0), half(1), half(2));
-    }
-
-    /** Half the extent along x, y or z. */
-    private double half(int component) {
-        double x = axes[0].get(component);
-        double y = axes[1].get(component);
-        double z = axes[2].get(component);
-        return Math.sqrt(x * x + y * y + z * z);
     }
 }

@@ -245,14 +245,23 @@ public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
     }
 
     @Override
+    protected boolean isConvex() {
+        return true;
+    }
+
+    @Override
     public double minimumAlong(double nx, double ny, double nz) {
         double corner = nx * cornerX + ny * cornerY + nz * cornerZ;
         double alongU = nx * spanUX + ny * spanUY + nz * spanUZ;
         double alongV = nx * spanVX + ny * spanVY + nz * spanVZ;
+        if (outline == Outline.ELLIPSE) {
+            return corner + (alongU + alongV - Math.sqrt(alongU * alongU + alongV * alongV)) / 2;
+        }
         double least = Math.min(0, Math.min(alongU, alongV));
         return corner + (outline == Outline.TRIANGLE ? least : Math.min(least, alongU + alongV));
     }
 
+    /** Exact, and without roots: a mesh has millions. */
     @Override
     public Bounds bounds() {
         return new Bounds(
@@ -264,7 +273,7 @@ public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
                 -least(-cornerZ, -spanUZ, -spanVZ));
     }
 
-    /** The least coordinate of the corners, without an object for each: a mesh has millions. */
+    /** The least coordinate of the corners. */
     private double least(double corner, double spanU, double spanV) {
         double endU = corner + spanU;
         double least = Math.min(corner, Math.min(endU, corner + spanV));

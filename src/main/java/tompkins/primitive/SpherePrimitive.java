@@ -133,12 +133,12 @@ public final class SpherePrimitive extends Primitive {
     }
 
     @Override
-    public double minimumAlong(double nx, double ny, double nz) {
-        return nx * x + ny * y + nz * z - radius * Math.sqrt(nx * nx + ny * ny + nz * nz);
+    protected boolean isConvex() {
+        return true;
     }
 
     @Override
-    public Bounds bounds() {
-        return Bounds.around(new Vector3d(x, y, z), radius, radius, radius);
+    public double minimumAlong(double nx, double ny, double nz) {
+        return nx * x + ny * y + nz * z - radius * Math.sqrt(nx * nx + ny * ny + nz * nz);
     }
 }

@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 import tompkins.primitive.Bounds;
+import tompkins.primitive.CylinderPrimitive;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
-import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.surface.Shadow;
 import tompkins.surface.Surface;
 
@@ -41,7 +41,7 @@ public final class ObjectTree {
     private final Set<Surface> surfaces = Collections.newSetFromMap(new IdentityHashMap<>());
     private final List<RotatingGroup> rotating = new ArrayList<>();
 
-    /** Orders primitives that were numbered by a {@link PrimitiveCollector}. */
+    /** Orders primitives that have numbers and frames. */
     public ObjectTree(List<Primitive> primitives) {
         this(primitives, SMALLEST_TREE);
     }
@@ -61,7 +61,7 @@ public final class ObjectTree {
             } else {
                 withBounds.add(each);
                 box = box == null ? own : box.with(own);
-                rods += each.longAxis() == null ? 0 : 1;
+                rods += each instanceof CylinderPrimitive rod && rod.longAxis() != null ? 1 : 0;
             }
             if (each instanceof RotatingGroup group) {
                 rotating.add(group);

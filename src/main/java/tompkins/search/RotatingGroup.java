@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import tompkins.primitive.Bounds;
 import tompkins.primitive.CylinderPrimitive;
 import tompkins.primitive.Face;
 import tompkins.primitive.Primitive;
@@ -293,11 +292,6 @@ final class RotatingGroup extends Primitive {
     @Override
     public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
         return swept.overlaps(rays, starts, overlaps);
-    }
-
-    @Override
-    public Bounds bounds() {
-        return swept.bounds();
     }
 
     @Override
