@@ -139,24 +139,6 @@ public final class ConePrimitive extends Primitive {
     }
 
     @Override
-    public List<Face> faces(Vector3dc from) {
-        return List.of(new RoundFace(0, tip.sub(from, new Vector3d()), axis, 0, slope, height));
-    }
-
-    @Override
-    public boolean isRoundAbout(Vector3dc from, Vector3dc turningAxis) {
-        return Rotation.isOnAxis(tip, from, turningAxis) && Rotation.isAlong(axis, turningAxis);
-    }
-
-    @Override
-    double reachFrom(Vector3dc from, Vector3dc turningAxis) {
-        Vector3d base = new Vector3d(tip).fma(height, axis).sub(from);
-        return Math.max(
-                Rotation.reachOfPoints(List.of(tip), from, turningAxis),
-                Rotation.reachOfCircle(base, axis, baseRadius, turningAxis));
-    }
-
-    @Override
     public List<Vector3d> rim() {
         return rim(new Vector3d(tip).fma(height, axis), axis, baseRadius);
     }

@@ -1,6 +1,5 @@
 package tompkins.primitive;
 
-import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Precise;
@@ -245,19 +244,9 @@ public final class CylinderPrimitive extends Primitive {
         double alongStart = alongAxis(wx, wy, wz);
         double slope = alongAxis(ray.dx, ray.dy, ray.dz);
         int part = caps ? part(ray, distance, wx, wy, wz, alongStart, slope) : MANTLE;
-        return hitOn(part, ray, distance, memory);
-    }
-
-    @Override
-    Hit hitOn(int part, Ray ray, double distance, Hit memory) {
         if (part != MANTLE) {
             return capHit(ray, distance, part, memory);
         }
-        double wx = ray.x - startX;
-        double wy = ray.y - startY;
-        double wz = ray.z - startZ;
-        double alongStart = alongAxis(wx, wy, wz);
-        double slope = alongAxis(ray.dx, ray.dy, ray.dz);
         double along = (alongStart + distance * slope) / squaredLength;
         Vector3d normal = new Vector3d(
                 wx + distance * ray.dx - along * axisX,
@@ -306,32 +295,6 @@ public final class CylinderPrimitive extends Primitive {
                         ray.y + distance * ray.dy - startY,
                         ray.z + distance * ray.dz - startZ);
         return memory.set(ray, distance, axisX * scale, axisY * scale, axisZ * scale, this, part, coordinates);
-    }
-
-    @Override
-    public List<Face> faces(Vector3dc from) {
-        Vector3d along = Vectors.unit(new Vector3d(axisX, axisY, axisZ));
-        Vector3d start = start().sub(from);
-        Face mantle = new RoundFace(MANTLE, start, along, radius, 0, length);
-        return caps
-                ? List.of(
-                        mantle,
-                        FlatFace.disc(START_CAP, start, along, radius),
-                        FlatFace.disc(END_CAP, end().sub(from), along, radius))
-                : List.of(mantle);
-    }
-
-    @Override
-    public boolean isRoundAbout(Vector3dc from, Vector3dc axis) {
-        return Rotation.isOnAxis(start(), from, axis) && Rotation.isAlong(new Vector3d(axisX, axisY, axisZ), axis);
-    }
-
-    @Override
-    double reachFrom(Vector3dc from, Vector3dc axis) {
-        Vector3d along = Vectors.unit(new Vector3d(axisX, axisY, axisZ));
-        return Math.max(
-                Rotation.reachOfCircle(start().sub(from), along, radius, axis),
-                Rotation.reachOfCircle(end().sub(from), along, radius, axis));
     }
 
     @Override

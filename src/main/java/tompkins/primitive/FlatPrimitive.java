@@ -187,42 +187,6 @@ public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
                 && outline.holds(at.u() + EDGE, at.v() + EDGE));
     }
 
-    @Override
-    public List<Face> faces(Vector3dc centre) {
-        Vector3d corner = new Vector3d(cornerX, cornerY, cornerZ).sub(centre);
-        return List.of(new FlatFace(
-                0, outline, corner, new Vector3d(spanUX, spanUY, spanUZ), new Vector3d(spanVX, spanVY, spanVZ)));
-    }
-
-    private Vector3d middle() {
-        return new Vector3d(
-                cornerX + 0.5 * (spanUX + spanVX),
-                cornerY + 0.5 * (spanUY + spanVY),
-                cornerZ + 0.5 * (spanUZ + spanVZ));
-    }
-
-    @Override
-    public boolean isRoundAbout(Vector3dc centre, Vector3dc axis) {
-        double lengths = squared(spanUX, spanUY, spanUZ) / squared(spanVX, spanVY, spanVZ) - 1;
-        double cosine = spanUX * spanVX + spanUY * spanVY + spanUZ * spanVZ;
-        return outline == Outline.ELLIPSE
-                && Math.abs(lengths) < SLACK
-                && Math.abs(cosine) < SLACK * squared(spanUX, spanUY, spanUZ)
-                && Rotation.isOnAxis(middle(), centre, axis)
-                && Rotation.isAlong(new Vector3d(normalX, normalY, normalZ), axis);
-    }
-
-    @Override
-    double reachFrom(Vector3dc centre, Vector3dc axis) {
-        return outline == Outline.ELLIPSE
-                ? Rotation.reachOfEllipse(
-                        middle().sub(centre),
-                        new Vector3d(spanUX, spanUY, spanUZ).mul(0.5),
-                        new Vector3d(spanVX, spanVY, spanVZ).mul(0.5),
-                        axis)
-                : Rotation.reachOfPoints(corners(), centre, axis);
-    }
-
     /** Its corners, around the piece; none of an ellipse. */
     public List<Vector3d> corners() {
         Vector3d corner = new Vector3d(cornerX, cornerY, cornerZ);

@@ -210,15 +210,6 @@ public abstract class Primitive implements Boundary, Cloneable {
         return minimumAlong(nx, ny, nz) - slack * (Math.abs(nx) + Math.abs(ny) + Math.abs(nz));
     }
 
-    /**
-     * Its faces, by their functions of place relative to a centre.
-     *
-     * @throws IllegalStateException if it has none because it is endless
-     */
-    public List<Face> faces(Vector3dc centre) {
-        throw new IllegalStateException("endless: " + description());
-    }
-
     /** The circle or ellipse at its edge: the centre, and two conjugate radii from there; empty if it has none. */
     public List<Vector3d> rim() {
         return List.of();
@@ -228,21 +219,6 @@ public abstract class Primitive implements Boundary, Cloneable {
     static List<Vector3d> rim(Vector3d centre, Vector3dc axis, double radius) {
         Vector3d first = Vectors.firstAxis(axis).mul(radius);
         return List.of(centre, first, axis.cross(first, new Vector3d()));
-    }
-
-    /** Whether it stays the same when it is turned about an axis, a unit vector through a centre. */
-    public boolean isRoundAbout(Vector3dc centre, Vector3dc axis) {
-        return false;
-    }
-
-    /** The largest distance of one of its points from such an axis. */
-    double reachFrom(Vector3dc centre, Vector3dc axis) {
-        throw new IllegalStateException("endless: " + description());
-    }
-
-    /** The hit on a part at a distance, even where another part is as near. */
-    Hit hitOn(int part, Ray ray, double distance, Hit memory) {
-        return hit(ray, distance, memory);
     }
 
     /** Whether this primitive throws a shadow on the start of a ray, from a distance of at most {@code limit}. */

@@ -1,6 +1,5 @@
 package tompkins.primitive;
 
-import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Hit;
@@ -115,21 +114,6 @@ public final class SpherePrimitive extends Primitive {
         SurfaceCoordinates coordinates = round == null ? null : round.onSphere(new Vector3d(nx, ny, nz), radius);
         return memory.set(
                 ray, distance, x + radius * nx, y + radius * ny, z + radius * nz, nx, ny, nz, this, 0, coordinates);
-    }
-
-    @Override
-    public List<Face> faces(Vector3dc from) {
-        return List.of(new RoundFace(0, centre().sub(from), new Vector3d(), radius, 0, 0));
-    }
-
-    @Override
-    public boolean isRoundAbout(Vector3dc from, Vector3dc axis) {
-        return Rotation.isOnAxis(centre(), from, axis);
-    }
-
-    @Override
-    double reachFrom(Vector3dc from, Vector3dc axis) {
-        return Rotation.acrossAxis(centre().sub(from), axis).length() + radius;
     }
 
     @Override

@@ -25,6 +25,9 @@ public final class ObjectTree {
      */
     public static final int SMALLEST_TREE = 20;
 
+    /** With fewer chords of a ray past what turns, hits are missed (see the charts there). */
+    public static final double CHORDS_PER_RADIAN = 4;
+
     /** Cost of visiting a node, in tests of a primitive. */
     private static final double NODE = 4;
 
@@ -48,7 +51,12 @@ public final class ObjectTree {
 
     /** As above, with a tree from {@code smallestTree} bounded primitives upwards. */
     public ObjectTree(List<Primitive> primitives, int smallestTree) {
-        List<Primitive> searched = RotatingGroup.gather(primitives);
+        this(primitives, smallestTree, CHORDS_PER_RADIAN);
+    }
+
+    /** As above, where a ray past what turns has so many chords while that turns by a radian. */
+    public ObjectTree(List<Primitive> primitives, int smallestTree, double chordsPerRadian) {
+        List<Primitive> searched = RotatingGroup.gather(primitives, chordsPerRadian);
         size = primitives.size();
         List<Primitive> withBounds = new ArrayList<>(searched.size());
         Bounds box = null;
