@@ -63,8 +63,8 @@ public final class PhotographFile {
      * @throws FileException if there is no such folder, or no permission to write there
      */
     public static void requireWritable(Path file) throws FileException {
-        try (PendingFile pending = PendingFile.replacing(file)) {
-            pending.open().close();
+        try {
+            PendingFile.at(file, true).close();
         } catch (IOException e) {
             throw FileException.cannotWrite(file, e);
         }

@@ -32,7 +32,7 @@ import org.jfree.data.xy.XYIntervalSeries;
 import org.jfree.data.xy.XYIntervalSeriesCollection;
 import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
-import tompkins.image.FewColours;
+import tompkins.image.Palette;
 
 /**
  * Draws a {@link Chart}: a curve with error bars for each method, its slope, the Pareto front, and the reference's
@@ -53,7 +53,7 @@ public final class ChartDrawing {
     public static byte[] png(Chart chart, List<Measurement> all) {
         try {
             return ChartUtils.encodeAsPNG(
-                    FewColours.of(drawing(chart, all, ChartStyle.PRINTED)
+                    Palette.reduced(drawing(chart, all, ChartStyle.PRINTED)
                             .createBufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB, null)),
                     false,
                     9);
