@@ -4,10 +4,10 @@ import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.concurrent.CompletableFuture;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import tompkins.file.FileException;
 import tompkins.file.PendingFile;
@@ -42,10 +42,9 @@ final class Mp4Writer extends AnimationWriter {
 
     @Override
     void write(BufferedImage frame, PhotographInfo info, int index) throws IOException {
-        int width = frame.getWidth();
-        int[] colours = frame.getRGB(0, 0, width, frame.getHeight(), null, 0, width);
+        int[] colours = frame.getRGB(0, 0, frame.getWidth(), frame.getHeight(), null, 0, frame.getWidth());
         if (index == 0) {
-            start(width + "x" + frame.getHeight());
+            start(frame.getWidth() + "x" + frame.getHeight());
         }
         ByteBuffer pixels = ByteBuffer.allocate(Integer.BYTES * colours.length);
         pixels.asIntBuffer().put(colours);
@@ -71,8 +70,8 @@ final class Mp4Writer extends AnimationWriter {
                                 .toList())
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD)
                 .start();
-        complaints = CompletableFuture.supplyAsync(
-                () -> process.errorReader().lines().map(String::strip).collect(Collectors.joining("; ")));
+        complaints = CompletableFuture.supplyAsync(() -> String.join(
+                "; ", process.errorReader(StandardCharsets.UTF_8).lines().toList()));
         // not a wait that can be interrupted: an interruption is a usual way to get here
         pending.stopAtEnd(() -> process.destroyForcibly().onExit().join());
     }
