@@ -172,20 +172,20 @@ public final class Rotation {
     private static double reach(
             DoubleUnaryOperator extent, double angle, double first, double width, double last, double known) {
         double cosine = Math.cos(width);
-        double farthest = Math.max(first, last);
-        if (first > last * cosine && last > first * cosine) {
-            // where the planes meet
-            double sine = Math.sin(width / 2);
-            double square = (first - last) * (first - last) + 4 * first * last * sine * sine;
-            farthest = Math.sqrt(square) / Math.sin(width);
+        double sine = Math.sin(width);
+        if (!(first > last * cosine && last > first * cosine)) {
+            return known;
         }
+        // where the planes meet
+        double across = (last - first * cosine) / sine;
+        double farthest = Math.sqrt(first * first + across * across);
         if (farthest <= known * (1 + MARGIN) || width < NARROWEST) {
             return Math.max(farthest, known);
         }
-        double half = width / 2;
-        double middle = extent.applyAsDouble(angle + half);
-        double inFirst = reach(extent, angle, first, half, middle, Math.max(known, middle));
-        return reach(extent, angle + half, middle, half, last, inFirst);
+        double part = Math.atan2(across, first);
+        double there = extent.applyAsDouble(angle + part);
+        double inFirst = reach(extent, angle, first, part, there, Math.max(known, there));
+        return reach(extent, angle + part, there, width - part, last, inFirst);
     }
 
     /**

@@ -12,7 +12,6 @@ import tompkins.primitive.Primitive;
 import tompkins.primitive.RayStarts;
 import tompkins.primitive.Rotation;
 import tompkins.primitive.TurningPath;
-import tompkins.ray.Contact;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
@@ -25,8 +24,8 @@ import tompkins.surface.Shadow;
  */
 final class RotatingGroup extends Primitive {
 
-    /** The most chords of a ray; beyond this they get longer, and miss more. */
-    private static final int MOST_CHORDS = 1 << 15;
+    /** The most pieces of a ray; beyond this they get longer, and more is missed. */
+    private static final int MOST_CHORDS = 1 << 12;
 
     /** The most surfaces with gaps for light that are examined one behind the other. */
     private static final int MOST_PASSED = 1000;
@@ -166,17 +165,22 @@ final class RotatingGroup extends Primitive {
             }
             double entry = path.entry();
             double exit = path.exit();
-            int chords = 1 + (int) Math.min(MOST_CHORDS, chordsPerRadian * path.turning() * (exit - entry));
+            int chords =
+                    1 + (int) Math.min(MOST_CHORDS, chordsPerRadian / Chord.PARTS * path.turning() * (exit - entry));
             double step = (exit - entry) / chords;
             int first = known > entry ? Math.max(0, (int) ((known - entry) / step) - 1) : 0;
-            for (int i = first; i < chords && entry + i * step <= Math.min(limit, reach()); i++) {
+            for (int i = first; i < chords && entry + i * step <= nearest(); i++) {
                 double start = entry + i * step;
                 double end = i + 1 == chords ? exit : entry + (i + 1) * step;
                 if (!path.isInHollow(start, end)) {
                     chord.take(start, end);
-                    search(tree, start == 0);
+                    search(tree);
                 }
             }
+        }
+
+        private double nearest() {
+            return Math.min(limit, reach());
         }
 
         private void forget() {
@@ -205,22 +209,17 @@ final class RotatingGroup extends Primitive {
                     && ray.contact == other.contact;
         }
 
-        private void search(TreeNode node, boolean atStart) {
+        private void search(TreeNode node) {
             if (!chord.isNear(node)) {
                 return;
             }
             if (node.primitives == null) {
-                search(node.low, atStart);
-                search(node.high, atStart);
+                search(node.low);
+                search(node.high);
                 return;
             }
             for (int i = node.from; i < node.to; i++) {
-                if (node.size() > 1 && !chord.isNear(boxes[i])) {
-                    continue;
-                }
-                int part = atStart ? ray.partOf(others[i]) : Contact.NOWHERE;
-                double distance =
-                        part == Contact.NOWHERE ? chord.first(others[i]) : chord.firstBehindStart(others[i], part);
+                double distance = chord.first(others[i], boxes[i], ray, nearest());
                 if (distance > 0 && distance <= limit && distance < NO_HIT) {
                     find(others[i], distance);
                 }
