@@ -374,7 +374,7 @@ public final class RenderPlan {
 
     /** What the medium around the lens does to the picture. */
     public List<String> mediumSentences() {
-        return sceneMedium == null ? List.of() : sceneMedium.sentences();
+        return sceneMedium == null ? LensMedium.sentences(lensMedium) : sceneMedium.sentences();
     }
 
     /**

@@ -29,11 +29,7 @@ public final class TouchingSurfaces implements PathObserver {
         Studio simple = Descriptions.with(studio, "background", UniformBackground.DEFAULT)
                 .withSettings(Descriptions.with(studio.settings(), "maximumDepth", DEPTH));
         SampleTracer tracer = RenderPlan.of(simple, plan).tracer(new RayCounts(), this);
-        for (int i = 0; i < TRIED * TRIED; i++) {
-            double x = (i % TRIED + 0.5) / TRIED * plan.width();
-            double y = (i / TRIED + 0.5) / TRIED * plan.height();
-            tracer.sample(x, y, 0, 0, 0.5);
-        }
+        RayLife.positions(plan, TRIED).forEach(place -> tracer.sample(place.x(), place.y(), 0, 0, 0.5));
     }
 
     /** Which media meet at one boundary, in sentences. */
