@@ -14,6 +14,7 @@ import tompkins.camera.EyeView;
 import tompkins.camera.StereoLayout;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.ColourLaw;
+import tompkins.light.LightShift;
 import tompkins.light.Metering;
 import tompkins.primitive.BoxPrimitive;
 import tompkins.primitive.FlatPrimitive;
@@ -36,7 +37,6 @@ import tompkins.surface.IdealLens;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.Surface;
 import tompkins.surface.WindowAxes;
-import tompkins.trace.LightShift;
 import tompkins.trace.RenderPlan;
 import tompkins.world.World;
 
