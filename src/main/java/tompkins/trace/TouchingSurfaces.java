@@ -7,7 +7,6 @@ import java.util.stream.Collectors;
 import tompkins.primitive.Primitive;
 import tompkins.property.Descriptions;
 import tompkins.ray.Hit;
-import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.studio.Studio;
 import tompkins.studio.UniformBackground;
@@ -43,7 +42,7 @@ public final class TouchingSurfaces implements PathObserver {
     }
 
     @Override
-    public void hits(Frame frame, Ray ray, Hit hit, Primitive primitive) {
+    public void hits(Hit hit) {
         if (hit.contact == null) {
             return;
         }
