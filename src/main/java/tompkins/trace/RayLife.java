@@ -2,10 +2,7 @@ package tompkins.trace;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import org.joml.Vector2d;
-import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.SamplePositions;
@@ -202,17 +199,10 @@ public record RayLife(
 
     /** What rays meet in the middle of the exposure that are spread over a picture, so many in each row and column. */
     public static Stream<Encounter> hits(RenderPlan plan, int side) {
-        return positions(plan, side)
+        return SamplePositions.spread(plan.width(), plan.height(), side)
                 .map(place -> way(plan, place.x(), place.y(), 0, 0, SamplePositions.MIDDLE))
                 .filter(life -> life != null)
                 .flatMap(life -> life.hits().stream());
-    }
-
-    /** Positions spread evenly over a picture, in pixels, so many in each row and column. */
-    static Stream<Vector2dc> positions(RenderPlan plan, int side) {
-        return IntStream.range(0, side * side)
-                .mapToObj(i ->
-                        new Vector2d((i % side + 0.5) / side * plan.width(), (i / side + 0.5) / side * plan.height()));
     }
 
     private static RayLife of(
