@@ -33,7 +33,7 @@ class RoomSizeTest {
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
                         28_271),
-                arguments("file, image", 4_051),
+                arguments("file, image", 4_062),
                 arguments("explain", 849),
                 arguments("lesson, measure, animation", 5_071),
                 arguments("io, app", 8_284),
