@@ -39,9 +39,7 @@ final class ExplainCommand extends ProgramCommand {
         Photographer.requireMemory(studio.settings(), wish);
         out().println(studio.title());
         studio.remarks().lines().forEach(out()::println);
-        for (String sentence : new Explanation(plan).sentences()) {
-            out().println("- " + sentence);
-        }
+        new Explanation(plan).sentences().forEach(sentence -> out().println("- " + sentence));
         UnseenObjects unseen = new UnseenObjects(plan);
         unseen.sentence().ifPresent(sentence -> out().println("- " + sentence));
         unseen.warning().ifPresent(warning -> out().println("- Warning: " + warning + "."));

@@ -16,6 +16,7 @@ import tompkins.camera.Stereo;
 import tompkins.camera.StereoLayout;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.ColourLaw;
+import tompkins.light.LightShift;
 import tompkins.light.Metering;
 import tompkins.light.StarCatalogue;
 import tompkins.primitive.BoxPrimitive;
@@ -40,7 +41,6 @@ import tompkins.surface.IdealLens;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.Surface;
 import tompkins.surface.WindowAxes;
-import tompkins.trace.LightShift;
 import tompkins.trace.RenderPlan;
 import tompkins.world.World;
 

@@ -193,12 +193,23 @@ public final class PendingFile implements Closeable {
         }
         Path place = replaces ? target : freeName();
         try {
+            move(place);
+        } catch (IOException failure) {
+            if (!replaces) {
+                Files.deleteIfExists(place);
+            }
+            throw failure;
+        }
+        close();
+        return place;
+    }
+
+    private void move(Path place) throws IOException {
+        try {
             Files.move(temporary, place, StandardCopyOption.ATOMIC_MOVE);
         } catch (AtomicMoveNotSupportedException | FileAlreadyExistsException e) {
             Files.move(temporary, place, StandardCopyOption.REPLACE_EXISTING);
         }
-        close();
-        return place;
     }
 
     /** Takes the first name that is free with an empty file, which only one program can make. */
