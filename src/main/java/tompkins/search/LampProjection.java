@@ -14,7 +14,7 @@ import tompkins.primitive.Primitive;
  * the lamp moves on straight, each slope only grows or only falls, so that the slopes at two places bound those between
  * them.
  */
-final class LampPlace {
+final class LampProjection {
 
     /** Widening against rounding of slopes, which are 4 at most. */
     static final double MARGIN = 1e-7;
@@ -31,7 +31,7 @@ final class LampPlace {
     /** The share of that distance that is left. */
     private final double zoom;
 
-    private LampPlace(Vector3dc place, Vector3dc forward, Vector3dc offset) {
+    private LampProjection(Vector3dc place, Vector3dc forward, Vector3dc offset) {
         this.place = place;
         this.forward = forward;
         this.offset = offset;
@@ -39,8 +39,8 @@ final class LampPlace {
     }
 
     /** The first place of a lamp. */
-    static LampPlace first(Vector3dc place, Vector3dc forward) {
-        return new LampPlace(place, forward, new Vector3d());
+    static LampProjection first(Vector3dc place, Vector3dc forward) {
+        return new LampProjection(place, forward, new Vector3d());
     }
 
     /**
@@ -48,8 +48,8 @@ final class LampPlace {
      *
      * @param depth distance of the plane from this one
      */
-    LampPlace next(Vector3dc next, double depth) {
-        return new LampPlace(
+    LampProjection next(Vector3dc next, double depth) {
+        return new LampProjection(
                 next, forward, next.sub(place, new Vector3d()).div(depth).add(offset));
     }
 

@@ -10,14 +10,14 @@ import tompkins.search.LightBufferProjection.Rectangle;
  * <p>Each side of the rectangle has a byte, and so has the place of a ray. A ray passes a side if the two bytes add up
  * to the highest bit; one addition tests all four sides.
  */
-final class PackedEntry {
+final class BufferEntry {
 
     private static final int LAST = LightBufferProjection.PARTS - 1;
 
     /** The highest bit of each byte. */
     private static final int ALL_SIDES = 0x80808080;
 
-    private PackedEntry() {}
+    private BufferEntry() {}
 
     /** The entry of a primitive in the cell of a column and row. */
     static long of(float leastDistance, Rectangle rectangle, int column, int row) {
