@@ -29,7 +29,7 @@ record LessonPicture(TompkinsWindow window, MeasureMarks marks) implements Lesso
 
     @Override
     public void compare(Class<? extends Shutter> shutter) {
-        window.side().panel().compare(shutter);
+        window.side().compare(shutter);
     }
 
     @Override

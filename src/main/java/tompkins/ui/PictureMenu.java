@@ -7,8 +7,11 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
+import tompkins.camera.FocusDistance;
 import tompkins.measure.RayTubes;
 import tompkins.measure.SeenLamp;
+import tompkins.property.NumberText;
+import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.trace.RayLife;
 import tompkins.ui.photograph.PhotographView;
@@ -31,6 +34,8 @@ final class PictureMenu implements PhotographView.Menu {
     public void show(PixelReading seen, Picture picture, Point2D place, Point at) {
         JPopupMenu menu = new JPopupMenu();
         add(menu, "lookAt", true, () -> window.motion.lookAt(place));
+        double depth = seen.depth(picture.studio().camera());
+        add(menu, "focus", depth > 0, () -> focus(depth));
         add(menu, "rideFrom", seen.sighting().hit() != null, () -> window.motion.rideFrom(seen.sighting()));
         add(menu, "measureFrom", true, () -> {
             window.strip.open(TabStrip.Tab.MEASURE);
@@ -39,8 +44,13 @@ final class PictureMenu implements PhotographView.Menu {
         List<RayLife> ray = Stream.ofNullable(seen.sighting().life()).toList();
         add(menu, "drawRay", RayTubes.canDraw(ray), () -> drawRay(seen, ray));
         Optional<StudioPath> object = object(seen);
-        add(menu, "edit", object.isPresent(), () -> object.ifPresent(window.editor::open));
+        add(menu, "edit", object.isPresent(), () -> object.ifPresent(window.side()::edit));
         menu.show(window.view().canvas(), at.x, at.y);
+    }
+
+    private void focus(double distance) {
+        Studio studio = window.model().studio();
+        window.model().set(studio.withCamera(FocusDistance.with(studio.camera(), NumberText.rounded(distance, 6))));
     }
 
     private void drawRay(PixelReading seen, List<RayLife> ray) {
@@ -64,7 +74,7 @@ final class PictureMenu implements PhotographView.Menu {
 
     @Override
     public boolean chooses() {
-        return window.editor.isOpen();
+        return window.side().isEditing();
     }
 
     @Override
@@ -72,6 +82,6 @@ final class PictureMenu implements PhotographView.Menu {
         SeenLamp.near(picture.plan(), seen.sighting().x(), seen.sighting().y())
                 .map(SeenLamp::path)
                 .or(() -> object(seen))
-                .ifPresent(window.editor::open);
+                .ifPresent(window.side()::edit);
     }
 }

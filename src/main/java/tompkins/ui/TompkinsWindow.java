@@ -15,9 +15,10 @@ import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
 import tompkins.lesson.Lesson;
 import tompkins.studio.Studio;
-import tompkins.studio.StudioPath;
 import tompkins.ui.animate.AnimationExport;
 import tompkins.ui.compare.PeekKey;
+import tompkins.ui.editor.FileContentEditor;
+import tompkins.ui.editor.ObjectMouse;
 import tompkins.ui.exchange.ClipboardActions;
 import tompkins.ui.exchange.FileDialogs;
 import tompkins.ui.exchange.PhotographExport;
@@ -56,7 +57,7 @@ public final class TompkinsWindow {
     private final WindowSize size;
     private final StudioModel model;
     private final PhotographView view;
-    private final FoldingPanel side;
+    private final SidePanel side;
     private final StatusBar status;
     final WindowParts parts;
     private final FileDialogs dialogs;
@@ -71,8 +72,7 @@ public final class TompkinsWindow {
     final MeasureTool measure;
     final ClipboardActions clipboard;
     private final Menus menus;
-    private final DeferredParts late;
-    final EditorDialog editor;
+    private final ObjectMouse mouse;
     final FullScreen fullScreen;
     private final JPanel middle = new JPanel(new BorderLayout());
     final Motion motion;
@@ -96,8 +96,6 @@ public final class TompkinsWindow {
         lessonMarks = new MeasureMarks(view::otherPicture);
         view.canvas().addOverlay(lessonMarks);
         lesson = new LessonPanel(model, course, new LessonPicture(this, lessonMarks));
-        side = new FoldingPanel(
-                () -> new SidePanel(model, view, lesson.component(), first.besideRest(), status::report, this::edit));
         parts = new WindowParts(frame, model, view, status, settings);
         dialogs = new FileDialogs(parts, this::pause);
         saver = new SceneSaver(parts, dialogs);
@@ -107,20 +105,28 @@ public final class TompkinsWindow {
         overlays = new PictureOverlays(view.canvas(), settings, view::fail);
         motion = new Motion(parts, strip, new AnimationExport(frame, dialogs, captions, overlays), captions);
         motion.pilot().addListener(pictures::tellLast);
-        frame.setContentPane(content());
         clipboard = new ClipboardActions(parts, captions, overlays);
         measure = new MeasureTool(view, clipboard::copyMeasured);
         strip.fill(TabStrip.Tab.MEASURE, measure::component, measure::setOn);
-        // it asks for the editor and the full screen, made below, only when they are chosen
+        // it asks for the panel and the full screen, made below, only when they are chosen
         menus = new Menus(this);
         frame.setJMenuBar(menus.bar());
-        editor = new EditorDialog(parts, dialogs, menus::bindKeys, () -> motion.pace() == Pace.HAND);
+        side = new SidePanel(model, view, lesson.component(), menus.buttons(), this::tellClicks);
+        if (first.besideRest()) {
+            side.compareWithRest();
+        }
+        frame.setContentPane(content());
+        frame.setIconImages(WindowIcon.images());
+        mouse = new ObjectMouse(
+                parts,
+                () -> side.isEditing() && view.choosesByClick() && motion.pace() == Pace.HAND,
+                side::chosen,
+                side::edit);
         view.setMenu(new PictureMenu(this));
-        late = new DeferredParts(
-                DeferredParts.LONGEST_WAIT, this::bringPanel, menus::setExamples, frame::setIconImages);
         // also while the menus are hidden
         menus.bindKeys(frame.getRootPane());
-        fullScreen = new FullScreen(frame, side, List.of(menus.bar(), status.component()));
+        frame.getRootPane().putClientProperty(FileContentEditor.CHOOSERS, dialogs);
+        fullScreen = new FullScreen(frame, side.component(), List.of(menus.bar(), status.component()));
         frame.getRootPane().setTransferHandler(opener.drop());
         PeekKey.bind(frame, view.canvas());
         FocusFollower.install(frame);
@@ -175,7 +181,17 @@ public final class TompkinsWindow {
         if (window.model.studio().lesson() instanceof Lesson) {
             window.beginLesson();
         }
-        window.late.prepare(examples);
+        if (window.place != null) {
+            window.settings.addRecentFile(window.place);
+        }
+        Thread reading = new Thread(
+                () -> {
+                    List<Studio> scenes = examples.get();
+                    SwingUtilities.invokeLater(() -> window.menus.setExamples(scenes));
+                },
+                "tompkins-examples");
+        reading.setDaemon(true);
+        reading.start();
         return window;
     }
 
@@ -183,7 +199,7 @@ public final class TompkinsWindow {
         JComponent keys = view.canvas();
         if (lesson.begin()) {
             strip.close();
-            side.panel();
+            side.setEditing(false);
             side.setShown(true);
             keys = lesson.entry();
         }
@@ -195,22 +211,10 @@ public final class TompkinsWindow {
         opener.open(example);
     }
 
-    void edit(StudioPath part) {
-        editor.open(part);
-    }
-
-    /** Brings the panel, and remembers the file. The picture pauses meanwhile, so that the panel has the processors. */
-    private void bringPanel() {
-        // a window that was closed meanwhile has no picture
-        boolean unfinished = frame.isDisplayable() && view.controller().isBusy();
-        view.stop();
-        side.panel();
-        if (unfinished) {
-            view.render();
-        }
-        if (place != null) {
-            settings.addRecentFile(place);
-        }
+    /** While all controls are there, lamps are marked in the picture, and a click chooses. */
+    private void tellClicks() {
+        view.canvas().repaint();
+        view.tellClicks();
     }
 
     private Pace pace() {
@@ -229,7 +233,7 @@ public final class TompkinsWindow {
         return frame;
     }
 
-    FoldingPanel side() {
+    SidePanel side() {
         return side;
     }
 
@@ -248,13 +252,11 @@ public final class TompkinsWindow {
         content.add(middle, BorderLayout.CENTER);
         content.add(side.component(), BorderLayout.EAST);
         content.add(status.component(), BorderLayout.SOUTH);
-        side.fitInto(content, status::showPanelFolded);
         return content;
     }
 
-    /** Sets the sizes that do not follow the look by themselves. */
+    /** Sets the size that does not follow the look by itself. */
     private void fitToLook() {
-        side.fitToLook();
         size.require(WindowSize.least(frame));
     }
 
@@ -274,14 +276,13 @@ public final class TompkinsWindow {
         view.close();
         overlays.close();
         measure.dispose();
-        editor.dispose();
+        mouse.close();
     }
 
     private final class PictureListener implements PhotographView.Listener {
 
         @Override
         public void shown(Picture picture) {
-            late.firstPictureDone();
             // nobody can read thirty texts a second, and the pictures need the time
             if (motion == null || !motion.pilot().isRiding() || throttle.admits()) {
                 tell(picture);
@@ -312,7 +313,7 @@ public final class TompkinsWindow {
 
         @Override
         public void pinned(PixelReading reading, String picture) {
-            side.panel().show(reading, picture);
+            side.show(reading, picture);
         }
 
         @Override
@@ -322,7 +323,6 @@ public final class TompkinsWindow {
 
         @Override
         public void noPicture(String message) {
-            late.firstPictureDone();
             status.fail(message);
         }
 
@@ -340,11 +340,10 @@ public final class TompkinsWindow {
         look.install();
         settings.setLook(look);
         fitToLook();
-        editor.fitToLook();
     }
 
     void togglePanel() {
-        side.toggle();
+        side.setShown(!side.component().isVisible());
         frame.revalidate();
     }
 
@@ -358,7 +357,7 @@ public final class TompkinsWindow {
 
     /** Ends the innermost of what goes on. */
     void leave() {
-        if (!editor.giveBack()
+        if (!mouse.giveBack()
                 && !endDrag()
                 && !motion.pauseIfMoving()
                 && !view.endPicking()

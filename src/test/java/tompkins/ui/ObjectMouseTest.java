@@ -79,7 +79,7 @@ class ObjectMouseTest {
 
     private void edit(String part) {
         WindowDriver.onEventThread(
-                () -> driver.window().edit(StudioPath.parse(part).orElseThrow()));
+                () -> driver.window().side().edit(StudioPath.parse(part).orElseThrow()));
         WindowDriver.await("the editor", () -> editors().findAny().isPresent());
         WindowDriver.onEventThread(() -> {
             // beside each other
@@ -218,7 +218,7 @@ class ObjectMouseTest {
         assertThat(((Placed) driver.studio().scene().get(1)).object()).isEqualTo(RIGHT.object());
         driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
         WindowDriver.onEventThread(
-                () -> driver.window().edit(StudioPath.parse("scene[0]").orElseThrow()));
+                () -> driver.window().side().edit(StudioPath.parse("scene[0]").orElseThrow()));
         driver.completePicture();
         driver.drag(at(right, 0), at(right, 60), 8);
         WindowDriver.await("the inner ball", () -> inner().y() < -0.1);

@@ -136,36 +136,6 @@ class PhotographViewTest {
         assertThat(other().studio()).isEqualTo(stopped.studio());
     }
 
-    @Test
-    void aClickBesideAllObjectsLeavesThePickingOn() {
-        List<String> told = new ArrayList<>();
-        Container panel = (Container)
-                WindowDriver.onEventThread(() -> new SidePanel(model, view, new JPanel(), false, told::add, part -> {}))
-                        .component();
-        WindowDriver.onEventThread(() -> {
-            model.set(Studios.sphere());
-            view.canvas().setSize(64, 48);
-            view.render();
-        });
-        awaitNow("a picture of the sphere");
-        double before = FocusDistance.of(model.studio().camera());
-        JToggleButton pick = Components.find(panel, JToggleButton.class, "Pick a point to focus on");
-        WindowDriver.onEventThread(() -> {
-            pick.doClick();
-            mouse(view.canvas(), MouseEvent.MOUSE_PRESSED, 1, 1);
-            mouse(view.canvas(), MouseEvent.MOUSE_RELEASED, 1, 1);
-        });
-        WindowDriver.await("the answer", () -> told.equals(List.of(Texts.get("lens.pickedNothing"))));
-        assertThat(pick.isSelected()).isTrue();
-        assertThat(FocusDistance.of(model.studio().camera())).isEqualTo(before);
-        WindowDriver.onEventThread(() -> {
-            mouse(view.canvas(), MouseEvent.MOUSE_PRESSED);
-            mouse(view.canvas(), MouseEvent.MOUSE_RELEASED);
-        });
-        WindowDriver.await("the end of the picking", () -> !pick.isSelected());
-        assertThat(FocusDistance.of(model.studio().camera())).isNotEqualTo(before);
-    }
-
     private void awaitNow(String what) {
         WindowDriver.await(
                 what,

@@ -97,7 +97,7 @@ class RideTest {
         driver.drag(from, to, 12);
         Camera dragged = driver.studio().camera();
         assertThat(pixelsBetween(seen, seenAt(to, dragged), dragged)).isLessThan(0.01);
-        assertThat(driver.window().side().panel().component().isShowing()).isTrue();
+        assertThat(driver.window().side().component().isShowing()).isTrue();
 
         Point pointer = point(0.3, 0.3);
         Vector3d under = seenAt(pointer, dragged);

@@ -49,7 +49,6 @@ public final class StatusBar extends Part {
     private String pictureHint = "";
 
     private PhotographView.Click click = PhotographView.Click.PIN;
-    private boolean panelFolded;
 
     /** The picture on the screen while the line says that it is being refined; otherwise null. */
     private Picture refining;
@@ -109,7 +108,7 @@ public final class StatusBar extends Part {
         return switch (click) {
             case PICK, MEASURE -> usual;
             case CHOOSE -> pictureHint.isEmpty() ? usual : pictureHint;
-            case PIN -> panelFolded ? Texts.get("status.panelFolded") : pictureHint.isEmpty() ? usual : pictureHint;
+            case PIN -> pictureHint.isEmpty() ? usual : pictureHint;
         };
     }
 
@@ -257,12 +256,6 @@ public final class StatusBar extends Part {
             click = now;
             showIdle();
         }
-    }
-
-    /** Says how to get at the panel, as long as it is folded for want of room. */
-    public void showPanelFolded(boolean isFolded) {
-        panelFolded = isFolded;
-        showIdle();
     }
 
     /** Shows one line of text, until there is something else to read under the mouse. */

@@ -114,19 +114,9 @@ class StatusBarTest {
         return image.getRGB(0, 0, width, 20, null, 0, width);
     }
 
-    @Test
-    void howToGetAtAFoldedPanelIsSaidWhileItIsFolded() {
-        status.showPanelFolded(true);
-        status.show(picture(Studios.sphere()));
-        assertThat(what.getText()).isEqualTo(Texts.get("status.panelFolded"));
-        status.showPanelFolded(false);
-        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PIN"));
-    }
-
-    /** Neither a folded panel nor a warning may hide it: whoever measures waits for a click. */
+    /** A warning may not hide it: whoever measures waits for a click. */
     @Test
     void whatAClickDoesIsSaidInANarrowWindow() {
-        status.showPanelFolded(true);
         status.show(picture(Studios.sphere(), "all is black"));
         status.show(PhotographView.Click.MEASURE);
         assertThat(what.getText()).isEqualTo(Texts.get("status.idle.MEASURE"));
@@ -137,7 +127,7 @@ class StatusBarTest {
         status.show(picture(Studios.sphere()));
         assertThat(what.getText()).isEqualTo(Texts.get("status.idle.CHOOSE"));
         status.show(PhotographView.Click.PIN);
-        assertThat(what.getText()).isEqualTo(Texts.get("status.panelFolded"));
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PIN"));
     }
 
     @Test
