@@ -1,13 +1,11 @@
 package tompkins.ui;
 
 import java.awt.Dimension;
-import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.JDialog;
 import javax.swing.JRootPane;
 import tompkins.studio.StudioPath;
 import tompkins.ui.editor.FileContentEditor;
-import tompkins.ui.editor.ObjectMouse;
 import tompkins.ui.editor.SceneEditor;
 import tompkins.ui.photograph.WindowParts;
 import tompkins.ui.widget.Keys;
@@ -24,7 +22,6 @@ final class EditorDialog {
     private final WindowParts window;
     private final FileContentEditor.Choosers choosers;
     private final Consumer<JRootPane> keys;
-    private final ObjectMouse mouse;
     private JDialog dialog;
     private SceneEditor editor;
 
@@ -32,21 +29,11 @@ final class EditorDialog {
      * The editor of a window.
      *
      * @param keys binds those of the menus in the editor, too
-     * @param isStill whether nothing moves by itself in the window
      */
-    EditorDialog(
-            WindowParts window,
-            FileContentEditor.Choosers choosers,
-            Consumer<JRootPane> keys,
-            BooleanSupplier isStill) {
+    EditorDialog(WindowParts window, FileContentEditor.Choosers choosers, Consumer<JRootPane> keys) {
         this.window = window;
         this.choosers = choosers;
         this.keys = keys;
-        mouse = new ObjectMouse(
-                window,
-                () -> isOpen() && window.view().choosesByClick() && isStill.getAsBoolean(),
-                () -> editor.chosen(),
-                part -> editor.choose(part));
     }
 
     /** Shows the editor as it was left. */
@@ -76,13 +63,13 @@ final class EditorDialog {
         dialog.setContentPane(editor.component());
         dialog.getRootPane().putClientProperty(FileContentEditor.CHOOSERS, choosers);
         keys.accept(dialog.getRootPane());
-        Keys.bindEscape(dialog.getRootPane(), () -> dialog.setVisible(giveBack()));
+        Keys.bindEscape(dialog.getRootPane(), () -> dialog.setVisible(false));
         fitToLook();
         Screens.moveBeside(dialog, window.frame());
         // while it is there lamps are marked, and a click chooses
         dialog.getRootPane().addHierarchyListener(event -> {
             window.view().canvas().repaint();
-            window.view().tellClicks();
+            window.view().tellTool();
         });
     }
 
@@ -97,13 +84,7 @@ final class EditorDialog {
         }
     }
 
-    /** Gives back an object that is being dragged; false if none is. */
-    boolean giveBack() {
-        return mouse.giveBack();
-    }
-
     void dispose() {
-        mouse.close();
         if (dialog != null) {
             dialog.dispose();
         }

@@ -18,6 +18,7 @@ import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.ui.animate.AnimationExport;
 import tompkins.ui.compare.PeekKey;
+import tompkins.ui.editor.ChooseTool;
 import tompkins.ui.exchange.ClipboardActions;
 import tompkins.ui.exchange.FileDialogs;
 import tompkins.ui.exchange.PhotographExport;
@@ -104,7 +105,7 @@ public final class TompkinsWindow {
         opener = new SceneOpener(parts, dialogs, saver, this::pause, this::beginLesson);
         captions = new Captions(
                 view.canvas(), settings, first.besideRest() || model.studio().lesson() instanceof Lesson);
-        overlays = new PictureOverlays(view.canvas(), settings, view::fail);
+        overlays = new PictureOverlays(view.canvas(), settings, view.asker());
         motion = new Motion(parts, strip, new AnimationExport(frame, dialogs, captions, overlays), captions);
         motion.pilot().addListener(pictures::tellLast);
         frame.setContentPane(content());
@@ -114,7 +115,8 @@ public final class TompkinsWindow {
         // it asks for the editor and the full screen, made below, only when they are chosen
         menus = new Menus(this);
         frame.setJMenuBar(menus.bar());
-        editor = new EditorDialog(parts, dialogs, menus::bindKeys, () -> motion.pace() == Pace.HAND);
+        editor = new EditorDialog(parts, dialogs, menus::bindKeys);
+        new ChooseTool(model, view, editor::isOpen, editor::open);
         view.setMenu(new PictureMenu(this));
         late = new DeferredParts(
                 DeferredParts.LONGEST_WAIT, this::bringPanel, menus::setExamples, frame::setIconImages);
@@ -272,8 +274,6 @@ public final class TompkinsWindow {
         pause();
         status.stop();
         view.close();
-        overlays.close();
-        measure.dispose();
         editor.dispose();
     }
 
@@ -316,8 +316,8 @@ public final class TompkinsWindow {
         }
 
         @Override
-        public void clicks(PhotographView.Click now) {
-            status.show(now);
+        public void hints(String click) {
+            status.showHint(click);
         }
 
         @Override
@@ -358,8 +358,7 @@ public final class TompkinsWindow {
 
     /** Ends the innermost of what goes on. */
     void leave() {
-        if (!editor.giveBack()
-                && !endDrag()
+        if (!endDrag()
                 && !motion.pauseIfMoving()
                 && !view.endPicking()
                 && !strip.closeIfOpen(TabStrip.Tab.MEASURE)

@@ -12,6 +12,7 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.IntStream;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
@@ -33,6 +34,8 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Studios;
 import tompkins.ui.compare.ComparePanel;
 import tompkins.ui.compare.Compared;
+import tompkins.ui.editor.ChooseTool;
+import tompkins.ui.measure.MeasureTool;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Comparison;
@@ -237,49 +240,33 @@ class PhotographViewTest {
     /** Picking comes before measuring, and that before choosing; each gives the click back when it ends. */
     @Test
     void whatAClickDoesIsTold() {
-        List<PhotographView.Click> told = new ArrayList<>();
+        List<String> told = new ArrayList<>();
         PhotographView.Listener listener = new SilentListener() {
             @Override
-            public void clicks(PhotographView.Click now) {
-                told.add(now);
+            public void hints(String click) {
+                told.add(click);
             }
         };
         try (PhotographView watched = withPicture(listener)) {
+            AtomicBoolean editing = new AtomicBoolean();
+            MeasureTool measure = new MeasureTool(watched, text -> {});
+            new ChooseTool(model, watched, editing::get, part -> {});
             WindowDriver.onEventThread(() -> {
-                watched.setMeasuring((place, picture) -> {});
+                measure.component();
+                measure.setOn(true);
                 watched.startPicking(distance -> true, () -> {});
                 watched.endPicking();
-                watched.setMeasuring(null);
-                watched.setMenu(new ChoosingMenu());
-                watched.tellClicks();
-                watched.setMeasuring((place, picture) -> {});
-                watched.setMeasuring(null);
+                measure.setOn(false);
+                editing.set(true);
+                watched.tellTool();
+                measure.setOn(true);
+                measure.setOn(false);
             });
+            String measures = Texts.get("status.idle.MEASURE");
+            String chooses = Texts.get("status.idle.CHOOSE");
             assertThat(told)
-                    .containsExactly(
-                            PhotographView.Click.MEASURE,
-                            PhotographView.Click.PICK,
-                            PhotographView.Click.MEASURE,
-                            PhotographView.Click.PIN,
-                            PhotographView.Click.CHOOSE,
-                            PhotographView.Click.MEASURE,
-                            PhotographView.Click.CHOOSE);
+                    .containsExactly(measures, Texts.get("status.idle.PICK"), measures, "", chooses, measures, chooses);
         }
-    }
-
-    /** A menu whose clicks choose, as with the editor open. */
-    private static final class ChoosingMenu implements PhotographView.Menu {
-
-        @Override
-        public void show(PixelReading seen, Picture picture, Point2D place, Point at) {}
-
-        @Override
-        public boolean chooses() {
-            return true;
-        }
-
-        @Override
-        public void choose(PixelReading seen, Picture picture) {}
     }
 
     private static void doubleClick(PictureCanvas canvas, int x, int y) {

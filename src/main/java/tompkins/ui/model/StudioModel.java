@@ -194,18 +194,7 @@ public final class StudioModel {
     }
 
     /**
-     * Takes back what a gesture that goes on has changed, as if it had never begun; it must have been the last to
-     * change anything.
-     */
-    public void takeBack(Object gesture) {
-        if (gestures.remove(gesture)) {
-            current = past.pop();
-            tellListeners();
-        }
-    }
-
-    /**
-     * As {@link #takeBack}, of the only gesture that goes on, whosever it is; takes back nothing if there are none or
+     * Takes back what the only gesture that goes on has changed, as if it had never begun; nothing if there are none or
      * several.
      *
      * @param ending lets go what makes the gesture

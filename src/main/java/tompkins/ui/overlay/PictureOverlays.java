@@ -3,11 +3,11 @@ package tompkins.ui.overlay;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import tompkins.measure.OverlayKind;
 import tompkins.ui.model.Settings;
+import tompkins.ui.picture.Asker;
 import tompkins.ui.picture.PictureCanvas;
 
 /**
@@ -31,11 +31,11 @@ public final class PictureOverlays {
     private final SceneMap map = new SceneMap();
     private final SceneOverlay overlay;
 
-    /** The overlays of a canvas; {@code failures} is told by any thread what could not be computed. */
-    public PictureOverlays(PictureCanvas canvas, Settings settings, Consumer<Throwable> failures) {
+    /** The overlays of a canvas; {@code asker} computes what takes a while. */
+    public PictureOverlays(PictureCanvas canvas, Settings settings, Asker asker) {
         this.canvas = canvas;
         this.settings = settings;
-        overlay = new SceneOverlay(canvas::repaint, failures);
+        overlay = new SceneOverlay(canvas::repaint, asker);
         canvas.addOverlay(overlay);
         canvas.addOverlay(map);
         canvas.addOverlay(arrow);
@@ -76,11 +76,6 @@ public final class PictureOverlays {
     /** What formulas say about the scene, as far as it is drawn. */
     public Set<OverlayKind> ofScene() {
         return overlay.shown();
-    }
-
-    /** Ends the work. */
-    public void close() {
-        overlay.close();
     }
 
     private void update() {

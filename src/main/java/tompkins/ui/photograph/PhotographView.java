@@ -3,8 +3,8 @@ package tompkins.ui.photograph;
 import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.geom.Point2D;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.DoublePredicate;
@@ -20,11 +20,12 @@ import tompkins.trace.RayLife;
 import tompkins.ui.compare.Compared;
 import tompkins.ui.compare.ComparedPicture;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.picture.Asker;
 import tompkins.ui.picture.Comparison;
-import tompkins.ui.picture.NewestFirst;
 import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.picture.PictureTool;
 import tompkins.ui.picture.RenderController;
 import tompkins.ui.picture.Room;
 import tompkins.ui.picture.ScreenPicture;
@@ -57,8 +58,8 @@ public final class PhotographView implements AutoCloseable {
          */
         void pinned(PixelReading reading, String picture);
 
-        /** What a click in the picture does from now on. */
-        void clicks(Click now);
+        /** What a click in the picture does from now on; empty if there may be something better to say. */
+        void hints(String click);
 
         /** There is no picture of the studio; the message says why. */
         void noPicture(String message);
@@ -72,24 +73,6 @@ public final class PhotographView implements AutoCloseable {
 
         /** Shows the menu for a place of a picture, at a point of the canvas. */
         void show(PixelReading seen, Picture picture, Point2D place, Point at);
-
-        /** Whether a click chooses what is seen; otherwise it pins it. */
-        boolean chooses();
-
-        /** Chooses what is seen at a place of a picture. */
-        void choose(PixelReading seen, Picture picture);
-    }
-
-    /** What a click in the picture does. */
-    public enum Click {
-        /** Pins the pixel, and follows its ray. */
-        PIN,
-        /** Picks the distance of what is seen. */
-        PICK,
-        /** Measures there. */
-        MEASURE,
-        /** Chooses what is seen, for the editor. */
-        CHOOSE
     }
 
     private final StudioModel model;
@@ -100,19 +83,20 @@ public final class PhotographView implements AutoCloseable {
     private final RenderController controller;
     private final ComparedPicture compared;
     private final Supplier<Pace> pace;
-    private final NewestFirst hover = new NewestFirst("tompkins-probe", this::fail);
+    private final Asker asker = new Asker("tompkins-asker", this::fail);
     private final PixelPin pin;
-    private final NewestFirst picked = new NewestFirst("tompkins-pick", this::fail);
+    private final FocusTool focus;
+
+    /** The first that is wanted is in the hand. */
+    private final List<PictureTool> tools = new ArrayList<>();
+
     private Studio rendered;
 
     /** The room for each picture; null while it is unknown. */
     private Room room;
 
-    private Picking picking;
     private Menu menu;
-
-    /** Told of clicks while somebody measures; null otherwise. */
-    private BiConsumer<Point2D, Picture> measuring;
+    private Runnable pickingEnded = () -> {};
 
     /** The photograph of a model; {@code pace} says how soon a picture of a change has to come. */
     public PhotographView(StudioModel model, Listener listener, Supplier<Pace> pace) {
@@ -126,7 +110,11 @@ public final class PhotographView implements AutoCloseable {
         controller = new RenderController(
                 screen::setNow, error -> SwingUtilities.invokeLater(() -> listener.noPicture(Messages.of(error))));
         compared = new ComparedPicture(model, screen, this::sizeOf, pace, this::fail);
-        pin = new PixelPin(canvas, this::nameOf, listener::pinned, this::fail);
+        pin = new PixelPin(canvas, this::nameOf, listener::pinned, asker);
+        focus = new FocusTool(canvas, asker, this::endPicking);
+        tools.add(focus);
+        tools.add(pin);
+        canvas.setTool(pin);
         model.addLiveListener(this::renderChange);
     }
 
@@ -255,36 +243,28 @@ public final class PhotographView implements AutoCloseable {
      * @param ended called when a distance was taken, or the picking was cancelled
      */
     public void startPicking(DoublePredicate taker, Runnable ended) {
-        picking = new Picking(taker, ended);
-        canvas.setPicking(true);
-        tellClicks();
+        pickingEnded = ended;
+        focus.setTaker(taker);
+        tellTool();
     }
 
-    /** Lets clicks on the picture pin pixels again. */
+    /** Lets clicks on the picture do again what they did before the picking. */
     public void stopPicking() {
-        picking = null;
-        canvas.setPicking(false);
-        tellClicks();
+        focus.setTaker(null);
+        tellTool();
     }
 
-    /** Whether a click chooses what is seen, and neither picks, measures nor pins. */
-    public boolean choosesByClick() {
-        return click() == Click.CHOOSE;
+    /** Adds a tool, which comes before that which pins, and after those that were added earlier. */
+    public void addTool(PictureTool tool) {
+        tools.add(tools.size() - 1, tool);
     }
 
-    private Click click() {
-        if (picking != null) {
-            return Click.PICK;
-        }
-        if (measuring != null) {
-            return Click.MEASURE;
-        }
-        return menu != null && menu.chooses() ? Click.CHOOSE : Click.PIN;
-    }
-
-    /** Tells what a click does from now on. */
-    public void tellClicks() {
-        listener.clicks(click());
+    /** Takes the first tool that is wanted into the hand, and tells what a click does from now on. */
+    public void tellTool() {
+        PictureTool first =
+                tools.stream().filter(PictureTool::isWanted).findFirst().orElse(pin);
+        canvas.setTool(first);
+        listener.hints(first.hint());
     }
 
     /** Offers a menu from now on. */
@@ -292,11 +272,9 @@ public final class PhotographView implements AutoCloseable {
         menu = offered;
     }
 
-    /** Lets clicks tell places, in pixels of the picture that is seen there, until it is called with null. */
-    public void setMeasuring(BiConsumer<Point2D, Picture> taker) {
-        measuring = taker;
-        canvas.setMeasuring(taker != null);
-        tellClicks();
+    /** What answers questions about the pictures. */
+    public Asker asker() {
+        return asker;
     }
 
     /** Asks for the distance of what is seen at a place; where nothing is, it is that of the focus. */
@@ -306,7 +284,8 @@ public final class PhotographView implements AutoCloseable {
         double focus = Math.abs(FocusDistance.of(camera));
         double usual = Double.isFinite(focus) && focus > 0 ? focus : 1;
         Point2D point = new Point2D.Double(place.x(), place.y());
-        picked.ask(
+        asker.ask(
+                DoubleConsumer.class,
                 () -> PixelReading.of(picture, point),
                 reading -> answer.accept(
                         reading.sighting().hit() == null
@@ -316,57 +295,24 @@ public final class PhotographView implements AutoCloseable {
 
     /** Ends the picking; false if nothing was to be picked. */
     public boolean endPicking() {
-        Picking ending = picking;
+        boolean picked = focus.isWanted();
         stopPicking();
-        if (ending != null) {
-            ending.ended.run();
+        if (picked) {
+            pickingEnded.run();
         }
-        return ending != null;
+        return picked;
     }
-
-    private record Picking(DoublePredicate taker, Runnable ended) {}
 
     private final class ProbeMouse implements PictureCanvas.Mouse {
 
-        private boolean isOver;
-
         @Override
         public void over(Point2D place, Picture seen, boolean rests) {
-            isOver = seen != null;
-            if (isOver) {
-                Point2D own = canvas.shown().placeIn(seen, place);
-                hover.ask(() -> PixelReading.of(seen, own), reading -> read(reading, rests));
-            } else {
+            if (seen == null) {
+                asker.drop(this);
                 listener.read(null, rests);
-            }
-        }
-
-        private void read(PixelReading reading, boolean rests) {
-            // the mouse may have left while the ray was followed
-            if (isOver) {
-                listener.read(reading, rests);
-            }
-        }
-
-        @Override
-        public void clicked(Point2D place, Picture seen) {
-            if (picking != null) {
-                Picking asking = picking;
-                Picture picture = canvas.shown().now();
-                picked.ask(() -> PixelReading.of(picture, place), reading -> {
-                    // it may have been cancelled meanwhile
-                    if (picking == asking
-                            && asking.taker.test(reading.depth(picture.studio().camera()))) {
-                        endPicking();
-                    }
-                });
-            } else if (measuring != null) {
-                measuring.accept(canvas.shown().placeIn(seen, place), seen);
-            } else if (choosesByClick()) {
-                Point2D own = canvas.shown().placeIn(seen, place);
-                picked.ask(() -> PixelReading.of(seen, own), reading -> menu.choose(reading, seen));
             } else {
-                pin.set(place, seen != canvas.shown().now());
+                Point2D own = canvas.shown().placeIn(seen, place);
+                asker.ask(this, () -> PixelReading.of(seen, own), reading -> listener.read(reading, rests));
             }
         }
 
@@ -374,14 +320,7 @@ public final class PhotographView implements AutoCloseable {
         public void asksForMenu(Point2D place, Picture seen, Point at) {
             Point2D own = canvas.shown().placeIn(seen, place);
             if (menu != null) {
-                picked.ask(() -> PixelReading.of(seen, own), reading -> menu.show(reading, seen, own, at));
-            }
-        }
-
-        @Override
-        public void clickedTwice() {
-            if (picking == null) {
-                pin.putBack();
+                asker.ask(menu, () -> PixelReading.of(seen, own), reading -> menu.show(reading, seen, own, at));
             }
         }
     }
@@ -391,8 +330,6 @@ public final class PhotographView implements AutoCloseable {
         controller.close();
         compared.close();
         screen.close();
-        hover.close();
-        pin.close();
-        picked.close();
+        asker.close();
     }
 }

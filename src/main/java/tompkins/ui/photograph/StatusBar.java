@@ -48,7 +48,9 @@ public final class StatusBar extends Part {
     /** The hint for the picture if there is nothing else to say; empty if there is none. */
     private String pictureHint = "";
 
-    private PhotographView.Click click = PhotographView.Click.PIN;
+    /** What a click does; empty if there may be something better to say. */
+    private String click = "";
+
     private boolean panelFolded;
 
     /** The picture on the screen while the line says that it is being refined; otherwise null. */
@@ -105,12 +107,11 @@ public final class StatusBar extends Part {
 
     /** What is said if there is nothing else to say. */
     private String hint() {
-        String usual = Texts.get("status.idle." + click);
-        return switch (click) {
-            case PICK, MEASURE -> usual;
-            case CHOOSE -> pictureHint.isEmpty() ? usual : pictureHint;
-            case PIN -> panelFolded ? Texts.get("status.panelFolded") : pictureHint.isEmpty() ? usual : pictureHint;
-        };
+        if (!click.isEmpty()) {
+            return click;
+        }
+        String usual = Texts.get(panelFolded ? "status.panelFolded" : "status.idle.PIN");
+        return panelFolded || pictureHint.isEmpty() ? usual : pictureHint;
     }
 
     /** Sets the line; if it is too long for the window, its tooltip shows the rest. */
@@ -252,8 +253,8 @@ public final class StatusBar extends Part {
     }
 
     /** Says what a click does from now on. */
-    public void show(PhotographView.Click now) {
-        if (now != click) {
+    public void showHint(String now) {
+        if (!now.equals(click)) {
             click = now;
             showIdle();
         }

@@ -48,7 +48,7 @@ public final class RenderController implements AutoCloseable {
     private final Renderer renderer = new Renderer();
     private final Consumer<Picture> pictures;
     private final Consumer<Throwable> failures;
-    private final NewestFirst planner;
+    private final Asker planner;
 
     /**
      * The picture that is wanted; null when it is there, cannot be made, or was stopped, even if it is still being
@@ -76,7 +76,7 @@ public final class RenderController implements AutoCloseable {
     public RenderController(Consumer<Picture> pictures, Consumer<Throwable> failures) {
         this.pictures = pictures;
         this.failures = failures;
-        planner = new NewestFirst("tompkins-plan", failures);
+        planner = new Asker("tompkins-plan", failures);
     }
 
     /**

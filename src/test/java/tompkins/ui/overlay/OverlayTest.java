@@ -46,6 +46,7 @@ import tompkins.surface.Mirror;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.WindowDriver;
 import tompkins.ui.measure.MeasureMarks;
+import tompkins.ui.picture.Asker;
 import tompkins.ui.picture.Overlay;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.widget.Look;
@@ -232,10 +233,14 @@ class OverlayTest {
         assertThat(up.y).isBetween(10, 16);
     }
 
-    private static SceneOverlay overlay(OverlayKind... kinds) {
-        SceneOverlay overlay = new SceneOverlay(() -> {}, error -> {
+    private static Asker asker() {
+        return new Asker("test", error -> {
             throw new AssertionError(error);
         });
+    }
+
+    private static SceneOverlay overlay(OverlayKind... kinds) {
+        SceneOverlay overlay = new SceneOverlay(() -> {}, asker());
         overlay.setShown(Set.of(kinds));
         return overlay;
     }
@@ -278,9 +283,7 @@ class OverlayTest {
     @Test
     void slowOverlaysComeLater() throws InterruptedException {
         CountDownLatch again = new CountDownLatch(1);
-        SceneOverlay overlay = new SceneOverlay(again::countDown, error -> {
-            throw new AssertionError(error);
-        });
+        SceneOverlay overlay = new SceneOverlay(again::countDown, asker());
         overlay.setShown(Set.of(OverlayKind.OUTLINES));
         Studio fine = flying(0, 0, 0.8);
         Studio slow = fine.withCamera(fine.camera().withShutter(DetectorPlaneShutter.DEFAULT))
@@ -292,16 +295,13 @@ class OverlayTest {
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isTrue();
         assertThat(again.await(30, TimeUnit.SECONDS)).isTrue();
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isFalse();
-        overlay.close();
     }
 
     /** Only where a lamp flashes do wave fronts need rays, and another thread. */
     @Test
     void waveFrontsComeLater() throws InterruptedException {
         CountDownLatch again = new CountDownLatch(1);
-        SceneOverlay overlay = new SceneOverlay(again::countDown, error -> {
-            throw new AssertionError(error);
-        });
+        SceneOverlay overlay = new SceneOverlay(again::countDown, asker());
         overlay.setShown(Set.of(OverlayKind.OUTLINES, OverlayKind.WAVE_FRONTS));
         Studio dark = Studios.sphere();
         PointLight lamp = new PointLight(new Vector3d(), Colour.WHITE, Colour.BLACK, 1, new Pulse(0, 1, 0));
@@ -315,7 +315,6 @@ class OverlayTest {
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isTrue();
         assertThat(again.await(30, TimeUnit.SECONDS)).isTrue();
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isFalse();
-        overlay.close();
     }
 
     @Test
