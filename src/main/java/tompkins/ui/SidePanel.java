@@ -267,6 +267,11 @@ final class SidePanel {
         compare.compareShutter(other);
     }
 
+    /** Shows the picture alone: a ride begins so. */
+    void unsplit() {
+        compare.choose(ComparePanel.Other.NOTHING);
+    }
+
     /** The least width of the panel. */
     static int leastWidth() {
         return Look.pixels(Look.isSlim() ? SLIM : WIDTH);

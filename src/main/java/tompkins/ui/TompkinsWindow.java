@@ -38,7 +38,6 @@ import tompkins.ui.photograph.Captions;
 import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.photograph.StatusBar;
 import tompkins.ui.photograph.WindowParts;
-import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.ray.PixelReading;
 import tompkins.ui.ride.Motion;
@@ -88,8 +87,10 @@ public final class TompkinsWindow {
         settings.look().install();
         place = first.file() == null ? null : ChosenFile.plain(first.file());
         model = new StudioModel(first.studio(), place);
+        // first, so that all parts have answered when it begins
+        model.addOpenListener(this::beginLesson);
         PictureListener pictures = new PictureListener();
-        view = new PhotographView(model, pictures, this::pace);
+        view = new PhotographView(model, pictures);
         // the window is built while it is worked on
         view.render();
         status = new StatusBar(view.controller());
@@ -102,12 +103,13 @@ public final class TompkinsWindow {
         parts = new WindowParts(frame, model, view, status, settings);
         dialogs = new FileDialogs(parts, this::pause);
         saver = new SceneSaver(parts, dialogs);
-        opener = new SceneOpener(parts, dialogs, saver, this::pause, this::beginLesson);
+        opener = new SceneOpener(parts, dialogs, saver, this::pause);
         captions = new Captions(
                 view.canvas(), settings, first.besideRest() || model.studio().lesson() instanceof Lesson);
-        overlays = new PictureOverlays(view.canvas(), settings, view.asker());
+        overlays = new PictureOverlays(model, view.canvas(), settings, view.asker());
         motion = new Motion(parts, strip, new AnimationExport(frame, dialogs, captions, overlays), captions);
         motion.pilot().addListener(pictures::tellLast);
+        motion.pilot().setWhenBegun(() -> side.panel().unsplit());
         frame.setContentPane(content());
         clipboard = new ClipboardActions(parts, captions, overlays);
         measure = new MeasureTool(view, clipboard::copyMeasured);
@@ -133,6 +135,7 @@ public final class TompkinsWindow {
         frame.setSize(WindowSize.kept(frame, settings));
         size = new WindowSize(frame, settings);
         frame.setLocationRelativeTo(null);
+        model.addOpenListener(status::clear);
         model.follow(this::showTitle);
         // a layout made before the window is on its screen would be made again
         frame.addNotify();
@@ -213,10 +216,6 @@ public final class TompkinsWindow {
         if (place != null) {
             settings.addRecentFile(place);
         }
-    }
-
-    private Pace pace() {
-        return motion == null ? Pace.HAND : motion.pace();
     }
 
     void pause() {

@@ -39,7 +39,6 @@ import tompkins.ui.measure.MeasureTool;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Comparison;
-import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.ScreenPicture;
@@ -55,7 +54,7 @@ class PhotographViewTest {
     private final StudioModel model =
             new StudioModel(Studios.lattice().withSettings(Studios.sphere().settings()), null);
     private final PhotographView view =
-            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener(), () -> Pace.HAND));
+            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener()));
 
     @BeforeAll
     static void look() {
@@ -228,7 +227,7 @@ class PhotographViewTest {
 
     /** Another view of the model, with a picture on its canvas. */
     private PhotographView withPicture(PhotographView.Listener listener) {
-        PhotographView watched = WindowDriver.onEventThread(() -> new PhotographView(model, listener, () -> Pace.HAND));
+        PhotographView watched = WindowDriver.onEventThread(() -> new PhotographView(model, listener));
         WindowDriver.onEventThread(() -> {
             watched.canvas().setSize(64, 48);
             watched.render();

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.DoublePredicate;
-import java.util.function.Function;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import tompkins.camera.Aim.PicturePosition;
@@ -19,10 +18,10 @@ import tompkins.studio.Studio;
 import tompkins.trace.RayLife;
 import tompkins.ui.compare.Compared;
 import tompkins.ui.compare.ComparedPicture;
+import tompkins.ui.model.Pace;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Asker;
 import tompkins.ui.picture.Comparison;
-import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.PictureTool;
@@ -82,7 +81,6 @@ public final class PhotographView implements AutoCloseable {
     private final ScreenPictures screen;
     private final RenderController controller;
     private final ComparedPicture compared;
-    private final Supplier<Pace> pace;
     private final Asker asker = new Asker("tompkins-asker", this::fail);
     private final PixelPin pin;
     private final FocusTool focus;
@@ -98,24 +96,24 @@ public final class PhotographView implements AutoCloseable {
     private Menu menu;
     private Runnable pickingEnded = () -> {};
 
-    /** The photograph of a model; {@code pace} says how soon a picture of a change has to come. */
-    public PhotographView(StudioModel model, Listener listener, Supplier<Pace> pace) {
+    /** The photograph of a model. */
+    public PhotographView(StudioModel model, Listener listener) {
         this.model = model;
         this.listener = listener;
-        this.pace = pace;
         screen = new ScreenPictures(this::show, this::fail);
         canvas = new PictureCanvas(this::fit);
         canvas.setMouse(new ProbeMouse());
         notice = new PictureNotice(model, canvas);
         controller = new RenderController(
                 screen::setNow, error -> SwingUtilities.invokeLater(() -> listener.noPicture(Messages.of(error))));
-        compared = new ComparedPicture(model, screen, this::sizeOf, pace, this::fail);
+        compared = new ComparedPicture(model, screen, this::sizeOf, this::fail);
         pin = new PixelPin(canvas, this::nameOf, listener::pinned, asker);
         focus = new FocusTool(canvas, asker, this::endPicking);
         tools.add(focus);
         tools.add(pin);
         canvas.setTool(pin);
         model.addLiveListener(this::renderChange);
+        model.addOpenListener(this::beginScene);
     }
 
     /** What shows the picture. */
@@ -134,17 +132,27 @@ public final class PhotographView implements AutoCloseable {
     }
 
     /** A studio that was only saved keeps its picture. */
-    private void renderChange() {
+    private void renderChange(Pace pace) {
         if (!model.studio().equals(rendered)) {
-            render();
+            render(pace);
         }
+    }
+
+    /** The pin of the scene before goes, and the picture is as large as it fits. */
+    private void beginScene() {
+        setPin(null);
+        canvas.beginScene();
     }
 
     /** Makes the picture of the current studio. */
     public void render() {
+        render(Pace.HAND);
+    }
+
+    private void render(Pace pace) {
         rendered = model.studio();
-        controller.show(rendered, sizeOf(rendered), pace.get());
-        compared.render();
+        controller.show(rendered, sizeOf(rendered), pace);
+        compared.render(pace);
     }
 
     /** The size for the picture of a studio: that in which it is shown, or its own while that is unknown. */
@@ -192,11 +200,6 @@ public final class PhotographView implements AutoCloseable {
     /** Lets a camera at rest be where one on a ride is; the supplier gives null where there is no ride. */
     public void setRideAtRest(Supplier<Studio> atRest) {
         compared.setRideAtRest(atRest);
-    }
-
-    /** Lets a ride say of its pictures why there is nothing to see, and lead back; what it says may be empty. */
-    public void setRideNotice(Function<Picture, String> says, Runnable home) {
-        notice.setRide(says, home);
     }
 
     /** Keeps the picture that is on the screen, to compare others with it; says what to call it. */

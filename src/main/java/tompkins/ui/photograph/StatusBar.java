@@ -1,8 +1,6 @@
 package tompkins.ui.photograph;
 
 import com.formdev.flatlaf.FlatClientProperties;
-import com.formdev.flatlaf.ui.FlatUIUtils;
-import java.awt.Graphics;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JLabel;
@@ -11,7 +9,6 @@ import javax.swing.JProgressBar;
 import javax.swing.Timer;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
-import tompkins.image.PictureLabel;
 import tompkins.measure.Sighting;
 import tompkins.studio.PanoramaBackground;
 import tompkins.studio.StarSky;
@@ -23,6 +20,7 @@ import tompkins.ui.ray.PixelReading;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Part;
+import tompkins.ui.widget.ShortLabel;
 import tompkins.ui.widget.Texts;
 
 /** The line under the photograph: what is under the mouse, and how far the picture is. */
@@ -33,7 +31,7 @@ public final class StatusBar extends Part {
     /** How long a message about what has happened stays: enough to read a long path. */
     private static final int MESSAGE_MILLISECONDS = 8000;
 
-    private final JLabel what = new Line();
+    private final JLabel what = new ShortLabel("status.what");
     private final JLabel where = new JLabel(" ");
     private final JLabel picture = new JLabel(" ");
     private final JProgressBar progress = new JProgressBar(0, STEPS);
@@ -70,7 +68,6 @@ public final class StatusBar extends Part {
             show(read, false);
         });
         fading.setRepeats(false);
-        what.setName("status.what");
         where.setName("status.where");
         where.putClientProperty(FlatClientProperties.STYLE_CLASS, "small");
         picture.setName("status.picture");
@@ -114,11 +111,9 @@ public final class StatusBar extends Part {
         return panelFolded || pictureHint.isEmpty() ? usual : pictureHint;
     }
 
-    /** Sets the line; if it is too long for the window, its tooltip shows the rest. */
     private void setWhat(String text) {
         fading.stop();
         what.setText(text);
-        Naming.tip(what, text);
     }
 
     /** Says why there is no picture of the scene, until there is one. */
@@ -280,22 +275,6 @@ public final class StatusBar extends Part {
         } else {
             say(message);
             fading.restart();
-        }
-    }
-
-    /** A line that leaves out its last parts where it has no room, and is not cut in a word. */
-    @SuppressWarnings("serial") // never written to a stream
-    private static final class Line extends JLabel {
-
-        @Override
-        protected void paintComponent(Graphics g) {
-            String fitting = PictureLabel.shortened(getText(), g.getFontMetrics(getFont()), getWidth());
-            if (fitting.equals(getText())) {
-                super.paintComponent(g);
-            } else {
-                g.setColor(getForeground());
-                FlatUIUtils.drawString(this, g, fitting, 0, getBaseline(getWidth(), getHeight()));
-            }
         }
     }
 }

@@ -14,6 +14,7 @@ import tompkins.render.RenderReport;
 import tompkins.render.Renderer;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
+import tompkins.ui.model.Pace;
 
 /**
  * Makes the picture of the newest studio, away from the event thread. While a slider is dragged, or an animation runs,
