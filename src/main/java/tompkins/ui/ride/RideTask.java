@@ -1,6 +1,7 @@
 package tompkins.ui.ride;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -70,7 +71,7 @@ final class RideTask {
         } else if (after.reached() > progress.reached()) {
             reached.add(clocks(next, now));
             if (after.isMet()) {
-                String place = Texts.get(next.position().equals(ride.position()) ? "ride.homeAgain" : "ride.there");
+                String place = Texts.get(place(next, ride));
                 settle(new Verdict(true, place + " " + String.join(GAP, reached) + ": " + Texts.get("ride.met")));
             }
         }
@@ -110,21 +111,29 @@ final class RideTask {
             return "";
         }
         double distance = next.position().distance(now.rider().event().position()) - next.within();
-        return toGo(distance) + GAP + clocks(next, now);
+        return toGo(distance, place(next, ride)) + GAP + clocks(next, now);
     }
 
     /** How far it is from the start of a ride to the farthest of its goals; empty without one. */
     static String distance(Ride ride) {
-        return ride.challenge().isEmpty()
-                ? ""
-                : toGo(ride.challenge().stream()
-                        .mapToDouble(goal -> goal.position().distance(ride.position()) - goal.within())
-                        .max()
-                        .getAsDouble());
+        return ride.challenge().stream()
+                .max(Comparator.comparingDouble(goal -> distance(goal, ride)))
+                .map(goal -> toGo(distance(goal, ride), place(goal, ride)))
+                .orElse("");
     }
 
-    private static String toGo(double distance) {
-        return distance > 0 ? Texts.get("ride.toGo", Numbers.brief(distance, 3)) : Texts.get("ride.there");
+    private static double distance(RideGoal goal, Ride ride) {
+        return goal.position().distance(ride.position()) - goal.within();
+    }
+
+    /** The key of the name of a place: a ride may lead home. */
+    private static String place(RideGoal goal, Ride ride) {
+        return goal.position().equals(ride.position()) ? "ride.homeAgain" : "ride.there";
+    }
+
+    /** The way to go, or the key of the place that is reached. */
+    private static String toGo(double distance, String place) {
+        return distance > 0 ? Texts.get("ride.toGo", Numbers.brief(distance, 3)) : Texts.get(place);
     }
 
     /** What is measured, and what is asked for: age, time, speed. */
