@@ -10,6 +10,7 @@ import java.awt.Rectangle;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
@@ -46,9 +47,12 @@ import tompkins.surface.Mirror;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.WindowDriver;
 import tompkins.ui.measure.MeasureMarks;
+import tompkins.ui.model.Settings;
+import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Asker;
 import tompkins.ui.picture.Overlay;
 import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.Look;
 
 /** What is drawn over pictures lies where it should. */
@@ -386,5 +390,23 @@ class OverlayTest {
         assertThat(boxes.isStill()).isFalse();
         assertThat(new MappedBoxes(RenderPlan.of(Studios.sphere()), MapAxis.ABOVE).isStill())
                 .isTrue();
+    }
+
+    /** What belongs to a scene goes with it; the arrow belongs to whoever looks. */
+    @Test
+    void anotherSceneHasNoOverlaysAndNoMap() {
+        StudioModel model = new StudioModel(Studios.sphere(), null);
+        PictureOverlays overlays =
+                new PictureOverlays(model, new PictureCanvas(room -> {}), new Settings((Path) null), asker());
+        overlays.setShown(OverlayKind.OUTLINES, true);
+        overlays.setMap(Optional.of(MapAxis.SIDE));
+        model.set(Studios.lattice());
+        assertThat(overlays.ofScene()).containsExactly(OverlayKind.OUTLINES);
+        assertThat(overlays.map()).contains(MapAxis.SIDE);
+        model.open(Studios.sphere(), null);
+        assertThat(overlays.ofScene()).isEmpty();
+        assertThat(overlays.isShown(OverlayKind.OUTLINES)).isFalse();
+        assertThat(overlays.map()).isEmpty();
+        assertThat(overlays.isShown(PictureOverlays.ARROW)).isTrue();
     }
 }

@@ -87,6 +87,22 @@ class RidePilotTest {
         });
     }
 
+    /** The window shows the picture alone then; whoever compares meanwhile goes on comparing. */
+    @Test
+    void thatARideBeginsIsToldOnce() {
+        onEventThread(() -> {
+            List<String> begun = new ArrayList<>();
+            pilot.setWhenBegun(() -> begun.add("begun"));
+            pilot.setRiding(true);
+            pilot.setRiding(false);
+            pilot.setRiding(true);
+            pilot.home();
+            assertThat(begun).hasSize(1);
+            pilot.begin(SECOND);
+            assertThat(begun).hasSize(2);
+        });
+    }
+
     /** Who has moved the camera wants to ride from there. */
     @Test
     void fromElsewhereTheRideBeginsThere() {
