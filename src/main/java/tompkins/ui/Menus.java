@@ -6,6 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.ButtonGroup;
 import javax.swing.JButton;
@@ -288,37 +290,48 @@ final class Menus {
         JMenu menu = new JMenu(Texts.get("menu.map"));
         menu.setName("menu.map");
         ButtonGroup group = new ButtonGroup();
-        boolean none = window.overlays.map().isEmpty();
-        addChoice(menu, group, "menu.map.NONE", "ctrl shift M", none, () -> window.overlays.setMap(Optional.empty()));
+        addMap(menu, group, "NONE", "ctrl shift M", Optional.empty());
         for (MapAxis axis : MapAxis.values()) {
-            Optional<MapAxis> chosen = Optional.of(axis);
-            String key = axis == MapAxis.ABOVE ? "ctrl M" : null;
-            boolean shown = window.overlays.map().equals(chosen);
-            addChoice(menu, group, "menu.map." + axis, key, shown, () -> window.overlays.setMap(chosen));
+            addMap(menu, group, axis.name(), axis == MapAxis.ABOVE ? "ctrl M" : null, Optional.of(axis));
         }
         return menu;
     }
 
-    private static void addChoice(
+    private void addMap(JMenu menu, ButtonGroup group, String name, String accelerator, Optional<MapAxis> axis) {
+        JMenuItem item = addChoice(
+                menu, group, "menu.map." + name, accelerator, axis.isEmpty(), () -> window.overlays.setMap(axis));
+        beforeShowing(menu, () -> item.setSelected(window.overlays.map().equals(axis)));
+    }
+
+    private static JMenuItem addChoice(
             JMenu menu, ButtonGroup group, String key, String accelerator, boolean chosen, Runnable action) {
         JRadioButtonMenuItem item = new JRadioButtonMenuItem("", chosen);
         group.add(item);
-        add(menu, item, key, accelerator, action);
+        return add(menu, item, key, accelerator, action);
     }
 
     private JMenu overlayMenu() {
         JMenu menu = new JMenu(Texts.get("menu.overlays"));
         menu.setName("menu.overlays");
         for (OverlayKind kind : OverlayKind.values()) {
-            addOverlay(menu, "menu.overlay." + kind, PictureOverlays.name(kind));
+            addSwitch(
+                    menu,
+                    "menu.overlay." + kind,
+                    () -> window.overlays.isShown(kind),
+                    shown -> window.overlays.setShown(kind, shown));
         }
         return menu;
     }
 
     private void addOverlay(JMenu menu, String key, String name) {
+        addSwitch(menu, key, () -> window.overlays.isShown(name), shown -> window.overlays.setShown(name, shown));
+    }
+
+    /** What the item shows may also be switched elsewhere. */
+    private static void addSwitch(JMenu menu, String key, BooleanSupplier shown, Consumer<Boolean> setter) {
         JCheckBoxMenuItem item = new JCheckBoxMenuItem();
-        item.setSelected(window.overlays.isShown(name));
-        add(menu, item, key, null, () -> window.overlays.setShown(name, item.isSelected()));
+        add(menu, item, key, null, () -> setter.accept(!shown.getAsBoolean()));
+        beforeShowing(menu, () -> item.setSelected(shown.getAsBoolean()));
     }
 
     private JMenu helpMenu() {

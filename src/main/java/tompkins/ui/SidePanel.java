@@ -197,11 +197,6 @@ final class SidePanel {
         editor.choose(part);
     }
 
-    /** The way to the part that is chosen among all controls. */
-    StudioPath chosen() {
-        return editor.chosen();
-    }
-
     /** Shows the panel, or hides it. */
     void setShown(boolean shown) {
         room.setVisible(shown);
@@ -215,6 +210,11 @@ final class SidePanel {
     /** Compares the first scene with a camera at rest, until another one is opened. */
     void compareWithRest() {
         compare.begin(ComparePanel.Other.AT_REST);
+    }
+
+    /** Shows the picture alone: a ride begins so. */
+    void unsplit() {
+        compare.choose(ComparePanel.Other.NOTHING);
     }
 
     JComponent component() {

@@ -17,8 +17,8 @@ import tompkins.lesson.Lesson;
 import tompkins.studio.Studio;
 import tompkins.ui.animate.AnimationExport;
 import tompkins.ui.compare.PeekKey;
+import tompkins.ui.editor.ChooseTool;
 import tompkins.ui.editor.FileContentEditor;
-import tompkins.ui.editor.ObjectMouse;
 import tompkins.ui.exchange.ClipboardActions;
 import tompkins.ui.exchange.FileDialogs;
 import tompkins.ui.exchange.PhotographExport;
@@ -38,7 +38,6 @@ import tompkins.ui.photograph.Captions;
 import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.photograph.StatusBar;
 import tompkins.ui.photograph.WindowParts;
-import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.ray.PixelReading;
 import tompkins.ui.ride.Motion;
@@ -72,7 +71,6 @@ public final class TompkinsWindow {
     final MeasureTool measure;
     final ClipboardActions clipboard;
     private final Menus menus;
-    private final ObjectMouse mouse;
     final FullScreen fullScreen;
     private final JPanel middle = new JPanel(new BorderLayout());
     final Motion motion;
@@ -87,8 +85,10 @@ public final class TompkinsWindow {
         settings.look().install();
         place = first.file() == null ? null : ChosenFile.plain(first.file());
         model = new StudioModel(first.studio(), place);
+        // first, so that all parts have answered when it begins
+        model.addOpenListener(this::beginLesson);
         PictureListener pictures = new PictureListener();
-        view = new PhotographView(model, pictures, this::pace);
+        view = new PhotographView(model, pictures);
         // the window is built while it is worked on
         view.render();
         status = new StatusBar(view.controller());
@@ -99,10 +99,10 @@ public final class TompkinsWindow {
         parts = new WindowParts(frame, model, view, status, settings);
         dialogs = new FileDialogs(parts, this::pause);
         saver = new SceneSaver(parts, dialogs);
-        opener = new SceneOpener(parts, dialogs, saver, this::pause, this::beginLesson);
+        opener = new SceneOpener(parts, dialogs, saver, this::pause);
         captions = new Captions(
                 view.canvas(), settings, first.besideRest() || model.studio().lesson() instanceof Lesson);
-        overlays = new PictureOverlays(view.canvas(), settings, view::fail);
+        overlays = new PictureOverlays(model, view.canvas(), settings, view.asker());
         motion = new Motion(parts, strip, new AnimationExport(frame, dialogs, captions, overlays), captions);
         motion.pilot().addListener(pictures::tellLast);
         clipboard = new ClipboardActions(parts, captions, overlays);
@@ -111,17 +111,14 @@ public final class TompkinsWindow {
         // it asks for the panel and the full screen, made below, only when they are chosen
         menus = new Menus(this);
         frame.setJMenuBar(menus.bar());
-        side = new SidePanel(model, view, lesson.component(), menus.buttons(), this::tellClicks);
+        side = new SidePanel(model, view, lesson.component(), menus.buttons(), this::tellTool);
         if (first.besideRest()) {
             side.compareWithRest();
         }
+        motion.pilot().setWhenBegun(side::unsplit);
         frame.setContentPane(content());
         frame.setIconImages(WindowIcon.images());
-        mouse = new ObjectMouse(
-                parts,
-                () -> side.isEditing() && view.choosesByClick() && motion.pace() == Pace.HAND,
-                side::chosen,
-                side::edit);
+        new ChooseTool(model, view, side::isEditing, side::edit);
         view.setMenu(new PictureMenu(this));
         // also while the menus are hidden
         menus.bindKeys(frame.getRootPane());
@@ -137,6 +134,7 @@ public final class TompkinsWindow {
         frame.setSize(WindowSize.kept(frame, settings));
         size = new WindowSize(frame, settings);
         frame.setLocationRelativeTo(null);
+        model.addOpenListener(status::clear);
         model.follow(this::showTitle);
         // a layout made before the window is on its screen would be made again
         frame.addNotify();
@@ -212,13 +210,9 @@ public final class TompkinsWindow {
     }
 
     /** While all controls are there, lamps are marked in the picture, and a click chooses. */
-    private void tellClicks() {
+    private void tellTool() {
         view.canvas().repaint();
-        view.tellClicks();
-    }
-
-    private Pace pace() {
-        return motion == null ? Pace.HAND : motion.pace();
+        view.tellTool();
     }
 
     void pause() {
@@ -274,9 +268,6 @@ public final class TompkinsWindow {
         pause();
         status.stop();
         view.close();
-        overlays.close();
-        measure.dispose();
-        mouse.close();
     }
 
     private final class PictureListener implements PhotographView.Listener {
@@ -317,8 +308,8 @@ public final class TompkinsWindow {
         }
 
         @Override
-        public void clicks(PhotographView.Click now) {
-            status.show(now);
+        public void hints(String click) {
+            status.showHint(click);
         }
 
         @Override
@@ -357,10 +348,8 @@ public final class TompkinsWindow {
 
     /** Ends the innermost of what goes on. */
     void leave() {
-        if (!mouse.giveBack()
-                && !endDrag()
+        if (!endDrag()
                 && !motion.pauseIfMoving()
-                && !view.endPicking()
                 && !strip.closeIfOpen(TabStrip.Tab.MEASURE)
                 && !fullScreen.leave()) {
             BackgroundTask.cancelLast(frame);

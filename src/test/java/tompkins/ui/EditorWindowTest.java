@@ -175,7 +175,7 @@ class EditorWindowTest {
     /** As long as the editor is there a click chooses, except while clicks measure. */
     @Test
     void theLineAtTheBottomSaysWhatAClickDoes() {
-        WindowDriver.await("choosing", () -> said().equals("Click to choose an object or a lamp; drag to move it."));
+        WindowDriver.await("choosing", () -> said().equals(Texts.get("status.idle.CHOOSE")));
         driver.menu("menu.measure");
         WindowDriver.await("measuring", () -> said().equals("Click in the picture to measure there."));
         driver.menu("menu.measure");

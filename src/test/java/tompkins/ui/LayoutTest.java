@@ -21,8 +21,8 @@ import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JRootPane;
 import javax.swing.JScrollPane;
-import javax.swing.JSlider;
 import javax.swing.JTextField;
+import javax.swing.JToggleButton;
 import javax.swing.JTree;
 import javax.swing.KeyStroke;
 import org.joml.Vector3d;
@@ -41,7 +41,6 @@ import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.FrontWindow;
-import tompkins.studio.Ride;
 import tompkins.studio.StudioPath;
 import tompkins.studio.Studios;
 import tompkins.surface.LorentzWindow;
@@ -54,7 +53,6 @@ import tompkins.ui.model.Settings;
 import tompkins.ui.model.Shutters;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.photograph.PhotographView;
-import tompkins.ui.picture.Pace;
 import tompkins.ui.ride.RidePanel;
 import tompkins.ui.ride.RidePilot;
 import tompkins.ui.widget.Buttons;
@@ -119,7 +117,7 @@ class LayoutTest {
     }
 
     private SidePanel sidePanel() {
-        view = new PhotographView(model, new SilentListener(), () -> Pace.HAND);
+        view = new PhotographView(model, new SilentListener());
         JPanel slider = new JPanel();
         slider.setVisible(false);
         List<JButton> actions = List.of(Buttons.of("panel.lessons", () -> {}), Buttons.of("panel.ride", () -> {}));
@@ -185,8 +183,15 @@ class LayoutTest {
         WindowDriver.onEventThread(() -> {
             use(look, size, locale);
             RidePanel ride = new RidePanel(
-                    model, new Settings((Path) null), new RidePilot(model, message -> {}), () -> {}, studio -> {});
+                    model,
+                    new Settings((Path) null),
+                    new RidePilot(model, message -> {}),
+                    () -> {},
+                    studio -> {},
+                    letters -> {});
             ride.setShown(true);
+            Components.find(ride.component(), JToggleButton.class, Texts.get("ride.more"))
+                    .doClick();
             boolean usual = look != Look.PROJECTOR && size == 1 && locale.equals(Locale.ENGLISH);
             int needed = ride.component().getMinimumSize().width;
             Components.layOut(ride.component(), usual ? 450 : Math.max(needed, Look.pixels(40)));
@@ -194,33 +199,25 @@ class LayoutTest {
         });
     }
 
-    @Test
-    void aLongNameOfARideLeavesRoomForTheSlider() {
-        WindowDriver.onEventThread(() -> {
-            use(Look.LIGHT, 1, Locale.ENGLISH);
-            List<Ride> rides = List.of(Ride.DEFAULT, Descriptions.with(Ride.DEFAULT, "name", "far and ".repeat(40)));
-            StudioModel many = new StudioModel(Descriptions.with(Studios.sphere(), "rides", rides), null);
-            RidePanel ride = new RidePanel(
-                    many, new Settings((Path) null), new RidePilot(many, message -> {}), () -> {}, studio -> {});
-            ride.setShown(true);
-            Components.layOut(ride.component(), 660);
-            assertThat(Components.all(ride.component()).filter(JSlider.class::isInstance))
-                    .allMatch(slider -> slider.getWidth() > 120);
-        });
-    }
-
-    /** On a projector of 1024 x 768 a ride leaves most of the window to the picture. */
+    /** On a projector of 1024 x 768 a ride begins with one line of buttons. */
     @Test
     void theRideBarIsLow() {
         WindowDriver.onEventThread(() -> {
             use(Look.PROJECTOR, 1, Locale.ENGLISH);
             RidePanel ride = new RidePanel(
-                    model, new Settings((Path) null), new RidePilot(model, message -> {}), () -> {}, studio -> {});
+                    model,
+                    new Settings((Path) null),
+                    new RidePilot(model, message -> {}),
+                    () -> {},
+                    studio -> {},
+                    letters -> {});
             ride.setShown(true);
             Components.layOut(ride.component(), 700);
             Components.layOut(ride.component(), 700);
             assertThat(LayoutProblems.in(ride.component())).isEmpty();
-            assertThat(ride.component().getPreferredSize().height).isLessThan(768 / 4);
+            int line = Components.find(ride.component(), JToggleButton.class, Texts.get("ride.more"))
+                    .getHeight();
+            assertThat(ride.component().getPreferredSize().height).isLessThan(3 * line / 2);
         });
     }
 

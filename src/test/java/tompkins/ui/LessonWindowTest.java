@@ -92,7 +92,7 @@ class LessonWindowTest {
     @Test
     void oneTabIsOpenAtATime() {
         Map<String, String> tabs = new LinkedHashMap<>();
-        tabs.put("menu.ride", "ride.replay");
+        tabs.put("menu.ride", "ride.home");
         tabs.put("menu.playPanel", "play.loop");
         tabs.put("menu.measure", "measure.copy");
         assertThat(isShown("strip.close")).isFalse();

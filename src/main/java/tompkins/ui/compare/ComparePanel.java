@@ -13,10 +13,8 @@ import javax.swing.JPanel;
 import javax.swing.JRadioButton;
 import net.miginfocom.swing.MigLayout;
 import tompkins.lesson.Lesson;
-import tompkins.lesson.LessonPlan;
 import tompkins.property.Descriptions;
 import tompkins.shutter.Shutter;
-import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Comparison;
 import tompkins.ui.widget.Buttons;
@@ -62,11 +60,6 @@ public final class ComparePanel extends Part {
     private final Supplier<String> keeping;
     private String keptName;
 
-    /** What the scene that was opened teaches, and its title. */
-    private LessonPlan lesson;
-
-    private String title;
-
     /** Whether nobody asked for this comparison: it is part of the scene with which the program begins. */
     private boolean ofScene;
 
@@ -100,9 +93,8 @@ public final class ComparePanel extends Part {
         panel.add(shutters, "wmin 0");
         panel.add(views, "wmin 0");
         panel.add(hint.component(), "wmin 0");
-        lesson = model.opened().lesson();
-        title = model.opened().title();
-        model.addListener(this::follow);
+        model.addOpenListener(this::beginScene);
+        model.addListener(this::update);
         update();
     }
 
@@ -110,17 +102,10 @@ public final class ComparePanel extends Part {
      * Ends the comparison when a lesson begins, because it would show the answer beside the question. Ends the one of
      * the first scene when another scene is opened.
      */
-    private void follow() {
-        Studio opened = model.opened();
-        boolean lessonBegins =
-                opened.lesson() instanceof Lesson && !opened.lesson().equals(lesson);
-        boolean otherScene = !opened.title().equals(title);
-        lesson = opened.lesson();
-        title = opened.title();
-        if (lessonBegins || otherScene && ofScene) {
+    private void beginScene() {
+        if (ofScene || model.studio().lesson() instanceof Lesson) {
             choose(Other.NOTHING);
         }
-        update();
     }
 
     /** Chooses what to compare with, as the user does. */

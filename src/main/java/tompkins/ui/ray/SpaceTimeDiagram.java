@@ -8,6 +8,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
 import tompkins.spacetime.Event;
+import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.studio.Studio;
 import tompkins.trace.Frame;
@@ -74,28 +75,30 @@ public record SpaceTimeDiagram(
 
     /** The direction of x: that in which the camera flies, or else the object at which the ray ends. */
     private static Vector3dc along(RayLife.Encounter end, Studio studio) {
-        boolean objectAlone = studio.velocity().isRest() && end != null && end.movesByItself();
-        return Vectors.unit(
-                objectAlone
-                        ? end.rest()
-                                .motion()
-                                .toScene(studio.transformation())
-                                .worldLine()
-                                .position()
-                        : studio.velocity().givenDirection());
+        if (studio.velocity().isRest() && end != null && end.movesByItself()) {
+            Vector3d way = worldLine(end, studio, Frame.SCENE).position();
+            // where a wheel touches the ground it rests for a moment
+            if (way.lengthSquared() > 0) {
+                return Vectors.unit(way);
+            }
+        }
+        return Vectors.unit(studio.velocity().givenDirection());
     }
 
-    /** How place and time in a frame change with the proper time of what was hit. */
+    /** How place and time in a frame change along the worldline of the point that was hit. */
     private static Event worldLine(RayLife.Encounter hit, Studio studio, Frame frame) {
-        Event time = new Event(0, 0, 0, 1);
         SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
-        if (hit.frame() == Frame.CAMERA) {
-            return frame == Frame.CAMERA ? time : sceneFromCamera.transform(time);
+        Vector3dc turning = hit.rest().velocity();
+        Event own = turning == null ? new Event(0, 0, 0, 1) : new Event(turning.x(), turning.y(), turning.z(), 1);
+        FrameMotion motion = hit.rest().motion();
+        Event line =
+                motion == null ? own : motion.toScene(studio.transformation()).difference(own);
+        if (hit.frame() == frame) {
+            return line;
         }
-        Event inScene = hit.movesByItself()
-                ? hit.rest().motion().toScene(studio.transformation()).worldLine()
-                : time;
-        return frame == Frame.SCENE ? inScene : sceneFromCamera.inverse().transform(inScene);
+        return frame == Frame.SCENE
+                ? sceneFromCamera.transform(line)
+                : sceneFromCamera.inverse().transform(line);
     }
 
     private static Point2D place(Event event, Event origin, Vector3dc along) {

@@ -30,6 +30,7 @@ import tompkins.studio.Studios;
 import tompkins.surface.Mirror;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleTracer;
+import tompkins.ui.model.Pace;
 
 @Timeout(600)
 @Tag("alone")

@@ -11,6 +11,8 @@ import tompkins.camera.Camera;
 import tompkins.measure.Sighting;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.Rotating;
+import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
@@ -174,6 +176,20 @@ class SpaceTimeDiagramTest {
         SpaceTimeDiagram diagram = diagram(Studios.sphere().withScene(List.of(wall)));
         assertSlope(diagram.object(), 0.6);
         assertPlaces(diagram.path(), 0, 0, 0, -6);
+    }
+
+    /** The front of a ball, (2, 0, -1) from an axis along y, runs with 0.25 times (-1, 0, -2) when its light leaves. */
+    @Test
+    void theWorldLineOfWhatTurnsIsThatOfItsPoint() {
+        Rotating turning = new Rotating(
+                "turning",
+                new Vector3d(-2, 0, 10),
+                new Vector3d(0, 1, 0),
+                0.25,
+                Math.toDegrees(0.25 * 9),
+                List.of(new Sphere("ball", new Vector3d(0, 0, 10), 1, ColouredSurface.DEFAULT)));
+        Studio scene = Studios.sphere().withScene(List.of(turning));
+        assertSlope(diagram(scene).object(), 0.25 * Math.sqrt(5));
     }
 
     @Test
