@@ -95,7 +95,7 @@ public final class Experiment {
             Studio changed = at(path, () -> studio(other));
             Experiment there = changed.equals(studio()) ? this : with(changed);
             double value = there.measure(other.measurement(), path + ".measurement");
-            if (there != this && changed.withCamera(studio().camera()).equals(studio())) {
+            if (there != this && isOneView(changed)) {
                 // another moment of the same view
                 add(there.sketch());
             }
@@ -176,6 +176,12 @@ public final class Experiment {
         Vector2dc pixel = inPixels(point);
         points.add(pixel);
         return pixel;
+    }
+
+    /** Whether another studio shows the same scene from the same camera, at another time perhaps. */
+    private boolean isOneView(Studio other) {
+        return other.withCamera(other.camera().withShutter(studio().camera().shutter()))
+                .equals(studio());
     }
 
     private void add(Sketch other) {

@@ -42,10 +42,11 @@ final class LensWays {
             double way = fromLens.dot(life.cameraDirection());
             Event passing = new Event(
                     focus.x(), focus.y(), focus.z(), life.cameraStart().time() - way);
-            Vector2dc seen =
-                    projection.position(scene, sceneFromCamera.transform(passing).position());
+            Vector2dc seen = projection.position(
+                    scene, sceneFromCamera.transform(passing).position());
             if (seen == null) {
-                throw new InvalidPropertyException("point", "where the middle of the lens sees it", "one that it does not");
+                throw new InvalidPropertyException(
+                        "point", "where the middle of the lens sees it", "one that it does not");
             }
             passed.add(seen);
         }
