@@ -314,7 +314,7 @@ class LessonWindowTest {
     @Test
     void aSheetIsSavedFromTheMenu() throws IOException {
         begin();
-        driver.menu(Texts.get("menu.lessonSheet"));
+        driver.menu("menu.lessonSheet");
         JScrollPane accessory = (JScrollPane) driver.chooser().getAccessory();
         JList<?> lessons = (JList<?>) accessory.getViewport().getView();
         assertThat(WindowDriver.onEventThread(lessons::getSelectedValue)).isEqualTo(cube.title());
