@@ -200,7 +200,8 @@ public record LessonSheet(LessonStudio lesson, byte[] question, List<Shown> meas
     private static String figure(Shown shown, String size) {
         String caption = text(shown.caption);
         return "<figure class=\"" + size + "\"><img alt=\"" + caption + "\" src=\"data:image/png;base64,"
-                + Base64.getEncoder().encodeToString(shown.png) + "\">" + tag("figcaption", caption).strip() + "</figure>\n";
+                + Base64.getEncoder().encodeToString(shown.png) + "\">"
+                + tag("figcaption", caption).strip() + "</figure>\n";
     }
 
     private static String lines(int count) {

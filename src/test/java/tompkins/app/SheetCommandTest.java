@@ -59,13 +59,15 @@ class SheetCommandTest {
         Path fast = LESSON.resolveSibling("lesson-05-faster-than-light.json");
         Path twins = LESSON.resolveSibling("lesson-18-twins.json");
         Path sheet = folder.resolve("sheet.html");
-        assertThat(ProgramRun.of("sheet", fast, twins, "-o", sheet, "--size", "40x20").code())
+        assertThat(ProgramRun.of("sheet", fast, twins, "-o", sheet, "--size", "40x20")
+                        .code())
                 .isZero();
 
         String[] sections = sections();
         assertThat(sections).hasSize(5);
         assertThat(captions(sections[1])).containsExactly("Time of the photograph: 10000");
-        assertThat(captions(sections[2])).containsExactly("Time of the photograph: 10005", "Time of the photograph: 10006");
+        assertThat(captions(sections[2]))
+                .containsExactly("Time of the photograph: 10005", "Time of the photograph: 10006");
         assertThat(captions(sections[4]))
                 .containsExactly(
                         "Your watch on the way out (min): 3",

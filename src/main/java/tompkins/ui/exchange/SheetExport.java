@@ -73,7 +73,8 @@ public final class SheetExport {
                 files -> dialogs.exported(files.get(0), List.of(Texts.get("sheet.answers", files.get(1)))));
     }
 
-    private static List<LessonSheet> sheets(List<Studio> lessons, Progress progress) throws IOException, InterruptedException {
+    private static List<LessonSheet> sheets(List<Studio> lessons, Progress progress)
+            throws IOException, InterruptedException {
         List<LessonSheet> sheets = new ArrayList<>();
         try (PhotographTaker taker = new PhotographTaker()) {
             for (Studio studio : lessons) {
