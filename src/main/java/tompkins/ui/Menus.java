@@ -143,6 +143,7 @@ final class Menus {
         add(menu, "menu.saveScene", "ctrl S", window.saver::save);
         add(menu, "menu.saveSceneAs", "ctrl shift S", window.saver::saveAs);
         add(menu, "menu.savePhotograph", "ctrl shift E", window::savePhotograph);
+        add(menu, "menu.lessonSheet", null, window::saveLessonSheet);
         menu.addSeparator();
         add(menu, "menu.copyPicture", "ctrl shift C", window.clipboard::copyPicture);
         menu.addSeparator();

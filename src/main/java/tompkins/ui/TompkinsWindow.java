@@ -24,6 +24,7 @@ import tompkins.ui.exchange.FileDialogs;
 import tompkins.ui.exchange.PhotographExport;
 import tompkins.ui.exchange.SceneOpener;
 import tompkins.ui.exchange.SceneSaver;
+import tompkins.ui.exchange.SheetExport;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.ChosenFile;
 import tompkins.ui.lesson.LessonCourse;
@@ -325,6 +326,10 @@ public final class TompkinsWindow {
 
     void savePhotograph() {
         new PhotographExport(parts, dialogs).ask();
+    }
+
+    void saveLessonSheet() {
+        new SheetExport(parts, dialogs).ask(course.lessons());
     }
 
     void setLook(Look look) {
