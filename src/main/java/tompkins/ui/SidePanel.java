@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.BorderLayout;
+import java.awt.CardLayout;
 import java.awt.Dimension;
 import java.util.List;
 import java.util.stream.Stream;
@@ -57,7 +58,7 @@ final class SidePanel {
     private final JToggleButton all = new JToggleButton(Texts.get("panel.all"));
     private final JPanel panel = new Column();
     private final JScrollPane scroll = scroll("panel", panel);
-    private final JPanel tab = new JPanel(new BorderLayout());
+    private final JPanel tab = new JPanel(new CardLayout());
     private final JPanel controls = Rows.column();
     private final Column rayPanel = new Column();
 
@@ -96,7 +97,7 @@ final class SidePanel {
         Naming.name(all, "panel.all");
         all.addItemListener(event -> turn());
         fillControls(lesson);
-        tab.add(scroll);
+        tab.add(scroll, "few");
         room.add(head, BorderLayout.NORTH);
         room.add(split, BorderLayout.CENTER);
         rayPanel.add(ray.component());
@@ -170,13 +171,10 @@ final class SidePanel {
     private void turn() {
         if (editor == null) {
             editor = new SceneEditor(model);
+            tab.add(editor.component(), "all");
         }
-        tab.removeAll();
-        tab.add(all.isSelected() ? editor.component() : scroll);
-        // it may have been made, or hidden, under another look
-        SwingUtilities.updateComponentTreeUI(tab);
+        ((CardLayout) tab.getLayout()).show(tab, all.isSelected() ? "all" : "few");
         room.revalidate();
-        room.repaint();
         turned.run();
     }
 

@@ -25,6 +25,7 @@ import tompkins.studio.Studios;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.ProseArea;
+import tompkins.ui.widget.Texts;
 
 /** What undo and reset do to values that were typed and not taken. */
 @Timeout(600)
@@ -58,13 +59,13 @@ class HistoryTest {
     void aRefusedValueIsTakenBackAndNothingElse() {
         driver.type(field("Speed"), "0.5");
         Studio fast = driver.studio();
-        driver.type(field("Direction x"), "1e400");
-        assertThat(Components.isMarked(field("Direction x"))).isTrue();
-        JTextField refused = field("Direction x");
-        driver.click(field("Focus"));
+        driver.type(field("Aperture"), "1e400");
+        assertThat(Components.isMarked(field("Aperture"))).isTrue();
+        JTextField refused = field("Aperture");
+        driver.click(field("Aperture"));
         undo();
         WindowDriver.await("the end of the refused value", () -> !Components.isMarked(refused));
-        assertThat(field("Direction x").getText()).isEqualTo("0");
+        assertThat(field("Aperture").getText()).isEqualTo("0");
         assertThat(driver.studio()).isSameAs(fast);
         undo();
         assertThat(driver.studio()).isEqualTo(Studios.sphere());
@@ -196,9 +197,9 @@ class HistoryTest {
     /** What is folded away is neither lost nor in the way for ever. */
     @Test
     void aRefusedValueThatIsFoldedAwayIsTakenBackToo() {
-        JTextField refused = field("Direction x");
+        JTextField refused = field("Aperture");
         driver.type(refused, "1e400");
-        driver.click(driver.find(JToggleButton.class, "Camera velocity"));
+        driver.click(driver.find(JToggleButton.class, Texts.get("panel.all")));
         undo();
         assertThat(Components.isMarked(refused)).isFalse();
         assertThat(driver.studio()).isEqualTo(Studios.sphere());
@@ -207,11 +208,11 @@ class HistoryTest {
     @Test
     void resettingTakesBackRefusedValuesToo() {
         driver.type(field("Speed"), "0.5");
-        driver.type(field("Focus"), "0");
+        driver.type(field("Aperture"), "-1");
         driver.type(field("Field of view (\u00b0)"), "1000");
-        assertThat(Components.isMarked(field("Focus"))).isTrue();
+        assertThat(Components.isMarked(field("Aperture"))).isTrue();
         driver.key(KeyEvent.VK_R, KeyEvent.VK_CONTROL);
-        assertThat(Components.isMarked(field("Focus"))).isFalse();
+        assertThat(Components.isMarked(field("Aperture"))).isFalse();
         assertThat(Components.isMarked(field("Field of view (\u00b0)"))).isFalse();
         assertThat(driver.studio()).isEqualTo(Studios.sphere());
     }

@@ -38,6 +38,7 @@ import tompkins.studio.Studios;
 import tompkins.studio.View;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.ride.RidePilot;
+import tompkins.ui.widget.Texts;
 
 /** The camera is steered in the real window, with mouse and keys. */
 @Timeout(600)
@@ -329,7 +330,7 @@ class RideTest {
 
     @Test
     void rideBeginsWhereverTheFocusIs() {
-        driver.click(driver.find(JButton.class, "Sideways"));
+        driver.click(driver.find(JTextField.class, "Speed"));
         driver.key(KeyEvent.VK_F6);
         WindowDriver.await("the ride", () -> driver.window().motion().pilot().isRiding());
         driver.hold(KeyEvent.VK_W);
@@ -337,7 +338,7 @@ class RideTest {
                 "thrust",
                 () -> driver.window().model().studio().velocity().direction().z() > 0.01);
         driver.release(KeyEvent.VK_W);
-        driver.click(driver.find(JButton.class, "Ride through this scene (F6)"));
+        driver.click(driver.find(JButton.class, Texts.get("panel.ride")));
         assertThat(driver.window().motion().pilot().isRiding()).isFalse();
     }
 
@@ -346,7 +347,8 @@ class RideTest {
     void keysSteerAfterAClickAtASwitch() {
         driver.key(KeyEvent.VK_F6);
         more();
-        driver.click(driver.find(JToggleButton.class, "Measured"));
+        JComboBox<?> view = driver.find(JComboBox.class, "View");
+        WindowDriver.onEventThread(() -> view.setSelectedItem(View.MEASURED));
         assertThat(driver.studio().view()).isEqualTo(View.MEASURED);
         double before = driver.studio().velocity().speed();
         driver.hold(KeyEvent.VK_W);
