@@ -47,7 +47,7 @@ final class SidePanel {
     private static final double FEW = 21;
 
     private static final double LESSON = 25;
-    static final double FORM = 28;
+    static final double FORM = 29;
 
     /** Where the place of the pinned ray begins, as a fraction of the height. */
     private static final double RAY_BEGINS = 0.45;
@@ -55,10 +55,12 @@ final class SidePanel {
     private final StudioModel model;
     private final Runnable turned;
     private final JPanel room = new Room();
+    private final JPanel head = Rows.of("gap 4, insets 4 6 0 6", "[grow,fill][grow,fill][grow,fill]");
     private final JToggleButton all = new JToggleButton(Texts.get("panel.all"));
     private final JPanel panel = new Column();
     private final JScrollPane scroll = scroll("panel", panel);
     private final JPanel tab = new JPanel(new CardLayout());
+    private final JPanel heading = Rows.of("hidemode 3, gap 6", "[grow,fill][pref!]");
     private final JPanel controls = Rows.column();
     private final Column rayPanel = new Column();
 
@@ -89,10 +91,9 @@ final class SidePanel {
         this.turned = turned;
         compare = new ComparePanel(model, view::compare, view::keepPicture);
         ray = new RaySection(model, () -> view.setPin(null), view::askCone, this::edit);
-        JPanel head = Rows.of("gap 4, insets 6 6 2 6", "[grow,fill]".repeat(actions.size() + 1));
         for (AbstractButton button : Stream.concat(actions.stream(), Stream.of(all)).toList()) {
             button.putClientProperty(FlatClientProperties.STYLE, "margin: 2,4,2,4; minimumWidth: 0");
-            head.add(button, "wmin 0");
+            head.add(button);
         }
         Naming.name(all, "panel.all");
         all.addItemListener(event -> turn());
@@ -115,7 +116,6 @@ final class SidePanel {
 
     private void fillControls(JComponent lesson) {
         title.component().setName("remarks.title");
-        JPanel heading = Rows.of("hidemode 3, gap 6", "[grow,fill][pref!]");
         heading.add(title.component(), "wmin 0");
         heading.add(remarks.button());
         panel.add(heading, "wmin 0");
@@ -154,6 +154,7 @@ final class SidePanel {
         }
         if (controls.isVisible() == ofLesson) {
             controls.setVisible(!ofLesson);
+            heading.setVisible(!ofLesson);
             room.revalidate();
         }
     }
@@ -262,7 +263,8 @@ final class SidePanel {
         public Dimension getPreferredSize() {
             double sizes = all.isSelected() ? FORM : isLesson() ? LESSON : FEW;
             int texts = panel.getMinimumSize().width + scroll.getVerticalScrollBar().getPreferredSize().width;
-            return new Dimension(Math.max(Look.pixels(sizes), texts), 0);
+            int least = Math.max(texts, head.getMinimumSize().width) + 1;
+            return new Dimension(Math.max(Look.pixels(sizes), least), 0);
         }
     }
 }

@@ -108,7 +108,7 @@ class EveryFieldTest {
         play.setPlaying(false);
         model.reset();
         enterAll(panel, model);
-        assertThat(changes).as("entries that were taken").isGreaterThan(10);
+        assertThat(changes).as("entries that were taken").isGreaterThan(5);
     }
 
     @Test
@@ -149,7 +149,7 @@ class EveryFieldTest {
     /** Many scenes, with all kinds of objects, cameras and backgrounds among them. */
     @ParameterizedTest
     @ValueSource(
-            strings = {"fig4", "motion-carousel", "stereo-panorama", "lesson-12-shutters", "telescope", "fig2b"})
+            strings = {"fig4", "motion-carousel", "stereo-panorama", "lesson-02-turned-cube", "telescope", "fig2b"})
     void everyNumberOfASceneIsReachedInTheForm(String scene) throws IOException {
         StudioModel model = new StudioModel(BundledScenes.studio(scene + ".json"), null);
         SceneEditor editor = new SceneEditor(model);
@@ -177,7 +177,8 @@ class EveryFieldTest {
     /** Types other values into a field until one is taken, notes what that changed, and takes it back. */
     private static void changeOne(JPanel panel, int number, StudioModel model, Set<String> changed) {
         Studio before = model.studio();
-        for (String text : List.of("0.5", "7", "0.25", "60", "1", "3", "0", "another")) {
+        String now = fields(panel).get(number).field().getText();
+        for (String text : List.of("0.5", "7", "60", "1", "0", now + "1", now + ".0001", "another")) {
             EntryField field = fields(panel).get(number);
             field.enter(text);
             field.revert();

@@ -8,7 +8,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
-import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
@@ -282,15 +281,9 @@ class HistoryTest {
     void aStepToAnotherSceneIsSpokenOf() {
         driver.type(field("Speed"), "0.5");
         driver.key(KeyEvent.VK_N, KeyEvent.VK_CONTROL);
-        WindowDriver.await(
-                "the editor",
-                () -> Components.showing(driver.window().frame(), JDialog.class).anyMatch(JDialog::isFocused));
-        driver.key(KeyEvent.VK_ESCAPE);
-        WindowDriver.await(
-                "its end",
-                () -> Components.showing(driver.window().frame(), JDialog.class)
-                        .findAny()
-                        .isEmpty());
+        WindowDriver.await("the form", () -> driver.window().side().isEditing());
+        driver.key(KeyEvent.VK_E, KeyEvent.VK_CONTROL);
+        WindowDriver.await("the few controls", () -> !driver.window().side().isEditing());
         Studio begun = driver.studio();
         driver.type(field("Speed"), "0.7");
         undo();

@@ -368,14 +368,14 @@ class SceneFilesTest {
         save();
         JLabel what = driver.find(JLabel.class, "status.what");
         WindowDriver.await("the message", () -> what.getText().equals("Saved " + file));
-        JTextField focus = driver.find(JTextField.class, "Focus");
-        driver.type(focus, "0");
-        assertThat(Components.isMarked(focus)).isTrue();
+        JTextField aperture = driver.find(JTextField.class, "Aperture");
+        driver.type(aperture, "-1");
+        assertThat(Components.isMarked(aperture)).isTrue();
         Path other = folder.resolve("box.json");
         StudioWriter.save(BOX, other, true);
         openFile(other);
         assertThat(what.getText()).doesNotContain("Saved");
-        assertThat(Components.isMarked(focus)).isFalse();
+        assertThat(Components.isMarked(aperture)).isFalse();
     }
 
     @Test

@@ -336,7 +336,7 @@ class WindowQuestionsTest {
     /** Too low for all of the panel. */
     private void makeLow() {
         WindowDriver.onEventThread(() -> {
-            driver.window().frame().setSize(900, 500);
+            driver.window().frame().setSize(900, 400);
             driver.window().frame().validate();
         });
     }

@@ -380,10 +380,11 @@ class WindowTest {
                 "the other picture alone",
                 () -> canvas.shownAt(atLeft) == canvas.shown().other());
         // the key may be let go of in another window
-        driver.menu("menu.editScene");
+        driver.menu("menu.about");
         WindowDriver.await(
                 "both pictures", () -> canvas.shownAt(atLeft) == canvas.shown().now());
         driver.release(KeyEvent.VK_F8);
+        driver.key(KeyEvent.VK_ESCAPE);
         JComboBox<?> both = driver.find(JComboBox.class, "Both pictures");
         WindowDriver.onEventThread(() -> both.setSelectedItem(Comparison.DIFFERENCE));
         WindowDriver.await("the difference", () -> canvas.shown().difference() != null);

@@ -33,7 +33,7 @@ public final class StudioRow {
     private final StudioPath part;
 
     private final Function<Studio, Range> range;
-    private final Note note = new Note("");
+    private final Note note;
     private final JLabel label;
     private final ValueEditor editor;
     private final JPanel cell = Rows.of("hidemode 3, gap 6 4", "[grow,fill][pref!]");
@@ -43,7 +43,7 @@ public final class StudioRow {
 
     /** A row without a slider. */
     public StudioRow(StudioModel model, String path, String name) {
-        this(model, path, name, null);
+        this(model, path, name, new Note(""), null);
     }
 
     /**
@@ -51,10 +51,12 @@ public final class StudioRow {
      *
      * @param path the way from the studio, such as {@code camera.shutter.openingTime}
      * @param name the name that stands before it
+     * @param note what is said below it
      * @param range where its slider runs, by the studio; null for none
      */
-    public StudioRow(StudioModel model, String path, String name, Function<Studio, Range> range) {
+    public StudioRow(StudioModel model, String path, String name, Note note, Function<Studio, Range> range) {
         this.model = model;
+        this.note = note;
         this.range = range;
         number = StudioPath.parse(path).orElseThrow();
         StudioPath way = StudioPath.ROOT;
@@ -96,7 +98,7 @@ public final class StudioRow {
     /** Adds the row to a panel of {@link Rows}, and follows the studio from now on. */
     public void addTo(JPanel panel) {
         panel.add(label);
-        panel.add(cell, "span, growx, wmin 0");
+        panel.add(cell, slider == null ? "span, growx, wmin 0" : "span, growx");
         if (slider == null) {
             cell.add(editor.component(), "span, wmin 0");
         } else if (part.equals(number)) {
@@ -109,11 +111,6 @@ public final class StudioRow {
         }
         panel.add(note.component(), "span, growx, wmin 0");
         model.follow(this::update);
-    }
-
-    /** What is said below the row. */
-    public Note note() {
-        return note;
     }
 
     private void update() {

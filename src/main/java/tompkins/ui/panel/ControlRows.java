@@ -1,6 +1,7 @@
 package tompkins.ui.panel;
 
 import java.util.List;
+import java.util.function.Function;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
@@ -24,24 +25,34 @@ public final class ControlRows extends Part {
     private final StudioModel model;
     private final SceneSize size = new SceneSize();
 
+    /** Has room for what may be wrong. */
+    private final Note speedNote = Note.ofLines(3);
+
+
     /** The rows for a model, which follow its studio. */
     public ControlRows(StudioModel model) {
         super(Rows.of("wrap 2, hidemode 3, gap 6 5", "[pref!][grow,fill]"));
         this.model = model;
-        StudioRow speed =
-                new StudioRow(model, "velocity.beta", Texts.get("speed.name"), studio -> Range.speeds(FASTEST));
         List<StudioRow> rows = List.of(
-                speed,
-                new StudioRow(model, "colours", Texts.get("row.colours")),
-                new StudioRow(model, "view", Texts.get("row.view")),
-                new StudioRow(model, "camera.shutter", Texts.get("row.shutter")),
-                new StudioRow(model, "camera.shutter.openingTime", Texts.get("row.openingTime"), size::times),
-                new StudioRow(model, "camera.exposureTime", Texts.get("row.exposureTime"), this::exposures),
-                new StudioRow(model, "camera.apertureRadius", Texts.get("row.aperture")),
-                new StudioRow(model, "camera.horizontalAngleDegrees", Texts.get("row.angle")),
-                new StudioRow(model, "camera.exposureStops", Texts.get("row.exposure")));
+                row("velocity.beta", "speed.name", speedNote, studio -> Range.speeds(FASTEST)),
+                row("colours", "row.colours"),
+                row("view", "row.view"),
+                row("camera.shutter", "row.shutter"),
+                row("camera.shutter.openingTime", "row.openingTime", new Note(""), size::times),
+                row("camera.exposureTime", "row.exposureTime", new Note(""), this::exposures),
+                row("camera.apertureRadius", "row.aperture"),
+                row("camera.horizontalAngleDegrees", "row.angle"),
+                row("camera.exposureStops", "row.exposure"));
         rows.forEach(row -> row.addTo(panel));
-        model.follow(() -> tellVelocity(speed.note()));
+        model.follow(this::tellVelocity);
+    }
+
+    private StudioRow row(String path, String name) {
+        return row(path, name, new Note(""), null);
+    }
+
+    private StudioRow row(String path, String name, Note note, Function<Studio, Range> range) {
+        return new StudioRow(model, path, Texts.get(name), note, range);
     }
 
     private Range exposures(Studio studio) {
@@ -49,7 +60,7 @@ public final class ControlRows extends Part {
     }
 
     /** Says what the speed is in other notations, or that there are no pictures at this speed. */
-    private void tellVelocity(Note note) {
+    private void tellVelocity() {
         Velocity now = model.studio().velocity();
         TransformationLaw law = model.studio().transformation();
         String beta = SpeedText.vector(now);
@@ -59,6 +70,6 @@ public final class ControlRows extends Part {
             case GALILEAN -> Texts.get("velocity.beta", beta);
             case NONE -> Texts.get("velocity.ignored", beta);
         };
-        law.warning(now).ifPresentOrElse(note::setUsualError, () -> note.setUsual(numbers));
+        law.warning(now).ifPresentOrElse(speedNote::setUsualError, () -> speedNote.setUsual(numbers));
     }
 }

@@ -142,7 +142,7 @@ public final class RidePanel extends Part {
         more.add(export);
         JPanel views = Rows.panel();
         new StudioRow(model, "view", Texts.get("row.view")).addTo(views);
-        more.add(views, "gapleft push, wmin pref, wrap");
+        more.add(views, "gapleft push, wmin 0, wrap");
         more.add(keyboard, "span, split 2, wmin pref");
         more.add(keys.component(), "growx, wmin 0, wrap");
         more.add(note.component(), "span, growx, wmin 0");

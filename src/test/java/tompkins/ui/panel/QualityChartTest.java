@@ -7,6 +7,7 @@ import java.awt.event.ActionEvent;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
@@ -14,6 +15,7 @@ import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
 import org.jfree.chart.ChartPanel;
 import org.jfree.chart.plot.XYPlot;
+import org.jfree.data.xy.XYDataset;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -87,13 +89,15 @@ class QualityChartTest {
     void pointsAppearWhileTheyAreMeasured() {
         WindowDriver.onEventThread(() -> {
             dialog().dispose();
-            model.set(Studios.sphere().withSettings(Studio.DEFAULT.settings().withSize(80, 8)));
+            model.set(Studios.sphere().withSettings(Studio.DEFAULT.settings().withSize(160, 16)));
             QualityChart.open(model, frame);
         });
         WindowDriver.await("all points", () -> state().startsWith("Click a point"));
         WindowDriver.onEventThread(() -> {
             ChartPanel chart = Components.find(dialog().getContentPane(), ChartPanel.class, "chart");
-            assertThat(chart.getChart().getXYPlot().getDataset().getItemCount(0)).isGreaterThan(3);
+            XYDataset curves = chart.getChart().getXYPlot().getDataset();
+            assertThat(IntStream.range(0, curves.getSeriesCount()).map(curves::getItemCount).sum())
+                    .isGreaterThan(5);
             dialog().getRootPane()
                     .getActionForKeyStroke(KeyStroke.getKeyStroke("ESCAPE"))
                     .actionPerformed(new ActionEvent(frame, ActionEvent.ACTION_PERFORMED, ""));
