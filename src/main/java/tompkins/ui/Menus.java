@@ -132,7 +132,11 @@ final class Menus {
 
     private JMenu fileMenu() {
         JMenu menu = menu("menu.file");
-        add(menu, "menu.new", "ctrl N", () -> window.opener.begin(() -> window.side().edit(StudioPath.ROOT)));
+        add(
+                menu,
+                "menu.new",
+                "ctrl N",
+                () -> window.opener.begin(() -> window.side().edit(StudioPath.ROOT)));
         add(menu, "menu.open", "ctrl O", window.opener::open);
         JMenu recent = new JMenu(Texts.get("menu.recent"));
         recent.setName("menu.recent");
@@ -279,10 +283,14 @@ final class Menus {
         JMenu menu = new JMenu(Texts.get("menu.look"));
         menu.setName("menu.look");
         for (CameraViews view : CameraViews.values()) {
-            add(menu, "menu.look." + view, null, () -> view.of(window.model().studio())
-                    .ifPresentOrElse(
-                            window.model()::set,
-                            () -> window.parts.status().report(Texts.get("tree.nothingToLookAt"))));
+            add(
+                    menu,
+                    "menu.look." + view,
+                    null,
+                    () -> view.of(window.model().studio())
+                            .ifPresentOrElse(
+                                    window.model()::set,
+                                    () -> window.parts.status().report(Texts.get("tree.nothingToLookAt"))));
         }
         return menu;
     }

@@ -85,13 +85,13 @@ final class SidePanel {
      * @param actions what stands above both tabs, beside the button that turns to the other one
      * @param turned notified when the other tab is shown
      */
-    SidePanel(
-            StudioModel model, PhotographView view, JComponent lesson, List<JButton> actions, Runnable turned) {
+    SidePanel(StudioModel model, PhotographView view, JComponent lesson, List<JButton> actions, Runnable turned) {
         this.model = model;
         this.turned = turned;
         compare = new ComparePanel(model, view::compare, view::keepPicture);
         ray = new RaySection(model, () -> view.setPin(null), view::askCone, this::edit);
-        for (AbstractButton button : Stream.concat(actions.stream(), Stream.of(all)).toList()) {
+        for (AbstractButton button :
+                Stream.concat(actions.stream(), Stream.of(all)).toList()) {
             button.putClientProperty(FlatClientProperties.STYLE, "margin: 2,4,2,4; minimumWidth: 0");
             head.add(button);
         }
@@ -262,7 +262,8 @@ final class SidePanel {
         @Override
         public Dimension getPreferredSize() {
             double sizes = all.isSelected() ? FORM : isLesson() ? LESSON : FEW;
-            int texts = panel.getMinimumSize().width + scroll.getVerticalScrollBar().getPreferredSize().width;
+            int texts =
+                    panel.getMinimumSize().width + scroll.getVerticalScrollBar().getPreferredSize().width;
             int least = Math.max(texts, head.getMinimumSize().width) + 1;
             return new Dimension(Math.max(Look.pixels(sizes), least), 0);
         }

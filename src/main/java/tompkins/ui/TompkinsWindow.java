@@ -353,10 +353,7 @@ public final class TompkinsWindow {
 
     /** Ends the innermost of what goes on. */
     void leave() {
-        if (!endDrag()
-                && !motion.pauseIfMoving()
-                && !strip.closeIfOpen(TabStrip.Tab.MEASURE)
-                && !fullScreen.leave()) {
+        if (!endDrag() && !motion.pauseIfMoving() && !strip.closeIfOpen(TabStrip.Tab.MEASURE) && !fullScreen.leave()) {
             BackgroundTask.cancelLast(frame);
         }
     }

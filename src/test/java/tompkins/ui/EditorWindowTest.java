@@ -81,7 +81,10 @@ class EditorWindowTest {
                 .isTrue();
         driver.key(KeyEvent.VK_F1);
         WindowDriver.await(
-                "the keys", () -> Components.showing(driver.window().frame(), JDialog.class).findAny().isPresent());
+                "the keys",
+                () -> Components.showing(driver.window().frame(), JDialog.class)
+                        .findAny()
+                        .isPresent());
         driver.key(KeyEvent.VK_ESCAPE);
     }
 

@@ -42,7 +42,6 @@ import tompkins.studio.StudioPath;
 import tompkins.studio.Studios;
 import tompkins.surface.GalileoWindow;
 import tompkins.surface.LorentzWindow;
-import tompkins.ui.Components;
 import tompkins.ui.animate.PlayPanel;
 import tompkins.ui.editor.RecordForm;
 import tompkins.ui.editor.SceneEditor;
@@ -100,10 +99,7 @@ class EveryFieldTest {
         StudioModel model = new StudioModel(studio, null);
         JPanel panel = new JPanel();
         PlayPanel play = new PlayPanel(model, (scene, animation) -> {}, number -> {});
-        Stream.of(
-                        new ControlRows(model).component(),
-                        play.component())
-                .forEach(panel::add);
+        Stream.of(new ControlRows(model).component(), play.component()).forEach(panel::add);
         play.run(NumberProperty.speed(SpeedScale.BETA));
         play.setPlaying(false);
         model.reset();
@@ -212,7 +208,8 @@ class EveryFieldTest {
         all.stream()
                 .filter(each -> {
                     StudioPath way = StudioPath.parse(each).orElseThrow();
-                    return way.length(now) == way.steps().size() && !way.get(before).equals(way.get(now));
+                    return way.length(now) == way.steps().size()
+                            && !way.get(before).equals(way.get(now));
                 })
                 .forEach(found::add);
     }

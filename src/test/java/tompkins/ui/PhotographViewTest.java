@@ -227,8 +227,7 @@ class PhotographViewTest {
             });
             String measures = Texts.get("status.idle.MEASURE");
             String chooses = Texts.get("status.idle.CHOOSE");
-            assertThat(told)
-                    .containsExactly(measures, "", chooses, measures, chooses);
+            assertThat(told).containsExactly(measures, "", chooses, measures, chooses);
         }
     }
 

@@ -1,24 +1,14 @@
 package tompkins.ui.compare;
 
-import java.util.EnumMap;
-import java.util.List;
-import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import java.util.stream.Stream;
-import javax.swing.ButtonGroup;
-import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
-import javax.swing.JRadioButton;
-import net.miginfocom.swing.MigLayout;
 import tompkins.lesson.Lesson;
 import tompkins.property.Descriptions;
 import tompkins.shutter.Shutter;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Comparison;
-import tompkins.ui.widget.Buttons;
-import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Part;
@@ -52,8 +42,8 @@ public final class ComparePanel extends Part {
 
     private final JComboBox<Other> others = new JComboBox<>(Other.values());
     private final JComboBox<Class<?>> shutters = new JComboBox<>();
-    private final JComboBox<Comparison> views = new JComboBox<>(
-            new Comparison[] {Comparison.SPLIT, Comparison.BESIDE, Comparison.DIFFERENCE});
+    private final JComboBox<Comparison> views =
+            new JComboBox<>(new Comparison[] {Comparison.SPLIT, Comparison.BESIDE, Comparison.DIFFERENCE});
     private final Note hint = Note.ofLines(2);
     private final StudioModel model;
     private final Consumer<Compared> changed;

@@ -78,7 +78,8 @@ final class InPicture {
         Vector3d[] corners = part.bounds().corners();
         SeenFrame frame = new SeenFrame(projection.studio(), part.motion());
         return Stream.of(corners)
-                .flatMap(from -> Stream.of(corners).map(to -> from.add(to, new Vector3d()).mul(0.5)))
+                .flatMap(from -> Stream.of(corners)
+                        .map(to -> from.add(to, new Vector3d()).mul(0.5)))
                 .anyMatch(point -> projection.shows(projection.position(frame, point)));
     }
 

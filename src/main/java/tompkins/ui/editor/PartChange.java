@@ -31,6 +31,9 @@ final class PartChange {
         Class<?> shutter = camera.shutter().getClass();
         boolean otherShutter = camera.getClass() == studio.camera().getClass()
                 && shutter != studio.camera().shutter().getClass();
-        return otherShutter ? Shutters.replaced(changed.withCamera(camera.withShutter(studio.camera().shutter())), shutter) : changed;
+        return otherShutter
+                ? Shutters.replaced(
+                        changed.withCamera(camera.withShutter(studio.camera().shutter())), shutter)
+                : changed;
     }
 }

@@ -246,8 +246,8 @@ public final class SceneEditor extends Part {
         hide.setEnabled(element && line.type() == SceneObject.class);
         boolean hidden = element && line.path().get(model.studio()) instanceof Hidden;
         hide.setText(Texts.get(hidden ? "tree.show" : "tree.hide"));
-        match.setVisible(line.path().isWithin(ON_BOARD)
-                && FrontWindow.of(model.studio()).isPresent());
+        match.setVisible(
+                line.path().isWithin(ON_BOARD) && FrontWindow.of(model.studio()).isPresent());
         match.setEnabled(!FrontWindow.matches(model.studio()));
     }
 
@@ -301,7 +301,8 @@ public final class SceneEditor extends Part {
     /** Puts a window in front of the lens, with the velocity of the camera. */
     private void addWindow(Class<?> type) {
         if (takesEntries()) {
-            FrameWindow window = ((FrameWindow) Descriptions.standard(type)).withVelocity(model.studio().velocity());
+            FrameWindow window = ((FrameWindow) Descriptions.standard(type))
+                    .withVelocity(model.studio().velocity());
             model.set(FrontWindow.with(model.studio(), window));
             select(ON_BOARD.then(0));
         }
@@ -319,9 +320,8 @@ public final class SceneEditor extends Part {
         Studio studio = model.studio();
         boolean hides = path.equals(SCENE) && !isFirstObject(path);
         Object made = NewObject.of(type, before, plane -> !hides || InPicture.isSeen(studio, plane));
-        Object added = path.equals(SCENE) && made instanceof SceneObject object
-                ? InPicture.inSight(studio, object)
-                : made;
+        Object added =
+                path.equals(SCENE) && made instanceof SceneObject object ? InPicture.inSight(studio, object) : made;
         List<Object> longer = new ArrayList<>(before);
         longer.add(place, added);
         if (isFirstObject(path)) {

@@ -70,8 +70,7 @@ public final class StudioRow {
             }
         }
         part = way;
-        editor = ValueEditors.of(
-                component, note, value -> model.set(PartChange.with(model.studio(), part, value)));
+        editor = ValueEditors.of(component, note, value -> model.set(PartChange.with(model.studio(), part, value)));
         label = new JLabel(name);
         label.setLabelFor(editor.component());
         String tip = Wording.meaning(component);

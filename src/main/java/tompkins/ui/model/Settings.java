@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Properties;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
-import tompkins.file.FileFailure;
+import tompkins.file.FileException;
 import tompkins.file.PendingFile;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
@@ -81,7 +81,7 @@ public final class Settings {
         } catch (CharacterCodingException | IllegalArgumentException damaged) {
             tell(Texts.get("settings.notRead", file, Texts.get("settings.notOurs")));
         } catch (IOException failure) {
-            tell(Texts.get("settings.notRead", file, FileFailure.reason(failure)));
+            tell(Texts.get("settings.notRead", file, FileException.reason(failure)));
         }
         return new Properties();
     }
@@ -191,15 +191,11 @@ public final class Settings {
             Files.createDirectories(file.getParent());
             StringWriter text = new StringWriter();
             now.store(text, null);
-            try (PendingFile pending = PendingFile.replacing(file)) {
-                pending.write(text.toString().getBytes(StandardCharsets.UTF_8));
-                pending.commit();
-            }
+            PendingFile.save(file, true, out -> out.write(text.toString().getBytes(StandardCharsets.UTF_8)));
             values = now;
             changes.clear();
         } catch (IOException | UncheckedIOException failure) {
-            IOException reason = failure instanceof IOException io ? io : ((UncheckedIOException) failure).getCause();
-            tell(Texts.get("settings.notKept", file, FileFailure.reason(reason)));
+            tell(Texts.get("settings.notKept", file, FileException.reason(failure)));
         }
     }
 }

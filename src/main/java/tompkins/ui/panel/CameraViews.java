@@ -52,7 +52,8 @@ public enum CameraViews {
                 .filter(way -> way.length() > 0)
                 .map(way -> {
                     Vector3d unit = Vectors.unit(way);
-                    Ray ray = studio.sceneFromCamera().inverse().transform(Ray.from(0, 0, 0, unit.x, unit.y, unit.z, 0));
+                    Ray ray =
+                            studio.sceneFromCamera().inverse().transform(Ray.from(0, 0, 0, unit.x, unit.y, unit.z, 0));
                     return new Vector3d(ray.dx, ray.dy, ray.dz);
                 });
     }

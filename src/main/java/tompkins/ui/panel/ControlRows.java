@@ -28,7 +28,6 @@ public final class ControlRows extends Part {
     /** Has room for what may be wrong. */
     private final Note speedNote = Note.ofLines(3);
 
-
     /** The rows for a model, which follow its studio. */
     public ControlRows(StudioModel model) {
         super(Rows.of("wrap 2, hidemode 3, gap 6 5", "[pref!][grow,fill]"));

@@ -20,8 +20,8 @@ import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.study.ChartDrawing;
 import tompkins.study.ChartStyle;
-import tompkins.study.Measurement;
 import tompkins.study.PictureStudy;
+import tompkins.study.StudyPoint;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
@@ -30,7 +30,10 @@ import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Screens;
 import tompkins.ui.widget.Texts;
 
-/** A dialog with the speed and the accuracy of the picture on show, which grows while it is measured; a click takes a point. */
+/**
+ * A dialog with the speed and the accuracy of the picture on show, which grows while it is measured; a click takes a
+ * point.
+ */
 public final class QualityChart implements ChartMouseListener {
 
     /** How far from a point the mouse still selects it, in pixels. */
@@ -42,7 +45,7 @@ public final class QualityChart implements ChartMouseListener {
     private final ChartPanel chart = new ChartPanel(null);
     private final Note state = Note.ofLines(2);
     private PictureStudy study;
-    private List<Measurement> points = List.of();
+    private List<StudyPoint> points = List.of();
     private volatile boolean closed;
 
     private QualityChart(StudioModel model, JFrame owner) {
@@ -78,8 +81,7 @@ public final class QualityChart implements ChartMouseListener {
     }
 
     /** The same, with another way to the points. */
-    static void open(
-            StudioModel model, JFrame owner, BiConsumer<PictureStudy, Consumer<List<Measurement>>> measuring) {
+    static void open(StudioModel model, JFrame owner, BiConsumer<PictureStudy, Consumer<List<StudyPoint>>> measuring) {
         QualityChart made = new QualityChart(model, owner);
         made.state.setText(Texts.get("quality.measuring"));
         made.dialog.setVisible(true);
@@ -89,11 +91,12 @@ public final class QualityChart implements ChartMouseListener {
         thread.start();
     }
 
-    private void measure(BiConsumer<PictureStudy, Consumer<List<Measurement>>> measuring) {
+    private void measure(BiConsumer<PictureStudy, Consumer<List<StudyPoint>>> measuring) {
         try {
             PictureStudy made = new PictureStudy(studio, () -> closed);
             measuring.accept(made, measured -> SwingUtilities.invokeLater(() -> draw(made, measured)));
-            SwingUtilities.invokeLater(() -> state.setText(Texts.get(points.isEmpty() ? "quality.exact" : "quality.choose")));
+            SwingUtilities.invokeLater(
+                    () -> state.setText(Texts.get(points.isEmpty() ? "quality.exact" : "quality.choose")));
         } catch (CancellationException stopped) {
             // the dialog was closed
         } catch (RuntimeException | OutOfMemoryError | StackOverflowError error) {
@@ -101,7 +104,7 @@ public final class QualityChart implements ChartMouseListener {
         }
     }
 
-    private void draw(PictureStudy made, List<Measurement> measured) {
+    private void draw(PictureStudy made, List<StudyPoint> measured) {
         study = made;
         points = measured;
         ChartStyle style = FlatLaf.isLafDark() ? ChartStyle.DARK : ChartStyle.PRINTED;
@@ -110,8 +113,13 @@ public final class QualityChart implements ChartMouseListener {
 
     @Override
     public void chartMouseClicked(ChartMouseEvent event) {
-        Measurement point = ChartDrawing.nearest(
-                study.chart(), points, event.getChart().getXYPlot(), chart.getScreenDataArea(), event.getTrigger().getPoint(), REACH);
+        StudyPoint point = ChartDrawing.nearest(
+                study.chart(),
+                points,
+                event.getChart().getXYPlot(),
+                chart.getScreenDataArea(),
+                event.getTrigger().getPoint(),
+                REACH);
         if (point != null) {
             RenderSettings now = model.studio().settings();
             Quality taken = study.qualityOf(point);

@@ -18,7 +18,8 @@ public record Range(double minimum, double maximum, DoubleUnaryOperator values, 
         this(
                 minimum,
                 maximum,
-                position -> rounded(minimum + (maximum - minimum) * Math.pow(position, power), maximum - minimum, power),
+                position ->
+                        rounded(minimum + (maximum - minimum) * Math.pow(position, power), maximum - minimum, power),
                 value -> Math.pow(Math.max(0, (value - minimum) / (maximum - minimum)), 1 / power));
     }
 

@@ -106,7 +106,9 @@ class PanelsTest {
         Components.enter(panel, "Speed", "20");
         assertThat(velocity().gamma()).isEqualTo(20);
         Components.enter(panel, "Speed", "0.5c");
-        assertThat(Components.isMarked(speed)).as("a plain number is a gamma here").isTrue();
+        assertThat(Components.isMarked(speed))
+                .as("a plain number is a gamma here")
+                .isTrue();
         Components.enter(panel, "Speed", "150000 km/s");
         assertThat(velocity().speed()).isCloseTo(150_000 / 299_792.458, within(1e-12));
     }
@@ -126,7 +128,13 @@ class PanelsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"Aperture, -1", "Field of view (\u00b0), 1000", "Exposure, 1e400", "Opening time, 1e400", "Opening time, soon"})
+    @CsvSource({
+        "Aperture, -1",
+        "Field of view (\u00b0), 1000",
+        "Exposure, 1e400",
+        "Opening time, 1e400",
+        "Opening time, soon"
+    })
     void aRefusalSpeaksOfTheFieldByItsLabel(String label, String wrong) {
         Container panel = (Container) new ControlRows(model).component();
         Studio before = model.studio();

@@ -24,8 +24,8 @@ import org.junit.jupiter.api.Timeout;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
-import tompkins.study.Measurement;
 import tompkins.study.Spread;
+import tompkins.study.StudyPoint;
 import tompkins.surface.ColouredSurface;
 import tompkins.ui.Components;
 import tompkins.ui.NeedsDisplay;
@@ -38,15 +38,15 @@ import tompkins.ui.widget.Look;
 @NeedsDisplay
 class QualityChartTest {
 
-    private static final Measurement SAME = point("the same number everywhere", 4, 0.001, 0.03);
-    private static final Measurement NEEDED = point("where needed", 0.001, 0.1, 0.001);
-    private static final List<Measurement> POINTS = List.of(SAME, point("where needed", 0.008, 0.01, 0.01), NEEDED);
+    private static final StudyPoint SAME = point("the same number everywhere", 4, 0.001, 0.03);
+    private static final StudyPoint NEEDED = point("where needed", 0.001, 0.1, 0.001);
+    private static final List<StudyPoint> POINTS = List.of(SAME, point("where needed", 0.008, 0.01, 0.01), NEEDED);
 
     private final StudioModel model = new StudioModel(Studios.sphere(), null);
     private JFrame frame;
 
-    private static Measurement point(String method, double setting, double seconds, double error) {
-        return new Measurement("picture", method, setting, 1e6, Spread.exact(seconds), Spread.exact(error), error, 0);
+    private static StudyPoint point(String method, double setting, double seconds, double error) {
+        return new StudyPoint("picture", method, setting, 1e6, Spread.exact(seconds), Spread.exact(error), error, 0);
     }
 
     @BeforeEach
@@ -96,7 +96,9 @@ class QualityChartTest {
         WindowDriver.onEventThread(() -> {
             ChartPanel chart = Components.find(dialog().getContentPane(), ChartPanel.class, "chart");
             XYDataset curves = chart.getChart().getXYPlot().getDataset();
-            assertThat(IntStream.range(0, curves.getSeriesCount()).map(curves::getItemCount).sum())
+            assertThat(IntStream.range(0, curves.getSeriesCount())
+                            .map(curves::getItemCount)
+                            .sum())
                     .isGreaterThan(5);
             dialog().getRootPane()
                     .getActionForKeyStroke(KeyStroke.getKeyStroke("ESCAPE"))
@@ -117,7 +119,7 @@ class QualityChartTest {
     }
 
     /** Gives the mouse to a place some pixels to the right of a point. */
-    private static void mouse(Measurement point, int right) {
+    private static void mouse(StudyPoint point, int right) {
         ChartPanel chart = Components.find(dialog().getContentPane(), ChartPanel.class, "chart");
         chart.paintImmediately(0, 0, chart.getWidth(), chart.getHeight());
         XYPlot plot = chart.getChart().getXYPlot();
