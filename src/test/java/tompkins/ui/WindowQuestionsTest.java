@@ -328,6 +328,8 @@ class WindowQuestionsTest {
         }
         assertThat(WindowDriver.onEventThread(exposure::isFocusOwner)).isTrue();
         WindowDriver.await("the field", () -> isInView(panel, exposure));
+        // who uses the mouse looks at what is new, and not at what has the focus
+        driver.click(exposure);
         WindowDriver.onEventThread(() ->
                 driver.window().model().open(Descriptions.with(Studios.sphere(), "remarks", "Look at this."), null));
         WindowDriver.await("the remarks", () -> panel.getVerticalScrollBar().getValue() == 0);
