@@ -297,7 +297,7 @@ class OverlayTest {
                 new Picture(slow, RenderPlan.of(slow), image, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE);
 
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isTrue();
-        assertThat(again.await(30, TimeUnit.SECONDS)).isTrue();
+        assertThat(again.await(5, TimeUnit.MINUTES)).isTrue();
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isFalse();
     }
 
@@ -317,7 +317,7 @@ class OverlayTest {
         Picture picture = new Picture(
                 flash, RenderPlan.of(flash), image, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE);
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isTrue();
-        assertThat(again.await(30, TimeUnit.SECONDS)).isTrue();
+        assertThat(again.await(5, TimeUnit.MINUTES)).isTrue();
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isFalse();
     }
 

@@ -125,7 +125,7 @@ class StatusBarTest {
         status.showHint(Texts.get("status.idle.CHOOSE"));
         assertThat(what.getText()).isEqualTo(Texts.get("status.idle.CHOOSE"));
         status.showHint("");
-        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PIN"));
+        assertThat(what.getText()).isEqualTo("Warning: all is black.");
     }
 
     @Test
