@@ -29,7 +29,6 @@ import javax.swing.JSlider;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTextPane;
-import javax.swing.JToggleButton;
 import org.joml.Vector2dc;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -45,6 +44,7 @@ import tompkins.measure.Projection;
 import tompkins.measure.SceneShapes;
 import tompkins.studio.Studio;
 import tompkins.ui.compare.ComparePanel;
+import tompkins.ui.picture.Comparison;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.ride.RidePilot;
 import tompkins.ui.widget.Texts;
@@ -147,7 +147,8 @@ class WindowPicturesTest {
             case SPLIT -> compareWithRest(driver);
             case SIDE_BY_SIDE -> {
                 compareWithRest(driver);
-                press(driver, JRadioButton.class, "Side by side");
+                JComboBox<?> both = driver.find(JComboBox.class, "Both pictures");
+                WindowDriver.onEventThread(() -> both.setSelectedItem(Comparison.BESIDE));
             }
             case PINNED_RAY -> {
                 driver.click(driver.find(PictureCanvas.class, "picture"));
@@ -225,9 +226,6 @@ class WindowPicturesTest {
     }
 
     private static void compareWithRest(WindowDriver driver) {
-        press(driver, JToggleButton.class, "Shutter");
-        press(driver, JToggleButton.class, "Compare");
-        press(driver, JToggleButton.class, "What this picture models");
         JComboBox<?> other = driver.find(JComboBox.class, "Compare with");
         WindowDriver.onEventThread(() -> other.setSelectedItem(ComparePanel.Other.AT_REST));
         PictureCanvas canvas = driver.window().view().canvas();

@@ -45,7 +45,21 @@ class PictureCanvasTest {
             }
 
             @Override
-            public void clicked(Point2D place, Picture seen) {
+            public void asksForMenu(Point2D place, Picture seen, Point at) {}
+        });
+        made.setTool(new PictureTool() {
+            @Override
+            public boolean isWanted() {
+                return true;
+            }
+
+            @Override
+            public String hint() {
+                return "";
+            }
+
+            @Override
+            public void click(Point2D place, Picture seen) {
                 clicked.add(place);
             }
         });

@@ -1,4 +1,4 @@
-package tompkins.ui.picture;
+package tompkins.ui.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package tompkins.ui.picture;
+package tompkins.ui.model;
 
 import java.time.Duration;
 
@@ -40,7 +40,7 @@ public enum Pace {
     }
 
     /** How long a glimpse may take, in seconds. */
-    double glimpseSeconds() {
+    public double glimpseSeconds() {
         return patience * 1e-9;
     }
 
@@ -50,17 +50,17 @@ public enum Pace {
      * @param samples mean number of samples of a pixel so far
      * @param finerAfter nanoseconds from the change to when the next finer picture is expected
      */
-    boolean waits(double samples, long finerAfter) {
+    public boolean waits(double samples, long finerAfter) {
         return samples < enough && finerAfter < patience;
     }
 
     /** How many nanoseconds after its beginning a picture that was shown may be replaced by a newer one. */
-    long frame() {
+    public long frame() {
         return frame;
     }
 
     /** The least time in nanoseconds before a picture that has nothing to show may be replaced. */
-    long shortestChance() {
+    public long shortestChance() {
         return 2 * patience;
     }
 }
