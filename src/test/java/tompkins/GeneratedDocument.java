@@ -16,9 +16,18 @@ public final class GeneratedDocument {
         return Path.of(System.getProperty("basedir", ""), "docs", name);
     }
 
+    /** Where a resource of the tests lies that tests write. */
+    public static Path resource(String name) {
+        return Path.of(System.getProperty("basedir", ""), "src/test/resources", name);
+    }
+
     /** Fails if a document is out of date, or writes it if that is wanted. */
     public static void assertUpToDate(String name, String current, Class<?> test) throws IOException {
-        Path file = file(name);
+        assertUpToDate(file(name), current, test);
+    }
+
+    /** Fails if a file is out of date, or writes it if that is wanted. */
+    public static void assertUpToDate(Path file, String current, Class<?> test) throws IOException {
         if (Boolean.getBoolean("tompkins.regenerate")) {
             Files.writeString(file, current);
         }

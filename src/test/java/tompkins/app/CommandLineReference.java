@@ -12,7 +12,6 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine;
-import picocli.CommandLine.Help;
 import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -28,15 +27,21 @@ final class CommandLineReference {
     static String markdown() {
         Map<String, CommandLine> commands = commands();
         Map<String, List<String>> users = new LinkedHashMap<>();
-        commands.forEach((name, command) -> options(command)
-                .forEach(option -> users.computeIfAbsent(row(option), row -> new ArrayList<>())
-                        .add(name)));
+        commands.forEach((name, command) -> rows(command)
+                .forEach(row ->
+                        users.computeIfAbsent(row, first -> new ArrayList<>()).add(name)));
         StringBuilder text = new StringBuilder(introduction());
-        text.append("\n## Options of several commands\n\n| option | meaning | commands |\n|---|---|---|\n");
+        Map<String, List<String>> shared = new LinkedHashMap<>();
         users.forEach((row, names) -> {
             if (names.size() > 1) {
-                text.append(row).append(' ').append(String.join(", ", names)).append(" |\n");
+                shared.computeIfAbsent(String.join(", ", names), all -> new ArrayList<>())
+                        .add(row);
             }
+        });
+        text.append("\n## Arguments of several commands\n");
+        shared.forEach((names, rows) -> {
+            text.append("\nOf ").append(names).append(":\n\n");
+            table(text, rows);
         });
         commands.forEach((name, command) ->
                 append(text, name, command, row -> users.get(row).size() == 1));
@@ -54,20 +59,7 @@ final class CommandLineReference {
 
     private static String introduction() {
         try (InputStream in = CommandLineReference.class.getResourceAsStream(INTRODUCTION)) {
-            String shorts = SceneOptions.PATHS.entrySet().stream()
-                    .map(option -> "| `" + option.getKey() + "` | `" + option.getValue() + "` |")
-                    .sorted()
-                    .collect(Collectors.joining("\n"));
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8)
-                    .replace("\r\n", "\n")
-                    .replace("@SHORT@", """
-                            | option | path |
-                            |---|---|
-                            | `--beta` | `velocity.beta`, or `velocity` with three numbers |
-                            | `--samples` | `settings.samples`, without a `targetError` |
-                            | `--error` | `settings.targetError` |
-                            | `--size` | `settings.width` and `settings.height` |
-                            """ + shorts);
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8).replace("\r\n", "\n");
         } catch (IOException failure) {
             throw new UncheckedIOException(failure);
         }
@@ -76,27 +68,25 @@ final class CommandLineReference {
     private static void append(StringBuilder text, String name, CommandLine command, Predicate<String> isOwn) {
         CommandSpec spec = command.getCommandSpec();
         text.append("\n## `tompkins ").append(name).append("`\n\n");
-        text.append(Stream.of(spec.usageMessage().header(), spec.usageMessage().description())
-                        .flatMap(Stream::of)
-                        .collect(Collectors.joining(" ")))
-                .append("\n\n");
-        new Help(spec, Help.defaultColorScheme(Help.Ansi.OFF))
-                .synopsis(0)
-                .lines()
-                .forEach(line -> text.append("    ").append(line).append('\n'));
-        text.append("\n| argument | meaning |\n|---|---|\n");
-        spec.positionalParameters()
-                .forEach(argument ->
-                        text.append(row(argument.paramLabel(), argument)).append('\n'));
-        options(command)
-                .map(CommandLineReference::row)
-                .filter(isOwn)
-                .forEach(row -> text.append(row).append('\n'));
+        text.append(String.join(" ", spec.usageMessage().header())).append("\n\n");
+        List<String> rows = rows(command).filter(isOwn).toList();
+        if (!rows.isEmpty()) {
+            table(text, rows);
+        }
     }
 
-    private static Stream<OptionSpec> options(CommandLine command) {
-        return command.getCommandSpec().options().stream()
-                .filter(option -> !option.usageHelp() && !option.versionHelp());
+    private static void table(StringBuilder text, List<String> rows) {
+        text.append("| argument | meaning |\n|---|---|\n");
+        rows.forEach(row -> text.append(row).append('\n'));
+    }
+
+    private static Stream<String> rows(CommandLine command) {
+        CommandSpec spec = command.getCommandSpec();
+        return Stream.concat(
+                spec.positionalParameters().stream().map(argument -> row(argument.paramLabel(), argument)),
+                spec.options().stream()
+                        .filter(option -> !option.usageHelp() && !option.versionHelp())
+                        .map(CommandLineReference::row));
     }
 
     private static String row(OptionSpec option) {

@@ -21,7 +21,8 @@ import tompkins.OnLinux;
 
 /**
  * Every kind of bad input, what the program says, and that it says no more than that. The table stands in
- * {@code docs/limits.md}; {@code mvn -q test -Dtest=LimitsTest -Dtompkins.regenerate=true} writes it again.
+ * {@code src/test/resources/tompkins/app/messages.md}; {@code mvn -q test -Dtest=LimitsTest -Dtompkins.regenerate=true}
+ * writes it again.
  */
 @OnLinux
 class LimitsTest {
@@ -35,7 +36,7 @@ class LimitsTest {
 
     @Test
     void everyBadInputGetsTheMessageOfTheTable() throws IOException {
-        Path document = GeneratedDocument.file("limits.md");
+        Path document = GeneratedDocument.resource("tompkins/app/messages.md");
         String old = Files.exists(document) ? Files.readString(document).replace("\r\n", "\n") : BEGIN;
         StringBuilder table = new StringBuilder(old.substring(0, old.indexOf(BEGIN) + BEGIN.length()));
         table.append("\n| bad input | exit code | message |\n|---|---|---|\n");
@@ -61,7 +62,7 @@ class LimitsTest {
                     .append(" |\n");
         }
         Files.delete(folder.resolve("link.png.txt"));
-        GeneratedDocument.assertUpToDate("limits.md", table.toString(), getClass());
+        GeneratedDocument.assertUpToDate(document, table.toString(), getClass());
         assertThat(Files.readString(folder.resolve("mine.png"))).isEqualTo("mine");
         try (var files = Files.list(folder)) {
             assertThat(files.filter(file -> file.toString().endsWith(".png"))
