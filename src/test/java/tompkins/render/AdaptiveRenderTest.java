@@ -14,7 +14,6 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicLong;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -195,7 +194,6 @@ class AdaptiveRenderTest {
     }
 
     @Test
-    @Tag("alone")
     void endsWhenTheTimeIsOver() throws InterruptedException {
         RenderJob job = render(studio(spheres(), 0.1), new Quality.TimeLimit(0.1));
         assertThat(job.isComplete()).isTrue();
@@ -205,7 +203,6 @@ class AdaptiveRenderTest {
     }
 
     @Test
-    @Tag("alone")
     void showsSomethingHoweverShortTheTime() throws InterruptedException {
         RenderJob job = render(studio(spheres(), 0.1), new Quality.TimeLimit(0.01));
         assertThat(job.report().counts().samples).isGreaterThanOrEqualTo(64 * 48 / 64);

@@ -16,7 +16,6 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Named;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -208,7 +207,6 @@ class RendererTest {
      * To plan a pass of so many pixels takes up to a second; sums, since clocks of processors may tick in hundredths.
      */
     @Test
-    @Tag("alone")
     void aLargePictureEndsSoonWhileItsNextPassIsPlanned() throws InterruptedException {
         RenderPlan plan = RenderPlan.of(size(PaperStudios.fig1b(), 3840, 2160, 1));
         double whole = 0;

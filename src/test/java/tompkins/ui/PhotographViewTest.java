@@ -17,7 +17,6 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -44,7 +43,6 @@ import tompkins.ui.widget.Texts;
 
 /** The photograph and what it is compared with, without a display. */
 @Timeout(120)
-@Tag("alone")
 class PhotographViewTest {
 
     private final StudioModel model =

@@ -8,7 +8,6 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tompkins.property.Descriptions;
@@ -32,7 +31,6 @@ import tompkins.ui.widget.Look;
 
 /** What is seen on a ride beside the picture of a camera at rest, without a display. */
 @Timeout(120)
-@Tag("alone")
 class RideBesideRestTest {
 
     private final StudioModel model = new StudioModel(opened(Studios.sphere(), 0), null);

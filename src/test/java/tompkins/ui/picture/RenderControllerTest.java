@@ -11,7 +11,6 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -33,7 +32,6 @@ import tompkins.trace.SampleTracer;
 import tompkins.ui.model.Pace;
 
 @Timeout(600)
-@Tag("alone")
 class RenderControllerTest {
 
     private static final Dimension LARGE = new Dimension(2560, 1920);
