@@ -43,8 +43,7 @@ import tompkins.measure.Overlays;
 import tompkins.measure.Projection;
 import tompkins.measure.SceneShapes;
 import tompkins.studio.Studio;
-import tompkins.ui.compare.ComparePanel;
-import tompkins.ui.picture.Comparison;
+import tompkins.studio.StudioPath;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.ride.RidePilot;
 import tompkins.ui.widget.Texts;
@@ -65,12 +64,9 @@ class WindowPicturesTest {
     /** The pictures. */
     enum Shot {
         DEFAULT("town-square"),
-        DARK("town-square"),
+        CONTROLS("terrell-cube"),
         PROJECTOR("town-square"),
         RIDE("town-square"),
-        WIDE_APERTURE("fig3a"),
-        SPLIT("fig1b"),
-        SIDE_BY_SIDE("terrell-cube"),
         PINNED_RAY("terrell-cube"),
         MEASURING("penrose-sphere"),
         ERROR("fig1b"),
@@ -104,10 +100,7 @@ class WindowPicturesTest {
 
     private void take(Shot shot) throws Exception {
         Studio studio = StudioReader.read(BASE.resolve("scenes/" + shot.scene + ".json"));
-        if (shot == Shot.WIDE_APERTURE) {
-            // without noise, which would make a large file
-            studio = studio.withSettings(studio.settings().withSize(320, 240).withSamples(400));
-        } else if (shot == Shot.SPLIT || shot == Shot.RIDE) {
+        if (shot == Shot.RIDE) {
             // with more samples the noise, and what is small, have more levels
             studio = studio.withSettings(studio.settings().withSamples(1));
         }
@@ -120,9 +113,6 @@ class WindowPicturesTest {
             JMenu examples = driver.find(JMenu.class, "menu.examples");
             JMenu lessons = driver.find(JMenu.class, "menu.lessons");
             WindowDriver.await("the examples and lessons", () -> examples.isEnabled() && lessons.isEnabled());
-            if (shot == Shot.WIDE_APERTURE) {
-                resize(driver);
-            }
             arrange(shot, driver);
             driver.completePicture();
             Thread.sleep(500);
@@ -133,23 +123,12 @@ class WindowPicturesTest {
         }
     }
 
-    private static void resize(WindowDriver driver) {
-        WindowDriver.onEventThread(() -> {
-            driver.window().frame().setSize(960, 700);
-            driver.window().frame().validate();
-        });
-    }
-
     private static void arrange(Shot shot, WindowDriver driver) {
         switch (shot) {
-            case DARK, PROJECTOR -> press(driver, JMenuItem.class, "look." + shot.name());
+            case PROJECTOR -> press(driver, JMenuItem.class, "look.PROJECTOR");
+            case CONTROLS ->
+                WindowDriver.onEventThread(() -> driver.window().side().edit(StudioPath.parse("scene[0]").orElseThrow()));
             case RIDE -> ride(driver);
-            case SPLIT -> compareWithRest(driver);
-            case SIDE_BY_SIDE -> {
-                compareWithRest(driver);
-                JComboBox<?> both = driver.find(JComboBox.class, "Both pictures");
-                WindowDriver.onEventThread(() -> both.setSelectedItem(Comparison.BESIDE));
-            }
             case PINNED_RAY -> {
                 driver.click(driver.find(PictureCanvas.class, "picture"));
                 JTextPane story = driver.find(JTextPane.class, "ray.story");
@@ -223,15 +202,6 @@ class WindowPicturesTest {
         RidePilot pilot = driver.window().motion().pilot();
         WindowDriver.await("the thrust", () -> pilot.moment().properTime() > RIDE_TIME);
         WindowDriver.onEventThread(() -> pilot.setRiding(false));
-    }
-
-    private static void compareWithRest(WindowDriver driver) {
-        JComboBox<?> other = driver.find(JComboBox.class, "Compare with");
-        WindowDriver.onEventThread(() -> other.setSelectedItem(ComparePanel.Other.AT_REST));
-        PictureCanvas canvas = driver.window().view().canvas();
-        WindowDriver.await(
-                "the other picture",
-                () -> canvas.shown().other() != null && canvas.shown().other().complete());
     }
 
     private static void press(WindowDriver driver, Class<? extends AbstractButton> type, String name) {
