@@ -45,6 +45,7 @@ import tompkins.world.InertialFrame;
 record ChordStudy(long seed, int rays) implements Study {
 
     private static final String PROBLEM = "chords";
+    private static final String SLIVERS = "slivers";
     private static final String SCENES = "bundled scenes";
     private static final double[] CHORDS = {8, 16, 32, 64, 128};
     private static final double REFERENCE = 512;
@@ -74,7 +75,7 @@ record ChordStudy(long seed, int rays) implements Study {
         kinds.put("boxes", turning(ChordStudy::box));
         kinds.put("rods", turning((at, along) -> cylinder(at, along, 0.3, 0.01)));
         kinds.put("thin rings", turning((at, along) -> cylinder(at, along, 0.005, 0.25)));
-        kinds.put("slivers", turning(ChordStudy::sliver));
+        kinds.put(SLIVERS, turning(ChordStudy::sliver));
         kinds.put(SCENES, this::inScenes);
         Map<String, List<Target>> targets = new HashMap<>();
         List<Trial> trials = new ArrayList<>();
@@ -224,7 +225,8 @@ record ChordStudy(long seed, int rays) implements Study {
 
     @Override
     public void conclude(List<StudyPoint> all, Conclusion conclusion) {
-        double slivers = missed("slivers", all);
+        double slivers = StudyPoint.of(PROBLEM, SLIVERS, ObjectTree.CHORDS_PER_RADIAN, all)
+                .medianError();
         conclusion.say("chords.answer", ObjectTree.CHORDS_PER_RADIAN, slivers);
         StudyPoint scenes = StudyPoint.of(PROBLEM, SCENES, ObjectTree.CHORDS_PER_RADIAN, all);
         double resolved = Math.max(1, MILLION / scenes.rays());
@@ -234,9 +236,5 @@ record ChordStudy(long seed, int rays) implements Study {
                 ObjectTree.CHORDS_PER_RADIAN,
                 resolved,
                 scenes.medianError());
-    }
-
-    private static double missed(String kind, List<StudyPoint> all) {
-        return StudyPoint.of(PROBLEM, kind, ObjectTree.CHORDS_PER_RADIAN, all).medianError();
     }
 }
