@@ -46,7 +46,7 @@ final class SidePanel {
     /** Widths in sizes of the type: of the few controls, of a lesson, and of the form. */
     private static final double FEW = 21;
 
-    private static final double LESSON = 25;
+    private static final double LESSON = 26;
     static final double FORM = 29;
 
     /** Where the place of the pinned ray begins, as a fraction of the height. */
