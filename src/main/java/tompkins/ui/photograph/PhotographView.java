@@ -220,7 +220,7 @@ public final class PhotographView implements AutoCloseable {
         if (picture != canvas.shown().now()) {
             return compared.name();
         }
-        return canvas.showsTwo() ? Texts.get("compare.now") : null;
+        return canvas.showsTwo() ? canvas.shown().nameOfNow() : null;
     }
 
     /** The picture that is compared with that of the studio; null if none is seen. */
