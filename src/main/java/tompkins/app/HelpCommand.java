@@ -17,7 +17,8 @@ final class HelpCommand extends ProgramCommand {
         CommandLine program = TompkinsCommand.withAllCommands();
         CommandLine wanted = name == null ? program : program.getSubcommands().get(name);
         if (wanted == null) {
-            throw new MistakeException(ArgumentMistake.unknownCommand(name, program.getCommandSpec()));
+            throw new MistakeException(
+                    TompkinsCommand.unknownWord(name, program.getSubcommands().keySet()));
         }
         wanted.usage(out());
         return 0;
