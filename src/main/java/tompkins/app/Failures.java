@@ -6,10 +6,12 @@ import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Objects;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
@@ -109,11 +111,15 @@ final class Failures {
             return wrongName.getMessage();
         }
         if (mistake.getCause() instanceof TypeConversionException refused) {
-            String name = mistake.getArgSpec() instanceof OptionSpec option
-                    ? option.longestName()
-                    : mistake.getArgSpec().paramLabel();
+            ArgSpec argument = mistake.getArgSpec();
+            String name = argument instanceof OptionSpec option ? option.longestName() : argument.paramLabel();
             String refusal = refused.getMessage();
-            return name + (refusal.startsWith("must") ? " " : ": ") + refusal;
+            return name
+                    + (refusal.startsWith("must") ? " " : ": ")
+                    + refusal
+                    + (argument.arity().min() < argument.arity().max()
+                            ? "; without a value, " + name + " must come after SCENE"
+                            : "");
         }
         return mistake.getMessage().replaceFirst("^Error: ", "").replaceAll("\\[-[^{]*=(?=\\{)", "");
     }
@@ -126,9 +132,12 @@ final class Failures {
             return "too many arguments: " + String.join(" ", mistake.getUnmatched());
         }
         String option = mistake.getUnmatched().get(0).replaceFirst("(?s)=.*", "");
-        if (command.subcommands().values().stream()
-                .anyMatch(other -> other.getCommandSpec().findOption(option) != null)) {
-            return option + " is an option of commands; write the command before it";
+        List<String> owners = command.subcommands().values().stream()
+                .filter(other -> other.getCommandSpec().findOption(option) != null)
+                .map(CommandLine::getCommandName)
+                .toList();
+        if (!owners.isEmpty()) {
+            return option + " is an option of " + String.join(", ", owners) + "; write the command before it";
         }
         String word = option.replaceFirst("^-+", "");
         // the help begins with the word that says it best

@@ -1,7 +1,9 @@
 package tompkins.app;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Column;
@@ -43,23 +45,50 @@ final class HelpCommand extends ProgramCommand {
     }
 
     private void print(TypeReference type) {
-        int keys = 4 + type.keys().stream().mapToInt(key -> key.name().length()).max().orElse(0);
-        int width = commandLine().getUsageHelpWidth();
-        TextTable table = TextTable.forColumns(
-                commandLine().getColorScheme(),
-                new Column(keys, 2, Column.Overflow.TRUNCATE),
-                new Column(width - keys, 2, Column.Overflow.WRAP));
-        type.keys().forEach(key -> table.addRowValues(key.name(), told(key)));
-        TextTable head = TextTable.forColumns(
-                commandLine().getColorScheme(), new Column(width, 0, Column.Overflow.WRAP));
-        head.addRowValues(type.name() + ": " + type.meaning() + ".");
-        (head.toString() + table).lines().forEach(out()::println);
+        out().println(type.name() + (type.family().isEmpty() ? "" : " (" + type.family() + ")"));
+        TextTable meaning =
+                TextTable.forColumns(commandLine().getColorScheme(), new Column(width(), 2, Column.Overflow.WRAP));
+        meaning.indentWrappedLines = 0;
+        meaning.addRowValues(type.meaning() + ".");
+        print(meaning);
+        Map<String, String> words = new LinkedHashMap<>(type.members());
+        type.keys().forEach(key -> words.put(key.name(), key.meaning() + "\n" + value(key)));
+        print(words);
+        if (!type.example().isEmpty()) {
+            out().println("  Example:");
+            type.example().lines().map(line -> "    " + line).forEach(out()::println);
+            out().println();
+        }
     }
 
-    private static String told(TypeReference.Key key) {
-        return key.meaning() + " (" + key.value()
-                + (key.allowed().isEmpty() ? "" : ", " + key.allowed())
-                + (key.unit().isEmpty() ? "" : ", unit: " + key.unit())
-                + (key.standard().isEmpty() ? "" : "; default: " + key.standard()) + ")";
+    /** Prints words, and beside each what it means. */
+    private void print(Map<String, String> meanings) {
+        int words =
+                4 + meanings.keySet().stream().mapToInt(String::length).max().orElse(0);
+        TextTable table = TextTable.forColumns(
+                commandLine().getColorScheme(),
+                new Column(words, 2, Column.Overflow.TRUNCATE),
+                new Column(width() - words, 2, Column.Overflow.WRAP));
+        meanings.forEach(table::addRowValues);
+        print(table);
+    }
+
+    private void print(TextTable table) {
+        table.toString().lines().forEach(out()::println);
+        out().println();
+    }
+
+    private int width() {
+        return commandLine().getUsageHelpWidth();
+    }
+
+    /** The values of a key: "a number from 0 to 1; unit: time; default: 0". */
+    private static String value(TypeReference.Key key) {
+        String allowed = key.allowed();
+        boolean isTold = key.value().contains("number") && allowed.contains("number");
+        String joint = allowed.matches("(from|above) .*") ? " " : ", ";
+        return (isTold ? allowed : allowed.isEmpty() ? key.value() : key.value() + joint + allowed)
+                + (key.unit().isEmpty() ? "" : "; unit: " + key.unit())
+                + (key.standard().isEmpty() ? "" : "; default: " + key.standard());
     }
 }

@@ -3,6 +3,7 @@ package tompkins.io;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -23,19 +24,23 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 
 /**
- * What a type of scene files means, key by key.
+ * What a type of scene files means, key by key; of a family such as the surfaces, its types.
  *
  * @param name what scene files call it
+ * @param family name of the family that it belongs to; empty if there is none
  * @param meaning one sentence without a full stop
+ * @param members the types of a family with their meanings; empty if it is none
+ * @param example the usual values as a scene file writes them; empty for a family
  */
-public record TypeReference(String name, String meaning, List<Key> keys) {
+public record TypeReference(
+        String name, String family, String meaning, List<Key> keys, Map<String, String> members, String example) {
 
     /**
      * A key of a type.
      *
      * @param value the kind of its value
      * @param unit empty if it has none
-     * @param allowed which values of this kind are allowed; empty if all are, or if that depends on other keys
+     * @param allowed which values of this kind are allowed, whatever the other keys are; empty if all are
      * @param standard the value that it has if it is missing; empty if that has no short name
      */
     public record Key(String name, String value, String meaning, String unit, String allowed, String standard) {}
@@ -53,6 +58,8 @@ public record TypeReference(String name, String meaning, List<Key> keys) {
             Map.entry(Velocity.class, "[x, y, z], or a speed with a direction"),
             Map.entry(PixelPicture.class, "name of a picture file"),
             Map.entry(MeshData.class, "name of an OBJ file"));
+
+    private static final DescriptionWriter WRITER = new DescriptionWriter(file -> false);
 
     /** Values that are refused where not all are allowed: the refusal tells which are. */
     private static final Map<Class<?>, List<Object>> REFUSED = Map.of(
@@ -93,34 +100,78 @@ public record TypeReference(String name, String meaning, List<Key> keys) {
     public static List<TypeReference> of(String name) {
         return types().stream()
                 .filter(type -> Descriptions.name(type).equalsIgnoreCase(name))
-                .map(type -> new TypeReference(Descriptions.name(type), meaningOf(type), keysOf(type)))
+                .map(type -> type.isRecord() ? ofRecord(type) : ofFamily(type))
                 .toList();
     }
 
-    private static String meaningOf(Class<?> type) {
-        if (type.isRecord()) {
-            return type.getAnnotation(Meaning.class).value();
-        }
-        Optional<Class<?>> usual = DescriptionTypes.usualMember(type);
-        return "One of " + String.join(", ", DescriptionTypes.memberNames(type))
-                + usual.map(member -> "; without a \"type\", " + Descriptions.name(member))
-                        .orElse("");
+    private static TypeReference ofFamily(Class<?> family) {
+        String meaning = DescriptionTypes.usualMember(family)
+                .map(usual -> "One of these types; without a \"type\", " + Descriptions.name(usual))
+                .orElse("One of these types");
+        Map<String, String> types = new LinkedHashMap<>();
+        Descriptions.members(family).forEach(member -> types.put(Descriptions.name(member), meaningOf(member)));
+        return new TypeReference(Descriptions.name(family), "", meaning, List.of(), types, "");
     }
 
-    /** The keys of a type; a family has none. */
+    private static TypeReference ofRecord(Class<?> type) {
+        String family = familyOf(type).map(Descriptions::name).orElse("");
+        return new TypeReference(
+                Descriptions.name(type),
+                family,
+                meaningOf(type),
+                keysOf(type),
+                Map.of(),
+                JsonLayout.text(example(type, family.isEmpty())));
+    }
+
+    private static String meaningOf(Class<?> type) {
+        return type.getAnnotation(Meaning.class).value();
+    }
+
+    /** The family that a type belongs to, which its key {@code type} tells from the others. */
+    static Optional<Class<?>> familyOf(Class<?> type) {
+        return types().stream()
+                .filter(DescriptionTypes::isFamily)
+                .filter(family -> Descriptions.members(family).contains(type))
+                .findFirst();
+    }
+
+    /**
+     * A type with its usual values, and with files of the bundled scenes; names and parts of a usual type are left out.
+     */
+    private static Map<String, Object> example(Class<?> type, boolean isAlone) {
+        Map<String, Object> members = new LinkedHashMap<>();
+        if (!isAlone) {
+            members.put(DescriptionReader.TYPE, Descriptions.name(type));
+        }
+        Object standard = Descriptions.standard(type);
+        for (RecordComponent component : Descriptions.components(type)) {
+            Object value = Descriptions.value(component, standard);
+            Class<?> kind = typeOf(component);
+            boolean isUsual = DescriptionTypes.isFamily(kind)
+                    && DescriptionTypes.usualMember(kind).isPresent();
+            if (value instanceof FileContent) {
+                members.put(
+                        component.getName(), value instanceof MeshData ? "meshes/trefoil.obj" : "pictures/clock.png");
+            } else if (!isUsual && !(value instanceof String) && !value.equals(List.of())) {
+                members.put(component.getName(), WRITER.tree(component.getGenericType(), value));
+            }
+        }
+        return members;
+    }
+
+    /** The keys of a type. */
     static List<Key> keysOf(Class<?> type) {
-        return !type.isRecord()
-                ? List.of()
-                : Descriptions.components(type).stream()
-                        .map(component -> key(type, component))
-                        .toList();
+        return Descriptions.components(type).stream()
+                .map(component -> key(type, component))
+                .toList();
     }
 
     private static Key key(Class<?> type, RecordComponent component) {
         Meaning meaning = component.getAnnotation(Meaning.class);
         Object standard = Descriptions.value(component, Descriptions.standard(type));
         boolean isFile = standard instanceof FileContent;
-        Object tree = isFile ? "" : new DescriptionWriter(file -> false).tree(component.getGenericType(), standard);
+        Object tree = isFile ? "" : WRITER.tree(component.getGenericType(), standard);
         return new Key(
                 component.getName(),
                 kind(component),

@@ -46,8 +46,8 @@ class TompkinsCommandTest {
                 "foo | the commands are render, animate, check, explain, trace, measure, sheet, study",
                 "foo bar | foo: there is neither a file nor a command of this name; the commands are",
                 "rendr --size 4x4 scenes/fig1b.json | rendr: there is neither a file nor a command of this name",
-                "--size 4x4 scenes/fig1b.json | --size is an option of commands; write the command before it",
-                "scenes/fig1b.json --beta=0,0,0 | --beta is an option of commands; write the command before it",
+                "--size 4x4 scenes/fig1b.json | --size is an option of render, animate, explain, trace, measure, sheet; write the command before it",
+                "scenes/fig1b.json --beta=0,0,0 | --beta is an option of render, animate, explain, trace, measure, sheet; write the command before it",
                 "README.md more words | tompkins: too many arguments: more words",
                 "-x | tompkins: unknown option -x",
                 "render scenes/fig1b.json --foo | tompkins render: unknown option --foo",
@@ -132,6 +132,23 @@ class TompkinsCommandTest {
         assertThat(ProgramRun.of("help", "render").out()).contains("--samples");
     }
 
+    @Test
+    void helpTellsTheKeysOfATypeToo() {
+        ProgramRun run = ProgramRun.of("help", "sphere");
+        assertThat(run.code()).isZero();
+        assertThat(run.out().lines())
+                .startsWith(
+                        "Sphere (SceneObject)",
+                        "  A sphere; u runs once around its vertical axis, from left to right seen from")
+                .containsSequence(
+                        "  radius         Radius", "                 a finite number above 0; unit: length; default: 1")
+                .contains("    {\"type\": \"Sphere\", \"centre\": [0, 0, 10], \"radius\": 1}");
+        assertThat(ProgramRun.of("help", "Surface").out().lines())
+                .contains("  Mirror                  A mirror on both sides")
+                .hasSizeGreaterThan(18);
+        assertThat(ProgramRun.of("help", "moving").out()).contains("Moving (SceneObject)\n", "Moving (LightSource)\n");
+    }
+
     /** A terminal of 80 columns and 24 rows shows it with the line of the next command. */
     @Test
     void helpFitsOnOneScreen() {
@@ -145,6 +162,9 @@ class TompkinsCommandTest {
     @CsvSource(delimiter = '|', textBlock = """
             help render extra | tompkins help: too many arguments: extra
             help --bogus      | tompkins help: unknown option --bogus
+            help Spehre       | Spehre: there is neither a command nor a type of this name; did you mean "Sphere"?
+            help rnder        | rnder: there is neither a command nor a type of this name; did you mean "render"?
+            help \u001b[31m    | [31m: there is neither a command nor a type of this name; "help" lists the commands
             nonsense          | nonsense: there is neither a file nor a command of this name; the commands are render
             render --shutter=detector-plane a.json | unknown option --shutter; did you mean "--set camera.shutter=VALUE"?
             check --width=3 a.json | unknown option --width; did you mean "--set settings.width=VALUE"?
@@ -153,7 +173,7 @@ class TompkinsCommandTest {
     void whatIsNoCommandIsRefused(String line, String said) {
         ProgramRun run = ProgramRun.of((Object[]) line.split(" "));
         assertThat(run.code()).isEqualTo(Failures.MISTAKE);
-        assertThat(run.err()).contains(said);
+        assertThat(run.err()).contains(said).doesNotContain("\u001b");
         assertThat(run.out()).isEmpty();
     }
 

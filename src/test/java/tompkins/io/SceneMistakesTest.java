@@ -83,7 +83,7 @@ class SceneMistakesTest {
             {"scene": [{"type": "Sphere", "surface": {"reflectance": 1}}]} | ; Mirror has "reflectance"
             {"scene": [{"type": "Sphere", "surface": "Mirror"}]} | such as {"type": "Mirror"}, was "Mirror"
             {"camera": {"focus": 12, "focusDistance": 11}} | camera.focus: is given twice; leave focus or focusDistance out
-            {"camera": {"focus": -12}}                | camera.focusDistance: must be above 0 and at most 1e50, was -12
+            {"camera": {"focus": -12}}                | camera.focusDistance: must be from 0 to 1e50, was -12
             {"camera": {"focus": {"type": "Plane", "point": [0, 0, 12]}}} | through the lens centre [0, 0, 0], was a plane \
             with the normal [0, 1, 0]; for the plane across the view write the distance 12 alone
             {"camera": {"focus": {"type": "Sphere"}, "focusDistance": 11}} | camera.focusDistance: must be 0 or left out \
@@ -125,7 +125,7 @@ class SceneMistakesTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '~', textBlock = """
             {"titel": 1}                  | f:1:2: unknown key "titel"; allowed are version, title, topic, remarks, scene, \
-            cameraFrame, lights, background, camera, velocity, transformation, view, colours, metering, settings, ride, rides, lesson; \
+            cameraFrame, lights, background, camera, velocity, transformation, view, colours, metering, settings, ride, rides, lesson, $schema; \
             did you mean "title"?
             {"settings": {"xyzzy": 1}}    | f:1:15: settings: unknown key "xyzzy"; allowed are width, height, samples, \
             targetError, seed, maximumDepth, toneCurve

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.joml.Vector2ic;
 import org.joml.Vector3dc;
 import org.joml.Vector3ic;
@@ -30,9 +31,11 @@ final class SceneSchema {
             Pattern.compile("from " + NUMBER + " to " + NUMBER), List.of("minimum", "maximum"),
             Pattern.compile("a whole number from " + NUMBER + " to " + NUMBER), List.of("minimum", "maximum"),
             Pattern.compile("a finite number above " + NUMBER), List.of("exclusiveMinimum"),
-            Pattern.compile("a finite number, " + NUMBER + " or above"), List.of("minimum"),
+            Pattern.compile("(?:a finite number, )?" + NUMBER + " or above"), List.of("minimum"),
+            Pattern.compile("at least " + NUMBER + " and below " + NUMBER + " .*"),
+                    List.of("minimum", "exclusiveMaximum"),
             Pattern.compile(NUMBER + " or above, and below " + NUMBER), List.of("minimum", "exclusiveMaximum"),
-            Pattern.compile("0, or from " + NUMBER + " to " + NUMBER), List.of("", "maximum"),
+            Pattern.compile("(0)"), List.of("const"),
             Pattern.compile("above " + NUMBER + " and at most " + NUMBER), List.of("exclusiveMinimum", "maximum"),
             Pattern.compile("above " + NUMBER + " and below " + NUMBER),
                     List.of("exclusiveMinimum", "exclusiveMaximum"));
@@ -64,9 +67,7 @@ final class SceneSchema {
         if (type == Studio.class) {
             properties.put(StudioReader.VERSION_KEY, Map.of("const", StudioReader.VERSION));
         }
-        if (TypeReference.types().stream()
-                .anyMatch(family -> !family.isRecord()
-                        && Descriptions.members(family).contains(type))) {
+        if (TypeReference.familyOf(type).isPresent()) {
             properties.put(DescriptionReader.TYPE, Map.of("const", Descriptions.name(type)));
         }
         for (RecordComponent component : Descriptions.components(type)) {
@@ -103,7 +104,8 @@ final class SceneSchema {
         schema.put(
                 "allOf",
                 Descriptions.members(family).stream()
-                        .map(member -> member(member, usual.filter(member::equals).isPresent()))
+                        .map(member ->
+                                member(member, usual.filter(member::equals).isPresent()))
                         .toList());
         return schema;
     }
@@ -150,6 +152,10 @@ final class SceneSchema {
     }
 
     private static Map<String, Object> range(String allowed) {
+        String[] parts = allowed.split(", or ");
+        if (parts.length > 1) {
+            return Map.of("anyOf", Stream.of(parts).map(SceneSchema::range).toList());
+        }
         Map<String, Object> range = new LinkedHashMap<>();
         RANGES.forEach((pattern, keywords) -> {
             Matcher numbers = pattern.matcher(allowed);
@@ -159,9 +165,6 @@ final class SceneSchema {
                 }
             }
         });
-        if (range.remove("") != null) {
-            range.put("minimum", 0);
-        }
         return range;
     }
 
@@ -232,6 +235,7 @@ final class SceneSchema {
             Map<String, Object> number = new LinkedHashMap<>();
             number.put("description", meaning(scale) + "; " + scale.range() + ".");
             number.put("type", "number");
+            number.putAll(range(scale.range()));
             properties.put(scale.key(), number);
         }
         properties.put(VelocityReader.DIRECTION, numbers("number", 3));
