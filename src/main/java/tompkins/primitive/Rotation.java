@@ -182,7 +182,8 @@ public final class Rotation {
         if (farthest <= known * (1 + MARGIN) || width < NARROWEST) {
             return Math.max(farthest, known);
         }
-        double part = Math.atan2(across, first);
+        // not at the edge, so that both parts get narrower
+        double part = Math.max(width / 8, Math.min(Math.atan2(across, first), width * 7 / 8));
         double there = extent.applyAsDouble(angle + part);
         double inFirst = reach(extent, angle, first, part, there, Math.max(known, there));
         return reach(extent, angle + part, there, width - part, last, inFirst);
