@@ -20,13 +20,13 @@ import java.util.stream.Stream;
 public final class Descriptions {
 
     private static final ClassValue<List<RecordComponent>> COMPONENTS =
-            kept(type -> List.of(type.getRecordComponents()));
+            cachedPerClass(type -> List.of(type.getRecordComponents()));
 
-    private static final ClassValue<Constructor<?>> CONSTRUCTOR = kept(Descriptions::constructor);
+    private static final ClassValue<Constructor<?>> CONSTRUCTOR = cachedPerClass(Descriptions::constructor);
 
-    private static final ClassValue<Standard> STANDARD = kept(Descriptions::readStandard);
+    private static final ClassValue<Standard> STANDARD = cachedPerClass(Descriptions::readStandard);
 
-    private static final ClassValue<List<Class<?>>> MEMBERS = kept(Descriptions::readMembers);
+    private static final ClassValue<List<Class<?>>> MEMBERS = cachedPerClass(Descriptions::readMembers);
 
     /** The usual description of a type, null if there is none, and the values of its components. */
     private record Standard(Object description, List<Object> values) {}
@@ -37,7 +37,7 @@ public final class Descriptions {
      * What is asked of a type once and then kept: each question to a class takes microseconds, many more in a program
      * that has just been started, and scenes have many objects.
      */
-    public static <T> ClassValue<T> kept(Function<Class<?>, T> answer) {
+    public static <T> ClassValue<T> cachedPerClass(Function<Class<?>, T> answer) {
         return new ClassValue<>() {
             @Override
             protected T computeValue(Class<?> type) {

@@ -30,7 +30,7 @@ public final class Renderer implements AutoCloseable {
     private final ExecutorService pool;
     private final Queue<Thread> workers = new ConcurrentLinkedQueue<>();
     private final Set<RenderJob> jobs = ConcurrentHashMap.newKeySet();
-    private final GlimpseBudget glimpseBudget = new GlimpseBudget();
+    private final PreviewBudget previewBudget = new PreviewBudget();
 
     /** A renderer with one thread for each core. */
     public Renderer() {
@@ -85,15 +85,15 @@ public final class Renderer implements AutoCloseable {
             schedule = new FixedSchedule(Pass.of(1, 1, false));
         } else {
             ToneCurve curve = plan.studio().settings().toneCurve();
-            Glimpse glimpse = new Glimpse(width, height, plan.exposure(), curve);
+            PreviewFilm glimpse = new PreviewFilm(width, height, plan.exposure(), curve);
             buffer = glimpse;
             schedule = new EdgeSchedule(
-                    glimpse, (first, taken) -> glimpseBudget.most(first, taken, seconds, width * height));
+                    glimpse, (first, taken) -> previewBudget.most(first, taken, seconds, width * height));
         }
         long start = System.nanoTime();
         return start(plan, schedule, buffer, Tile.of(width, height), listener, job -> {
             if (job.isComplete()) {
-                glimpseBudget.ended((System.nanoTime() - start) * 1e-9, seconds);
+                previewBudget.ended((System.nanoTime() - start) * 1e-9, seconds);
             }
         });
     }
