@@ -77,6 +77,7 @@ class ArchitectureTest {
             "io",
             "animation",
             "study",
+            "lab",
             "ui",
             "app");
 

@@ -37,7 +37,8 @@ class RoomSizeTest {
                 arguments("explain, lesson, measure, animation", 6_182),
                 arguments("io, app", 8_285),
                 arguments("study", 3_807),
-                arguments("ui", 21_125));
+                arguments("ui", 21_125),
+                arguments("lab", 400));
     }
 
     @ParameterizedTest

@@ -21,6 +21,7 @@ import tompkins.measure.LessonResult;
 import tompkins.measure.LessonStudio;
 import tompkins.render.PhotographTaker;
 import tompkins.render.Quality;
+import tompkins.render.Renderer;
 import tompkins.studio.Studio;
 
 /** Makes sheets of lessons, to be printed. */
@@ -58,7 +59,7 @@ final class SheetCommand extends ProgramCommand {
         NamedFile.requireEnding(output, "sheet", ".html", ".htm");
         ScenePlan.of(studio, scene);
         Photographer.requirePlace(output, force, NamedFile.ofScene(studio, scene));
-        Photographer.requireMemory(studio.settings(), Quality.of(studio));
+        Renderer.requireMemory(studio.settings(), Quality.of(studio));
         byte[] page = sheet(studio).html().getBytes(StandardCharsets.UTF_8);
         Path place = PendingFile.save(output, force, out -> out.write(page));
         out().println(place.toRealPath(LinkOption.NOFOLLOW_LINKS));
