@@ -5,10 +5,13 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.Optional;
 import java.util.Properties;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.StereoLayout;
 import tompkins.image.Panorama;
 import tompkins.image.PhotographInfo;
+import tompkins.property.AddedTypes;
 import tompkins.property.OneLine;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
@@ -45,9 +48,10 @@ public final class SelfDescription {
                 : Optional.empty();
     }
 
-    /** Name and version of the program. */
+    /** Name and version of the program, and of the jars that add types to it. */
     public static String program() {
-        return "Tompkins " + version();
+        return Stream.concat(Stream.of("Tompkins " + version()), AddedTypes.jars().stream())
+                .collect(Collectors.joining(", "));
     }
 
     /** The version of the program, such as 1.2.0. */

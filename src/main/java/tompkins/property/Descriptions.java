@@ -214,7 +214,12 @@ public final class Descriptions {
         return type.isRecord() || type.isSealed() && !type.isEnum();
     }
 
-    /** The records of a sealed family, in the order in which it names them; the type itself if it is a record. */
+    /**
+     * The records of a sealed family, in the order in which it names them, with those that other jars add; the type
+     * itself if it is a record.
+     *
+     * @throws MistakeException if a jar adds what cannot be used
+     */
     public static List<Class<?>> members(Class<?> family) {
         return MEMBERS.get(family);
     }
@@ -223,7 +228,9 @@ public final class Descriptions {
         return family.isRecord()
                 ? List.of(family)
                 : Arrays.stream(family.getPermittedSubclasses())
-                        .<Class<?>>flatMap(type -> type.isSealed() ? members(type).stream() : Stream.of(type))
+                        .<Class<?>>flatMap(type -> type.isSealed()
+                                ? members(type).stream()
+                                : type.isInterface() ? AddedTypes.of(type).stream() : Stream.of(type))
                         .toList();
     }
 

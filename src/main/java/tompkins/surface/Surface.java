@@ -17,7 +17,8 @@ public sealed interface Surface
                 ComplexRefraction,
                 FrameWindow,
                 ConfocalLensletArray,
-                IdealLens {
+                IdealLens,
+                AddedSurface {
 
     /** What becomes of a ray that hit this surface. */
     Response respond(Ray ray, Hit hit, Tracer tracer);
