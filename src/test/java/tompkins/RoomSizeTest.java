@@ -32,12 +32,13 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        28_494),
-                arguments("file, image", 4_241),
-                arguments("explain, lesson, measure, animation", 6_182),
-                arguments("io, app", 8_285),
-                arguments("study", 3_807),
-                arguments("ui", 21_125),
+                        28_271),
+                arguments("file, image", 4_062),
+                arguments("explain", 849),
+                arguments("lesson, measure, animation", 5_071),
+                arguments("io, app", 8_284),
+                arguments("study", 3_410),
+                arguments("ui", 21_122),
                 arguments("lab", 400));
     }
 

@@ -13,8 +13,8 @@ import tompkins.studio.PaperStudios;
 import tompkins.studio.Studio;
 import tompkins.study.Chart;
 import tompkins.study.ChartDrawing;
-import tompkins.study.Measurement;
 import tompkins.study.Spread;
+import tompkins.study.StudyPoint;
 import tompkins.trace.RenderPlan;
 
 /**
@@ -50,12 +50,12 @@ final class Figures {
     static void measure(int rounds, Path folder, List<Measure> measures) throws IOException, InterruptedException {
         addTimes("fig1a", PaperStudios.fig1a(), rounds, measures);
         addTimes("fig1b", PaperStudios.fig1b(), rounds, measures);
-        List<Measurement> points = new ArrayList<>(own());
+        List<StudyPoint> points = new ArrayList<>(own());
         String version = PovRay.version();
         if (version == null) {
             measures.add(Measure.missing("fig1a, --error 0.01, against POV-Ray", PovRay.MISSING));
         } else {
-            List<Measurement> others = others(version);
+            List<StudyPoint> others = others(version);
             measures.add(Measure.of(
                     "fig1a, as good as with --error 0.01: processor time of POV-Ray " + version
                             + " to that of Tompkins",
@@ -81,10 +81,10 @@ final class Figures {
         }
     }
 
-    private static List<Measurement> own() throws InterruptedException {
+    private static List<StudyPoint> own() throws InterruptedException {
         Studio figure = PaperStudios.fig1a();
         Studio studio = figure.withSettings(figure.settings().withSize(WIDTH, HEIGHT));
-        List<Measurement> points = new ArrayList<>();
+        List<StudyPoint> points = new ArrayList<>();
         try (Renderer renderer = new Renderer(1)) {
             RenderPlan plan = RenderPlan.of(studio);
             RenderPlan otherSeed =
@@ -111,12 +111,12 @@ final class Figures {
         return points;
     }
 
-    private static List<Measurement> others(String version) throws IOException, InterruptedException {
+    private static List<StudyPoint> others(String version) throws IOException, InterruptedException {
         Studio studio = PaperStudios.fig1a();
         int width = studio.settings().width();
         int height = studio.settings().height();
         double[] reference = PovRay.take(WIDTH, HEIGHT, grid(REFERENCE_GRID)).light();
-        List<Measurement> points = new ArrayList<>();
+        List<StudyPoint> points = new ArrayList<>();
         for (int grid : GRIDS) {
             double[] seconds = new double[TURNS];
             double found = 0;
@@ -135,15 +135,15 @@ final class Figures {
         return new String[] {"+AM1", "+A0.0", "+R" + rows};
     }
 
-    private static Measurement point(String method, double setting, double[] seconds, double error) {
-        return new Measurement(PROBLEM, method, setting, 1, Spread.of(seconds), Spread.exact(error), error, 0);
+    private static StudyPoint point(String method, double setting, double[] seconds, double error) {
+        return new StudyPoint(PROBLEM, method, setting, 1, Spread.of(seconds), Spread.exact(error), error, 0);
     }
 
     /** The seconds to an error, on the straight line of the logarithms through the two points around it. */
-    private static double secondsTo(double error, List<Measurement> points) {
+    private static double secondsTo(double error, List<StudyPoint> points) {
         for (int i = 1; i < points.size(); i++) {
-            Measurement before = points.get(i - 1);
-            Measurement after = points.get(i);
+            StudyPoint before = points.get(i - 1);
+            StudyPoint after = points.get(i);
             if (after.error().middle() <= error) {
                 double part = Math.log(before.error().middle() / error)
                         / Math.log(before.error().middle() / after.error().middle());

@@ -59,7 +59,7 @@ public record AnimationRecorder(
      * @throws FileException if the file cannot be written
      */
     public List<String> record(AnimationWriter writer, Progress progress) throws FileException, InterruptedException {
-        Store file = (frame, picture, info) -> writer.add(picture, info);
+        Store file = (frame, picture, info) -> writer.add(picture.image(), info);
         return record(FrameSelection.all(film.frames()), frame -> false, file, progress);
     }
 

@@ -95,7 +95,7 @@ public final class FilmAssembly {
                 throw new MistakeException(folder.file(frame) + ": must have the size of the first frame, "
                         + first.size() + ", was " + picture.size());
             }
-            writer.add(picture, PhotographInfo.NONE);
+            writer.add(picture.image(), PhotographInfo.NONE);
             progress.setProgress((frame + 1.0) / count);
         }
     }

@@ -39,11 +39,10 @@ final class ExplainCommand extends ProgramCommand {
         Renderer.requireMemory(studio.settings(), wish);
         out().println(studio.title());
         studio.remarks().lines().forEach(out()::println);
-        for (String sentence : new Explanation(plan).sentences()) {
-            out().println("- " + sentence);
-        }
-        UnseenObjects.sentence(plan).ifPresent(sentence -> out().println("- " + sentence));
-        UnseenObjects.warning(plan).ifPresent(warning -> out().println("- Warning: " + warning + "."));
+        new Explanation(plan).sentences().forEach(sentence -> out().println("- " + sentence));
+        UnseenObjects unseen = new UnseenObjects(plan);
+        unseen.sentence().ifPresent(sentence -> out().println("- " + sentence));
+        unseen.warning().ifPresent(warning -> out().println("- Warning: " + warning + "."));
         TouchingSurfaces touching = new TouchingSurfaces(plan);
         touching.media().forEach(sentence -> out().println("- " + sentence));
         touching.rivals().forEach(clause -> out().println("- Warning: " + clause + "."));

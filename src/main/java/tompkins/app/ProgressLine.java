@@ -7,8 +7,8 @@ import java.util.function.Supplier;
 import tompkins.render.Progress;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderListener;
-import tompkins.study.Measurement;
 import tompkins.study.StudyKind;
+import tompkins.study.StudyPoint;
 
 /** One line on a terminal that says what is being done, how far a picture or an animation is, and how long it takes. */
 final class ProgressLine implements RenderListener, Progress {
@@ -87,7 +87,7 @@ final class ProgressLine implements RenderListener, Progress {
     }
 
     /** A measurement of a study is made, or was known; {@code done} of {@code count} are. */
-    synchronized void measured(StudyKind kind, Measurement point, int done, int count) {
+    synchronized void measured(StudyKind kind, StudyPoint point, int done, int count) {
         show(String.format(
                 Locale.ROOT,
                 "%s %d/%d: %s, %s, %.6g",

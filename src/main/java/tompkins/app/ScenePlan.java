@@ -56,7 +56,7 @@ final class ScenePlan {
     /** What may be wrong with the picture of a plan, and with what is measured in it. */
     static List<String> warnings(RenderPlan plan) {
         List<String> warnings = new ArrayList<>(new Explanation(plan).warnings());
-        UnseenObjects.warning(plan).ifPresent(warnings::add);
+        new UnseenObjects(plan).warning().ifPresent(warnings::add);
         return warnings;
     }
 

@@ -20,11 +20,11 @@ import tompkins.property.MistakeException;
 import tompkins.study.Chart;
 import tompkins.study.ChartDrawing;
 import tompkins.study.Conclusion;
-import tompkins.study.Measurement;
 import tompkins.study.Study;
 import tompkins.study.StudyData;
 import tompkins.study.StudyKind;
 import tompkins.study.StudyPage;
+import tompkins.study.StudyPoint;
 import tompkins.study.Trial;
 
 /** Charts speed against accuracy. */
@@ -157,10 +157,10 @@ final class StudyCommand extends ProgramCommand {
     /** The figures of a study, as its file holds them; they are measured unless it holds them already. */
     private StudyData figures(StudyKind kind, Study study, Path file) throws IOException {
         if (force || !Files.exists(file)) {
-            List<Measurement> measured = new ArrayList<>();
+            List<StudyPoint> measured = new ArrayList<>();
             List<Trial> trials = study.trials();
             for (Trial trial : trials) {
-                Measurement point = trial.measure();
+                StudyPoint point = trial.measure();
                 measured.add(point);
                 report.measured(kind, point, measured.size(), trials.size());
             }

@@ -1,5 +1,9 @@
 package tompkins.camera;
 
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.joml.Vector2d;
+import org.joml.Vector2dc;
 import tompkins.ray.Padded;
 
 /**
@@ -30,6 +34,12 @@ public final class SamplePositions extends Padded {
         lensX = new double[most];
         lensY = new double[most];
         moments = new double[most];
+    }
+
+    /** Positions spread evenly over a picture, in pixels, so many in each row and column. */
+    public static Stream<Vector2dc> spread(int width, int height, int side) {
+        return IntStream.range(0, side * side)
+                .mapToObj(i -> new Vector2d((i % side + 0.5) / side * width, (i / side + 0.5) / side * height));
     }
 
     /** A single position, as {@link #add}. */

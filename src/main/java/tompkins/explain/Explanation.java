@@ -11,10 +11,14 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import tompkins.camera.EyeView;
+import tompkins.camera.PanoramicCamera;
+import tompkins.camera.Stereo;
 import tompkins.camera.StereoLayout;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.ColourLaw;
+import tompkins.light.LightShift;
 import tompkins.light.Metering;
+import tompkins.light.StarCatalogue;
 import tompkins.primitive.BoxPrimitive;
 import tompkins.primitive.FlatPrimitive;
 import tompkins.primitive.PlanePrimitive;
@@ -28,6 +32,7 @@ import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.FrontWindow;
+import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.surface.Continuation;
@@ -36,15 +41,11 @@ import tompkins.surface.IdealLens;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.Surface;
 import tompkins.surface.WindowAxes;
-import tompkins.trace.LightShift;
 import tompkins.trace.RenderPlan;
 import tompkins.world.World;
 
 /** Says in sentences what a picture models and what it leaves out. */
 public final class Explanation {
-
-    /** The most frames whose content is listed, so that the sentence stays short. */
-    private static final int MOST_TOLD = 8;
 
     /** Above this Lorentz factor of a point that turns the user is warned. */
     private static final double MOST_GAMMA = 1000;
@@ -80,7 +81,7 @@ public final class Explanation {
         }
         sentences.add(motion());
         sentences.add(lens());
-        StereoSentence.of(studio.camera(), plan.pictureRays()).ifPresent(sentences::add);
+        stereo().ifPresent(sentences::add);
         if (!isMeasured) {
             sentences.addAll(plan.mediumSentences());
         }
@@ -91,7 +92,7 @@ public final class Explanation {
         exposure().ifPresent(sentences::add);
         sentences.addAll(new Flashes(plan).sentences());
         sentences.add(colours());
-        sentences.addAll(Stars.sentences(studio));
+        stars().ifPresent(sentences::add);
         sentences.add(cameraObjects());
         FrontWindow.of(studio).map(this::frontWindow).ifPresent(sentences::add);
         search().ifPresent(sentences::add);
@@ -133,7 +134,7 @@ public final class Explanation {
             warnings.add(
                     "the light of the scene is too faint to be seen in the middle of the picture, which stays dark");
         }
-        warnings.addAll(new Flashes(plan).warnings());
+        new Flashes(plan).warning().ifPresent(warnings::add);
         BrightColours.warning(studio).ifPresent(warnings::add);
         Stream.concat(IntStream.range(0, world.frameCount()).mapToObj(world::objects), Stream.of(cameraFrame))
                 .filter(objects -> objects.surfaces().stream().anyMatch(Explanation::isLens))
@@ -193,6 +194,26 @@ public final class Explanation {
                         : "; the focus does not matter.");
     }
 
+    private Optional<String> stereo() {
+        Stereo stereo = studio.camera().stereo();
+        if (stereo.layout() == StereoLayout.NONE) {
+            return Optional.empty();
+        }
+        return Optional.of(format(
+                "Stereo, %s: the eyes rest in the camera frame, %s apart, and both show what is %s straight ahead in the"
+                        + " middle of their pictures.%s%s",
+                stereo.layout().name().toLowerCase(Locale.ROOT).replace('_', ' '),
+                NumberText.of(stereo.eyeDistance()),
+                NumberText.of(stereo.zeroParallaxDistance()),
+                studio.camera() instanceof PanoramicCamera
+                        ? " They turn about the camera's position with the columns, each of which they see straight ahead."
+                        : "",
+                stereo.layout().isAnaglyph()
+                        ? " Each sample follows a ray of each eye; the ray that is traced for a point is that of the left"
+                                + " eye."
+                        : ""));
+    }
+
     private String shutter() {
         if (plan.isStill()) {
             return "Nothing in the scene changes with time: every shutter model gives this picture, except where a ray"
@@ -237,17 +258,29 @@ public final class Explanation {
         if (!plan.blursInTime()) {
             return Optional.empty();
         }
-        MotionBlur blur = new MotionBlur(plan);
+        double length = new MotionBlur(plan).inTheMiddle();
         return Optional.of(format(
-                "The shutter stays open for %s: objects in the middle of the picture move %s meanwhile, in a corner %s."
-                        + " This is free; smooth blur needs more samples.",
+                "The shutter stays open for %s: what the middle of the picture shows moves by %s meanwhile. This is free;"
+                        + " smooth blur needs more samples.",
                 NumberText.of(studio.camera().exposureTime()),
-                pixels(blur.inTheMiddle()),
-                pixels(blur.inTheWorstCorner())));
+                Double.isFinite(length) ? NumberText.plain(length, 2) + " pixels" : "an unknown length"));
     }
 
-    private static String pixels(double length) {
-        return Double.isFinite(length) ? "by " + NumberText.plain(length, 2) + " pixels" : "by an unknown length";
+    private Optional<String> stars() {
+        if (!(studio.background() instanceof StarSky sky)) {
+            return Optional.empty();
+        }
+        String change = !studio.shiftsColours()
+                ? "Motion moves them and leaves them as bright as they are."
+                : (studio.colours() == ColourLaw.SEARCHLIGHT
+                                ? "A star gets brighter with the square of the Doppler factor D."
+                                : "A star is seen as a black body of D times its temperature.")
+                        + " Stars that are fainter at rest are left out, although the motion would make many of them"
+                        + " visible ahead.";
+        return Optional.of(format(
+                "The sky holds %d stars, to magnitude %s at rest; each is a spot of a few pixels with all its light,"
+                        + " whatever the size of the picture and the number of samples. %s",
+                StarCatalogue.upTo(sky.limit()).size(), NumberText.of(sky.limit()), change));
     }
 
     private String cameraObjects() {
@@ -283,14 +316,15 @@ public final class Explanation {
     }
 
     private String searchInFrames() {
-        int told = world.frameCount() > MOST_TOLD + 1 ? MOST_TOLD : world.frameCount();
-        String frames = IntStream.range(0, told)
-                .mapToObj(i -> (i == 0 ? "at rest " : speed(world.frame(i).motion()) + ": ") + content(i))
-                .collect(Collectors.joining("; "));
-        int others = world.frameCount() - told;
+        SpeedScale scale = studio.transformation().speedScale();
+        double fastest = IntStream.range(1, world.frameCount())
+                .mapToDouble(i -> scale.valueOf(world.frame(i).motion().velocity()))
+                .max()
+                .orElseThrow();
         return format(
-                "%d inertial frames: each ray is searched for in every one that holds objects: %s%s.",
-                world.frameCount(), frames, others == 0 ? "" : "; and " + others + " more");
+                "%d inertial frames: each ray is searched for in every one that holds objects; the fastest moves with %s"
+                        + " %s.",
+                world.frameCount(), scale.key(), NumberText.of(NumberText.rounded(fastest, 4)));
     }
 
     private DoubleStream rotationSpeeds() {
@@ -306,8 +340,7 @@ public final class Explanation {
         return groups == 0
                 ? Optional.empty()
                 : Optional.of(format(
-                        "%s: rays are curves among what turns, and no hit is missed; the fastest point runs with %s c"
-                                + " round its axis%s.",
+                        "%s: rays are curves among what turns; the fastest point runs with %s c round its axis%s.",
                         groups == 1 ? "One group of objects turns" : groups + " groups of objects turn",
                         NumberText.plain(fastest, 4),
                         studio.transformation() == TransformationLaw.LORENTZ
@@ -317,26 +350,6 @@ public final class Explanation {
 
     private static double gamma(double speed) {
         return 1 / Math.sqrt((1 - speed) * (1 + speed));
-    }
-
-    private String content(int frame) {
-        ObjectTree objects = world.objects(frame);
-        String primitives = count(objects.size(), "primitive");
-        int lamps = (int) world.lamps().stream()
-                .filter(lamp -> lamp.light().position() != null && lamp.frame() == frame)
-                .count();
-        return lamps == 0 ? primitives : primitives + " and " + count(lamps, "lamp");
-    }
-
-    private static String count(int count, String what) {
-        return count + " " + what + (count == 1 ? "" : "s");
-    }
-
-    private String speed(FrameMotion motion) {
-        SpeedScale scale = studio.transformation().speedScale();
-        return "moving with " + scale.key() + " "
-                + NumberText.of(NumberText.rounded(scale.valueOf(motion.velocity()), 4))
-                + (motion.outer() == null ? "" : " in what moves");
     }
 
     private String recursion(Stream<Surface> surfaces) {

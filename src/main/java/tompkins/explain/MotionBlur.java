@@ -1,6 +1,5 @@
 package tompkins.explain;
 
-import java.util.stream.DoubleStream;
 import org.joml.Vector3d;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
@@ -29,16 +28,6 @@ final class MotionBlur {
     /** The length of the blur in the middle of the picture, in pixels; NaN if it is not known. */
     double inTheMiddle() {
         return length((int) plan.middle().x(), (int) plan.middle().y());
-    }
-
-    /** The largest length of the blur in the corners of the picture, in pixels; NaN if none is known. */
-    double inTheWorstCorner() {
-        int right = plan.width() - 1;
-        int bottom = plan.height() - 1;
-        return DoubleStream.of(length(0, 0), length(right, 0), length(0, bottom), length(right, bottom))
-                .filter(length -> !Double.isNaN(length))
-                .max()
-                .orElse(Double.NaN);
     }
 
     /**
@@ -87,9 +76,7 @@ final class MotionBlur {
         return RayLife.way(plan, x, y, 0, 0, moment);
     }
 
-    /**
-     * The velocity in the scene of what rests in a frame; NaN where the light of the picture is not that of relativity.
-     */
+    /** The velocity in the scene of what rests in a frame; NaN where light is not that of relativity. */
     private Vector3d velocity(FrameMotion motion) {
         if (motion == null) {
             return new Vector3d();

@@ -8,7 +8,6 @@ import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.AmbientLight;
 import tompkins.light.PointLight;
-import tompkins.ray.RayCounts;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.studio.Studio;
 import tompkins.surface.ColourFilter;
@@ -23,12 +22,6 @@ import tompkins.trace.RenderPlan;
 
 /** Says in sentences which parts of nature a picture leaves out, if that could be seen in it. */
 final class Omissions {
-
-    /** Number of rows, and of columns, of the grid of pixels that are tried. */
-    private static final int TRIED = 24;
-
-    /** Searches of a primitive that a sentence may cost: some milliseconds. */
-    private static final double MOST_SEARCHES = 100_000;
 
     private final RenderPlan plan;
     private final Studio studio;
@@ -55,8 +48,14 @@ final class Omissions {
         List<String> sentences = new ArrayList<>();
         addWindows(sentences);
         addLenses(sentences);
-        addFocus(sentences);
-        addShutter(sentences);
+        boolean isFocused = camera.hasWideAperture() || camera.shutter().needsFocus();
+        if (isFocused && has(beforeLens, part -> part.continuation() == Continuation.TURNED)) {
+            sentences.add("The focus ignores windows, glass and mirrors before the lens:"
+                    + " it lies where the rays would meet it without them.");
+        }
+        if (!plan.isStill() && !plan.blursInTime()) {
+            sentences.add("The shutter opens for an instant: nothing is blurred by motion.");
+        }
         if (plan.world().followsCamera() && !beforeLens.isEmpty()) {
             sentences.add("Image points ignore the objects that move with the camera.");
         }
@@ -89,58 +88,6 @@ final class Omissions {
         if (has(part -> part instanceof ConfocalLensletArray || part instanceof IdealLens)) {
             sentences.add("Lenslets and ideal lenses turn light and do nothing else to it: no wave optics stands behind"
                     + " them, and no light is delayed, although a real lens delays what passes its middle.");
-        }
-    }
-
-    private void addFocus(List<String> sentences) {
-        if (!isFocused()) {
-            return;
-        }
-        if (has(beforeLens, part -> part.continuation() == Continuation.TURNED)) {
-            sentences.add("The focus ignores windows, glass and mirrors before the lens:"
-                    + " it lies where the rays would meet it without them.");
-        }
-        RayCounts counts = tried();
-        if (counts.withoutFocus > 0 && hasSurfaceInFocus()) {
-            sentences.add("The surface in focus is missed by about " + share(counts.withoutFocus, counts.samples)
-                    + " of the pixels: these are focused at infinity"
-                    + (counts.withoutShutter > 0 ? ", and stay black where that gives the shutter no time." : "."));
-        }
-    }
-
-    private boolean isFocused() {
-        return camera.hasWideAperture() || camera.shutter().needsFocus();
-    }
-
-    private boolean hasSurfaceInFocus() {
-        return camera instanceof ThinLensCamera lens && lens.surfaceInFocus().primitiveCount() > 0;
-    }
-
-    /** What goes wrong with the rays of a few pixels, spread evenly over the picture. */
-    private RayCounts tried() {
-        RayCounts counts = new RayCounts();
-        double primitives = camera instanceof ThinLensCamera lens
-                ? Math.max(1, lens.surfaceInFocus().primitiveCount())
-                : 1;
-        int rows = (int) Math.max(2, Math.min(TRIED, Math.sqrt(MOST_SEARCHES / primitives)));
-        double width = studio.settings().width();
-        double height = studio.settings().height();
-        for (int row = 0; row < rows; row++) {
-            for (int column = 0; column < rows; column++) {
-                counts.samples++;
-                plan.pictureRays().ray((column + 0.5) / rows * width, (row + 0.5) / rows * height, counts);
-            }
-        }
-        return counts;
-    }
-
-    private static String share(long some, long all) {
-        return Math.max(1, Math.round(100.0 * some / all)) + " %";
-    }
-
-    private void addShutter(List<String> sentences) {
-        if (!plan.isStill() && !plan.blursInTime()) {
-            sentences.add("The shutter opens for an instant: nothing is blurred by motion.");
         }
     }
 

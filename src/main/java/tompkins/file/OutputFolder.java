@@ -46,11 +46,6 @@ public final class OutputFolder implements Closeable {
         }
     }
 
-    /** Whether whole files stay in it though the work has ended early: the program is being stopped. */
-    public static boolean keepsWholeFiles() {
-        return Unfinished.isStopped();
-    }
-
     @Override
     public void close() throws FileException {
         try {

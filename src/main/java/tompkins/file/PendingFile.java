@@ -6,18 +6,23 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
 import java.nio.channels.FileChannel;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ThreadLocalRandom;
 
 /**
- * A file that appears in its place only when it is complete. Until {@link #commit} it lies, under its own name, in a
- * folder of its own beside that place, so that a name that is not allowed is refused at once and not after the work.
- * {@link #close} without a commit removes every trace, and what was there before stays; the end of the program does the
- * same.
+ * An atomic write: the content goes into a hidden file beside its place, and {@link #commit} moves it there when it is
+ * complete. {@link #close} without a commit removes it, and what was there before stays; the end of the program does
+ * the same.
  */
 public final class PendingFile implements Closeable {
 
@@ -25,51 +30,30 @@ public final class PendingFile implements Closeable {
 
     private final boolean replaces;
     private final Path target;
-
-    /** A folder beside that place, and what will be moved from it. */
-    private final Path room;
-
     private final Path temporary;
 
-    /**
-     * What writes here and is not closed yet. It is stopped before the file is removed; otherwise it would go on
-     * writing.
-     */
+    /** What writes here; closed before the file is removed, because it would go on writing. */
     private final List<Closeable> writers = new ArrayList<>();
 
     private boolean ended;
 
-    private PendingFile(boolean replaces, Path target, Path room) {
+    private PendingFile(boolean replaces, Path target, Path temporary) {
         this.replaces = replaces;
         this.target = target;
-        this.room = room;
-        temporary = room.resolve(target.getFileName());
+        this.temporary = temporary;
     }
 
     /**
-     * A pending file that will have the name of {@code target}, and replaces what has it. A link is followed: what it
-     * points to is replaced.
+     * A pending file that will have the name of {@code target}, or the same with a number if it replaces nothing and
+     * something has that name when it is complete.
      *
-     * @throws IOException as {@link #requireReplaceable}, or if there is no such folder
+     * @param replace whether it replaces what has its name, or what a link of that name points to
+     * @throws IOException if there is no such folder, the name belongs to something that must not be replaced by a
+     *     file, or nothing can be written there
      */
-    public static PendingFile replacing(Path target) throws IOException {
-        requireReplaceable(target);
-        return beside(true, followed(target));
-    }
-
-    /**
-     * A pending file that will have the name of {@code target}, or the same with a number if something has that name
-     * when the file is complete.
-     *
-     * @throws IOException if there is no such folder, or nothing can be written there
-     */
-    public static PendingFile newFile(Path target) throws IOException {
-        return beside(false, target);
-    }
-
-    /** A pending file that replaces what has its name, or one that replaces nothing. */
     public static PendingFile at(Path target, boolean replace) throws IOException {
-        return replace ? replacing(target) : newFile(target);
+        requireReplaceable(target);
+        return beside(replace, replace ? followed(target) : target);
     }
 
     /** Writes into a stream. */
@@ -98,12 +82,7 @@ public final class PendingFile implements Closeable {
         }
     }
 
-    /**
-     * Refuses a name that belongs to something that must not be replaced by a file.
-     *
-     * @throws IOException if the name is that of a folder, a device, a pipe, or a file that is write-protected
-     */
-    public static void requireReplaceable(Path target) throws IOException {
+    private static void requireReplaceable(Path target) throws IOException {
         if (Files.isDirectory(target)) {
             throw new FileException(target + ": cannot be written: it is a folder; name a file in it");
         }
@@ -131,6 +110,7 @@ public final class PendingFile implements Closeable {
         if (folder == null || !Files.isDirectory(folder)) {
             throw new FileException(target + ": cannot be written: there is no folder " + folder);
         }
+        requireName(target);
         String name =
                 ".tompkins-" + Long.toHexString(ThreadLocalRandom.current().nextLong()) + ".part";
         PendingFile pending = new PendingFile(replaces, target, folder.resolve(name));
@@ -138,8 +118,7 @@ public final class PendingFile implements Closeable {
             Unfinished.begin(pending);
             synchronized (pending) {
                 pending.requireOpen();
-                // Not Files.createTempDirectory nor createTempFile, which hide from everybody but the owner.
-                Files.createDirectory(pending.room);
+                // Not Files.createTempFile, which hides from everybody but the owner.
                 Files.createFile(pending.temporary);
             }
         } catch (IOException refused) {
@@ -149,12 +128,21 @@ public final class PendingFile implements Closeable {
         return pending;
     }
 
-    /** Whether it is complete, was given up, or the program is being stopped. */
-    public synchronized boolean isEnded() {
-        return ended;
+    /** Refuses a name that no file of the folder can have, such as one that is too long, before the work begins. */
+    private static void requireName(Path target) throws IOException {
+        try {
+            Files.readAttributes(target, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
+        } catch (NoSuchFileException free) {
+            // as it should be
+        }
     }
 
-    private void requireOpen() throws InterruptedIOException {
+    /**
+     * Refuses work on what is complete or was given up.
+     *
+     * @throws InterruptedIOException if it is, because the program is being stopped
+     */
+    public synchronized void requireOpen() throws InterruptedIOException {
         if (ended) {
             throw new InterruptedIOException(FileFailure.STOPPED);
         }
@@ -174,25 +162,7 @@ public final class PendingFile implements Closeable {
     /** A buffered stream into the pending file. */
     public synchronized OutputStream open() throws IOException {
         requireOpen();
-        OutputStream stream = stopAtEnd(Files.newOutputStream(temporary));
-        return new BufferedOutputStream(stream, BUFFER) {
-            @Override
-            public void close() throws IOException {
-                super.close();
-                closed(stream);
-            }
-        };
-    }
-
-    /** Writes all of the content. */
-    public void write(byte[] content) throws IOException {
-        try (OutputStream stream = open()) {
-            stream.write(content);
-        }
-    }
-
-    private synchronized void closed(Closeable writer) {
-        writers.remove(writer);
+        return new BufferedOutputStream(stopAtEnd(Files.newOutputStream(temporary)), BUFFER);
     }
 
     /**
@@ -221,9 +191,39 @@ public final class PendingFile implements Closeable {
         try (FileChannel channel = FileChannel.open(temporary, StandardOpenOption.WRITE)) {
             channel.force(true);
         }
-        Path place = replaces ? FileNames.replace(temporary, target) : FileNames.take(temporary, target);
+        Path place = replaces ? target : freeName();
+        try {
+            move(place);
+        } catch (IOException failure) {
+            if (!replaces) {
+                Files.deleteIfExists(place);
+            }
+            throw failure;
+        }
         close();
         return place;
+    }
+
+    private void move(Path place) throws IOException {
+        try {
+            Files.move(temporary, place, StandardCopyOption.ATOMIC_MOVE);
+        } catch (AtomicMoveNotSupportedException | FileAlreadyExistsException e) {
+            Files.move(temporary, place, StandardCopyOption.REPLACE_EXISTING);
+        }
+    }
+
+    /** Takes the first name that is free with an empty file, which only one program can make. */
+    private Path freeName() throws IOException {
+        String name = target.getFileName().toString();
+        int dot = name.lastIndexOf('.') > 0 ? name.lastIndexOf('.') : name.length();
+        Path free = target;
+        for (int number = 2; ; number++) {
+            try {
+                return Files.createFile(free);
+            } catch (FileAlreadyExistsException taken) {
+                free = target.resolveSibling(name.substring(0, dot) + "-" + number + name.substring(dot));
+            }
+        }
     }
 
     /** Stops what writes here, and removes what was not committed. */
@@ -239,11 +239,7 @@ public final class PendingFile implements Closeable {
                 }
             }
             writers.clear();
-            // a name that is too long is in no folder, and cannot even be removed
-            if (Files.exists(temporary)) {
-                Files.delete(temporary);
-            }
-            Files.deleteIfExists(room);
+            Files.deleteIfExists(temporary);
         } finally {
             Unfinished.end(this);
         }

@@ -40,11 +40,6 @@ final class Unfinished {
         OPEN.remove(work);
     }
 
-    /** Whether the program is being stopped. */
-    static boolean isStopped() {
-        return STOPPED.get();
-    }
-
     private static void stop() {
         STOPPED.set(true);
         for (Closeable work : OPEN) {

@@ -3,6 +3,7 @@ package tompkins.image;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Objects;
 import tompkins.file.FileException;
 import tompkins.file.PendingFile;
 
@@ -86,20 +87,15 @@ public enum AnimationFormat {
         }
         try {
             return switch (this) {
-                case GIF -> new GifWriter(target, file(target, replace), framesPerSecond);
+                case GIF -> new GifWriter(target, PendingFile.at(target, replace), framesPerSecond);
                 case MP4 -> {
-                    Path program = Mp4Writer.program();
-                    yield new Mp4Writer(target, file(target, replace), framesPerSecond, program);
+                    Path program = Mp4Writer.program(Objects.requireNonNullElse(System.getenv("PATH"), ""));
+                    yield new Mp4Writer(target, PendingFile.at(target, replace), framesPerSecond, program);
                 }
-                case NUMBERED_PNG -> new NumberedPngWriter(target);
+                case NUMBERED_PNG -> NumberedPngWriter.in(target);
             };
         } catch (IOException e) {
             throw FileException.cannotWrite(target, e);
         }
-    }
-
-    private static PendingFile file(Path target, boolean replace) throws IOException {
-        PendingFile.requireReplaceable(target);
-        return PendingFile.at(target, replace);
     }
 }

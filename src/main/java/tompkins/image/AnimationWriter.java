@@ -21,18 +21,18 @@ import tompkins.file.FileException;
 public abstract sealed class AnimationWriter implements Closeable permits GifWriter, Mp4Writer, NumberedPngWriter {
 
     private final Path target;
+
+    /** Closed at the end; removes what is not complete. */
+    private final Closeable unfinished;
+
     private int width;
     private int height;
     private int frames;
     private boolean ended;
 
-    AnimationWriter(Path target) {
+    AnimationWriter(Path target, Closeable unfinished) {
         this.target = target;
-    }
-
-    /** As {@link #add(BufferedImage, PhotographInfo)}. */
-    public final void add(FramePicture frame, PhotographInfo info) throws FileException {
-        add(frame.image(), info);
+        this.unfinished = unfinished;
     }
 
     /**
@@ -76,8 +76,8 @@ public abstract sealed class AnimationWriter implements Closeable permits GifWri
             throw new IllegalStateException("an animation must have a frame");
         }
         try {
-            Path place = complete(frames);
-            ended = true;
+            Path place = complete();
+            close();
             return place;
         } catch (IOException e) {
             throw givenUp(e);
@@ -96,18 +96,16 @@ public abstract sealed class AnimationWriter implements Closeable permits GifWri
     }
 
     /**
-     * Gives up what is not finished and removes it; does nothing after {@link #finish}.
+     * Gives up what is not finished and removes it, but for whole pictures in a folder; does nothing after
+     * {@link #finish}.
      *
      * @throws FileException if it cannot be removed
      */
     @Override
     public final void close() throws FileException {
-        if (ended) {
-            return;
-        }
         ended = true;
         try {
-            discard(frames);
+            unfinished.close();
         } catch (IOException e) {
             throw FileException.cannotWrite(target, e);
         }
@@ -123,8 +121,5 @@ public abstract sealed class AnimationWriter implements Closeable permits GifWri
     abstract void write(BufferedImage frame, PhotographInfo info, int index) throws IOException;
 
     /** Writes what comes after the last frame, closes all streams, and says where the animation lies. */
-    abstract Path complete(int frames) throws IOException;
-
-    /** Removes what was written of so many frames. */
-    abstract void discard(int frames) throws IOException;
+    abstract Path complete() throws IOException;
 }

@@ -84,7 +84,7 @@ public record FrameFolder(Path folder) {
     public FramePicture picture(int frame) throws FileException {
         Path file = file(frame);
         try {
-            BufferedImage read = LibraryReader.image(PictureEncoding.PNG, WholeFile.read(file), file.toString());
+            BufferedImage read = ImageProviders.image(PictureEncoding.PNG, WholeFile.read(file), file.toString());
             BufferedImage picture = new BufferedImage(read.getWidth(), read.getHeight(), BufferedImage.TYPE_INT_RGB);
             Graphics2D graphics = picture.createGraphics();
             graphics.drawImage(read, 0, 0, null);

@@ -30,7 +30,7 @@ final class GifWriter extends AnimationWriter {
     private final ImageWriter writer;
 
     GifWriter(Path target, PendingFile pending, int framesPerSecond) throws IOException {
-        super(target);
+        super(target, pending);
         this.pending = pending;
         this.framesPerSecond = framesPerSecond;
         this.writer = ImageProviders.gifWriter();
@@ -43,7 +43,7 @@ final class GifWriter extends AnimationWriter {
         if (index == 0) {
             begin(picture);
         }
-        BufferedImage frame = FewColours.of(picture);
+        BufferedImage frame = Palette.reduced(picture);
         IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(frame), null);
         IIOMetadataNode root = new IIOMetadataNode(NATIVE);
         root.appendChild(delayNode(index));
@@ -89,17 +89,12 @@ final class GifWriter extends AnimationWriter {
     }
 
     @Override
-    Path complete(int frames) throws IOException {
+    Path complete() throws IOException {
         writer.endWriteSequence();
         writer.dispose();
         try (out) {
             stream.close();
         }
         return pending.commit();
-    }
-
-    @Override
-    void discard(int frames) throws IOException {
-        pending.close();
     }
 }

@@ -48,7 +48,7 @@ final class JpegReader {
         if (reader.components.length == 0) {
             throw new IOException("the picture has no pixels");
         }
-        Pixels pixels = PixelDecoder.decode(LibraryReader.samples(PictureEncoding.JPEG, file, name), null);
+        Pixels pixels = PixelDecoder.decode(ImageProviders.samples(PictureEncoding.JPEG, file, name), null);
         if (reader.components.length == 3 && !reader.isRgb()) {
             toRgb(pixels.rgba());
         }

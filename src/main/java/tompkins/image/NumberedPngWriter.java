@@ -8,26 +8,32 @@ import java.util.stream.Stream;
 import tompkins.file.FileException;
 import tompkins.file.OutputFolder;
 
-/** A folder of pictures {@code frame0000.png}, ..., which other programs make into a film. */
+/**
+ * A folder of pictures {@code frame0000.png}, ..., which other programs make into a film; those that are whole stay.
+ */
 final class NumberedPngWriter extends AnimationWriter {
 
     private final FrameFolder folder;
-    private final OutputFolder made;
+
+    /** Begins to fill a folder. */
+    private NumberedPngWriter(Path target, OutputFolder made) {
+        super(target, made);
+        folder = new FrameFolder(target);
+    }
 
     /**
      * Begins to fill a folder.
      *
      * @throws FileException if there is something in it, or it cannot be made
      */
-    NumberedPngWriter(Path target) throws IOException {
-        super(target);
-        folder = new FrameFolder(target);
-        made = OutputFolder.at(target);
+    static NumberedPngWriter in(Path target) throws IOException {
+        OutputFolder made = OutputFolder.at(target);
         try (Stream<Path> content = Files.list(target)) {
             if (content.findAny().isPresent()) {
                 throw new FileException(target + ": cannot be written: it exists; name a new or an empty folder");
             }
         }
+        return new NumberedPngWriter(target, made);
     }
 
     @Override
@@ -36,16 +42,7 @@ final class NumberedPngWriter extends AnimationWriter {
     }
 
     @Override
-    Path complete(int frames) throws IOException {
-        made.close();
+    Path complete() {
         return folder.folder();
-    }
-
-    @Override
-    void discard(int frames) throws IOException {
-        for (int frame = 0; frame < frames && !OutputFolder.keepsWholeFiles(); frame++) {
-            Files.deleteIfExists(folder.file(frame));
-        }
-        made.close();
     }
 }

@@ -1,6 +1,5 @@
 package tompkins.image;
 
-import java.awt.Rectangle;
 import java.io.BufferedInputStream;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -10,12 +9,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import javax.imageio.ImageReadParam;
-import javax.imageio.ImageReader;
-import javax.imageio.stream.FileImageInputStream;
-import javax.imageio.stream.ImageInputStream;
 import tompkins.file.FileException;
 import tompkins.file.PendingFile;
+import tompkins.file.WholeFile;
 
 /** Saves photographs with the scene inside, and finds the scene in saved photographs. */
 public final class PhotographFile {
@@ -63,8 +59,8 @@ public final class PhotographFile {
      * @throws FileException if there is no such folder, or no permission to write there
      */
     public static void requireWritable(Path file) throws FileException {
-        try (PendingFile pending = PendingFile.replacing(file)) {
-            pending.open().close();
+        try {
+            PendingFile.at(file, true).close();
         } catch (IOException e) {
             throw FileException.cannotWrite(file, e);
         }
@@ -155,38 +151,13 @@ public final class PhotographFile {
     public static void requireWhole(Path file) throws FileException {
         try {
             PictureEncoding encoding = encoding(file).orElse(null);
-            if (encoding == PictureEncoding.HDR) {
-                requireWholeRadiance(file);
-            } else if (encoding != null) {
-                readLastRow(encoding, file);
+            if (encoding != null) {
+                PictureFile.pixels(encoding, WholeFile.read(file), file.toString());
             }
         } catch (FileException e) {
             throw e;
         } catch (IOException | RuntimeException e) {
             throw new FileException(file + ": the picture is damaged: " + FileException.reason(e), e);
-        }
-    }
-
-    private static void requireWholeRadiance(Path file) throws IOException {
-        try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {
-            RadianceReader.requireWhole(in, file.toString());
-        }
-    }
-
-    private static void readLastRow(PictureEncoding encoding, Path file) throws IOException {
-        ImageReader reader = ImageProviders.reader(encoding);
-        try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
-            if (encoding == PictureEncoding.TIFF) {
-                // Another program may have packed it again, in a way that is not read.
-                TiffReader.requireReadable(TiffDirectory.read(stream), file.toString());
-                stream.seek(0);
-            }
-            reader.setInput(stream, true, true);
-            ImageReadParam lastRow = reader.getDefaultReadParam();
-            lastRow.setSourceRegion(new Rectangle(0, reader.getHeight(0) - 1, reader.getWidth(0), 1));
-            reader.read(0, lastRow);
-        } finally {
-            reader.dispose();
         }
     }
 

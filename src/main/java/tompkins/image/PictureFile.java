@@ -61,7 +61,13 @@ public final class PictureFile {
         return new FileException(name + ": " + encoding.label() + " picture cannot be read: " + reason, cause);
     }
 
-    private static Pixels pixels(PictureEncoding encoding, byte[] file, String name) throws IOException {
+    /**
+     * The pixels of a picture, which are not checked for numbers that are not finite.
+     *
+     * @throws FileException if the picture is of a kind that is not read
+     * @throws IOException if the file is damaged
+     */
+    static Pixels pixels(PictureEncoding encoding, byte[] file, String name) throws IOException {
         return switch (encoding) {
             case PNG -> PngReader.read(file, name);
             case JPEG -> JpegReader.read(file, name);

@@ -61,7 +61,7 @@ final class PngReader {
                 orientation = TiffDirectory.exifOrientation(chunk.data());
             }
         }
-        BufferedImage image = LibraryReader.image(PictureEncoding.PNG, plain.toByteArray(), name);
+        BufferedImage image = ImageProviders.image(PictureEncoding.PNG, plain.toByteArray(), name);
         float[] palette = image.getColorModel() instanceof IndexColorModel model ? colours(model, colours) : null;
         Pixels pixels = PixelDecoder.decode(image.getRaster(), palette);
         if (transparent.length > 0) {

@@ -73,18 +73,6 @@ final class RadianceReader {
         return reader.orientation.turn(reader.readRows());
     }
 
-    /**
-     * Reads a picture to its end and keeps nothing.
-     *
-     * @throws IOException if the file is damaged, or of a kind that is not read
-     */
-    static void requireWhole(InputStream file, String name) throws IOException {
-        RadianceReader reader = new RadianceReader(file, name);
-        for (int y = 0; y < reader.rows; y++) {
-            reader.readRow();
-        }
-    }
-
     private String readLine() throws IOException {
         StringBuilder line = new StringBuilder();
         for (int letter = in.readUnsignedByte(); letter != '\n'; letter = in.readUnsignedByte()) {

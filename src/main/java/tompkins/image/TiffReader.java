@@ -64,16 +64,6 @@ final class TiffReader {
     }
 
     /**
-     * Refuses a picture of a kind that is not read, or without some of its bytes.
-     *
-     * @throws FileException if it is of such a kind
-     * @throws IOException if bytes are missing
-     */
-    static void requireReadable(TiffDirectory tags, String name) throws IOException {
-        new TiffReader(tags, name);
-    }
-
-    /**
      * The pixels of a picture.
      *
      * @throws FileException if the picture is of a kind that is not read
@@ -81,7 +71,7 @@ final class TiffReader {
      */
     static Pixels read(byte[] file, String name) throws IOException {
         TiffReader reader = new TiffReader(TiffDirectory.read(file), name);
-        return reader.pixels(LibraryReader.samples(PictureEncoding.TIFF, file, name));
+        return reader.pixels(ImageProviders.samples(PictureEncoding.TIFF, file, name));
     }
 
     private void requireKind() throws IOException {

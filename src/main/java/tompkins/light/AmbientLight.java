@@ -3,8 +3,6 @@ package tompkins.light;
 import org.joml.Vector3dc;
 import tompkins.property.Meaning;
 import tompkins.ray.Colour;
-import tompkins.ray.Hit;
-import tompkins.ray.Ray;
 
 /** Light that comes evenly from everywhere, without shadows. */
 @Meaning("Light that comes evenly from everywhere, without shadows")
@@ -17,11 +15,6 @@ public record AmbientLight(
     /** Checks the colour. */
     public AmbientLight {
         Colour.required("colour", colour);
-    }
-
-    @Override
-    public void reflect(Ray ray, Hit hit, Colour diffuse, Colour specular, Illumination sum) {
-        sum.add(diffuse.red() * colour.red(), diffuse.green() * colour.green(), diffuse.blue() * colour.blue(), 1);
     }
 
     @Override

@@ -2,12 +2,9 @@ package tompkins.light;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import tompkins.math.Powers;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.Colour;
-import tompkins.ray.Hit;
-import tompkins.ray.Ray;
 
 /**
  * A small bright light that throws sharp shadows and highlights and does not fade with distance. The reflected light is
@@ -50,40 +47,6 @@ public record PointLight(
     /** A light that shines all the time. */
     public PointLight(Vector3dc position, Colour colour, Colour highlightColour, double highlightExponent) {
         this(position, colour, highlightColour, highlightExponent, AlwaysOn.DEFAULT);
-    }
-
-    @Override
-    public void reflect(Ray ray, Hit hit, Colour diffuse, Colour specular, Illumination sum) {
-        Sightline sight = sum.sight();
-        if (sight == null) {
-            return;
-        }
-        double lx = sight.x;
-        double ly = sight.y;
-        double lz = sight.z;
-        double lightAlongNormal = lx * hit.normalX + ly * hit.normalY + lz * hit.normalZ;
-        boolean behind = lightAlongNormal * hit.cosine(ray) > 0;
-        double distance = sight.length;
-        if (behind || distance == 0 || !flash.isLit(sight.emission) || !sum.isClear()) {
-            return;
-        }
-        double dull = Math.abs(lightAlongNormal) / distance;
-        double cosine = mirroredCosine(ray, hit, lx, ly, lz, lightAlongNormal);
-        double shine = cosine > 0 ? Powers.power(cosine, highlightExponent) : 0;
-        sum.add(
-                diffuse.red() * colour.red() * dull + specular.red() * highlightColour.red() * shine,
-                diffuse.green() * colour.green() * dull + specular.green() * highlightColour.green() * shine,
-                diffuse.blue() * colour.blue() * dull + specular.blue() * highlightColour.blue() * shine,
-                sight.dopplerFactor);
-    }
-
-    /** Cosine between the ray and the light that the surface mirrors; both point into the surface. */
-    private static double mirroredCosine(Ray ray, Hit hit, double lx, double ly, double lz, double lightAlongNormal) {
-        double mx = lx - 2 * lightAlongNormal * hit.normalX;
-        double my = ly - 2 * lightAlongNormal * hit.normalY;
-        double mz = lz - 2 * lightAlongNormal * hit.normalZ;
-        double along = mx * ray.dx + my * ray.dy + mz * ray.dz;
-        return along > 0 ? Math.min(1, along / Math.sqrt(mx * mx + my * my + mz * mz)) : 0;
     }
 
     @Override

@@ -3,14 +3,22 @@ package tompkins.light;
 import java.util.stream.Stream;
 import org.joml.Vector3dc;
 import tompkins.ray.Colour;
-import tompkins.ray.Hit;
-import tompkins.ray.Ray;
 
 /** A source of light at rest in its frame. */
 public sealed interface RestingLight extends LightSource permits AmbientLight, PointLight {
 
-    /** Adds the light of this source that a surface with the given colours sends back along a ray that hit it. */
-    void reflect(Ray ray, Hit hit, Colour diffuse, Colour specular, Illumination sum);
+    /** Colour and brightness of the light on dull surfaces. */
+    Colour colour();
+
+    /** Colour and brightness of the highlights on shiny surfaces. */
+    default Colour highlightColour() {
+        return Colour.BLACK;
+    }
+
+    /** How small the highlights are: the power of the cosine. */
+    default double highlightExponent() {
+        return 1;
+    }
 
     @Override
     default Stream<RestingLight> atRest() {

@@ -1,6 +1,9 @@
 package tompkins.light;
 
+import tompkins.math.Powers;
+import tompkins.ray.Hit;
 import tompkins.ray.Padded;
+import tompkins.ray.Ray;
 
 /** The way from a point of a surface to a lamp, as light has come along it. Memory that is used again. */
 public final class Sightline extends Padded {
@@ -41,5 +44,34 @@ public final class Sightline extends Padded {
         dopplerFactor = newDopplerFactor;
         slowness = newSlowness;
         emission = newEmission;
+    }
+
+    /** Whether the light of a lamp that shines so comes to the side of a surface that a ray has hit. */
+    public boolean reaches(Ray ray, Hit hit, Flash flash) {
+        boolean isBehind = alongNormal(hit) * hit.cosine(ray) > 0;
+        return !isBehind && length > 0 && flash.isLit(emission);
+    }
+
+    /** The part of the light that dull colours send back: the cosine between normal and light. */
+    double dullness(Hit hit) {
+        return Math.abs(alongNormal(hit)) / length;
+    }
+
+    /**
+     * The part of the light that is a highlight: a power of the cosine between the mirrored light and the ray (Phong's
+     * model).
+     */
+    double shine(Ray ray, Hit hit, double exponent) {
+        // both point into the surface
+        double mirrored = 2 * alongNormal(hit);
+        double mx = x - mirrored * hit.normalX;
+        double my = y - mirrored * hit.normalY;
+        double mz = z - mirrored * hit.normalZ;
+        double along = mx * ray.dx + my * ray.dy + mz * ray.dz;
+        return along > 0 ? Powers.power(Math.min(1, along / Math.sqrt(mx * mx + my * my + mz * mz)), exponent) : 0;
+    }
+
+    private double alongNormal(Hit hit) {
+        return x * hit.normalX + y * hit.normalY + z * hit.normalZ;
     }
 }

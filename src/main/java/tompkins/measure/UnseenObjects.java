@@ -5,11 +5,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector2dc;
 import tompkins.camera.Camera;
-import tompkins.camera.SamplePositions;
 import tompkins.property.NumberText;
 import tompkins.sceneobject.Plane;
 import tompkins.studio.Studio;
@@ -35,58 +33,50 @@ public final class UnseenObjects {
 
     private static final int TIMES = 128;
 
+    private final RenderPlan plan;
     private final Studio studio;
     private final List<Projection> eyes;
 
-    private UnseenObjects(Studio studio) {
-        this.studio = studio;
+    /** The names of the objects that a coarse picture shows. */
+    private final Set<String> seen;
+
+    /** Looks at the coarse picture of a plan. */
+    public UnseenObjects(RenderPlan plan) {
+        this.plan = plan;
+        studio = plan.studio();
         eyes = Projection.ofEyes(studio);
+        seen = RayLife.hits(plan, TRIED)
+                .filter(hit -> hit.frame() == Frame.SCENE && !(hit.object() instanceof Plane))
+                .map(hit -> hit.object().description())
+                .collect(Collectors.toSet());
     }
 
     /** The warning, without a full stop; none if a coarse picture shows an object, or there is none. */
-    public static Optional<String> warning(RenderPlan plan) {
-        return seen(plan).findAny().isPresent()
-                ? Optional.empty()
-                : missing(plan, Set.of()).map(places -> "the picture shows no object, at most planes: " + places);
+    public Optional<String> warning() {
+        return seen.isEmpty()
+                ? missing().map(places -> "the picture shows no object, at most planes: " + places)
+                : Optional.empty();
     }
 
     /** A sentence about the objects that a coarse picture does not show, if it shows others. */
-    public static Optional<String> sentence(RenderPlan plan) {
-        Set<String> seen = seen(plan).collect(Collectors.toSet());
+    public Optional<String> sentence() {
         return seen.isEmpty()
                 ? Optional.empty()
-                : missing(plan, seen).map(places -> "Not all objects are in the picture: " + places + ".");
+                : missing().map(places -> "Not all objects are in the picture: " + places + ".");
     }
 
-    /** The names of the objects that a coarse picture shows, some of them again and again. */
-    private static Stream<String> seen(RenderPlan plan) {
-        return IntStream.range(0, TRIED * TRIED)
-                .mapToObj(i -> RayLife.way(
-                        plan,
-                        (i % TRIED + 0.5) / TRIED * plan.width(),
-                        (i / TRIED + 0.5) / TRIED * plan.height(),
-                        0,
-                        0,
-                        SamplePositions.MIDDLE))
-                .filter(life -> life != null)
-                .flatMap(life -> life.hits().stream())
-                .filter(hit -> hit.frame() == Frame.SCENE && !(hit.object() instanceof Plane))
-                .map(hit -> hit.object().description());
-    }
-
-    /** Where the first objects are that have none of these names; nothing if others are in the picture, too small. */
-    private static Optional<String> missing(RenderPlan plan, Set<String> seen) {
-        UnseenObjects unseen = new UnseenObjects(plan.studio());
+    /** Where the first objects are that are not seen; nothing if others are in the picture, too small. */
+    private Optional<String> missing() {
         List<SceneShapes.Thing> things = SceneShapes.of(plan.world().frames()).objects().stream()
                 .filter(thing -> !seen.contains(thing.name()))
                 .toList();
         List<SceneShapes.Thing> outside =
-                things.stream().filter(thing -> !unseen.isInPicture(thing)).toList();
+                things.stream().filter(thing -> !isInPicture(thing)).toList();
         if (outside.isEmpty() || seen.isEmpty() && outside.size() < things.size()) {
             return Optional.empty();
         }
         List<String> places = outside.stream()
-                .map(unseen::told)
+                .map(this::told)
                 .distinct()
                 .limit(MOST_NAMED + 1)
                 .toList();

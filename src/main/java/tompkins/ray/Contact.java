@@ -73,7 +73,6 @@ public final class Contact {
         Hit hit = hits().get(0).copy();
         boolean arrives = way > 0 && layer == 0;
         hit.distance = arrives ? hit.distance : 0;
-        hit.event = null;
         hit.contact = this;
         return hit;
     }

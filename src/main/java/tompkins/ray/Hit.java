@@ -33,11 +33,16 @@ public final class Hit implements Cloneable {
     /** The number of the frame in which this is given, as in {@link Ray#frame}. */
     public int frame;
 
+    /** The ray that has hit, in this frame; null where that is not known. */
+    public Ray ray;
+
     /**
      * The same event in the frame in which the ray began, where the speed of what was hit causes less rounding; null
      * unless several frames are searched.
      */
     public Hit event;
+
+    private Hit memoryOfEvent;
 
     /** Whether the point that is hit runs in this frame, on an object that turns; its velocity means nothing else. */
     public boolean runs;
@@ -121,7 +126,9 @@ public final class Hit implements Cloneable {
     /** The same hit in memory of its own. */
     public Hit copy() {
         try {
-            return (Hit) clone();
+            Hit copy = (Hit) clone();
+            copy.memoryOfEvent = null;
+            return copy;
         } catch (CloneNotSupportedException impossible) {
             throw new AssertionError(impossible);
         }
@@ -174,10 +181,17 @@ public final class Hit implements Cloneable {
 
     /** Memory for the event of this hit in the frame in which the ray began. */
     public Hit eventMemory() {
-        if (event == null) {
-            event = new Hit();
+        if (memoryOfEvent == null) {
+            memoryOfEvent = new Hit();
         }
+        event = memoryOfEvent;
         return event;
+    }
+
+    /** Says which ray has hit, in the frame in which it began. */
+    public void of(Ray hitting) {
+        ray = hitting;
+        event = null;
     }
 
     /** Cosine between the ray and the outward normal: negative where the ray comes from outside. */

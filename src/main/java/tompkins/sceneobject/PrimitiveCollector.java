@@ -1,6 +1,7 @@
 package tompkins.sceneobject;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -37,14 +38,17 @@ public final class PrimitiveCollector {
     /** The same frames, in the coordinates in which they are described. */
     private final FrameTree described;
 
-    private final List<FrameObjects> frames = new ArrayList<>();
+    /** How each frame moves, null for the outermost, and what rests there. */
+    private final List<FrameMotion> motions = new ArrayList<>();
+
+    private final List<List<Primitive>> objects = new ArrayList<>();
     private int count;
 
     /** Whether sizes that are not numbers are refused: only if there is a place in a scene file to name. */
     private boolean checksSizes;
 
     // where what is added now belongs
-    private FrameObjects frame;
+    private int frame;
     private RestFrame rest;
 
     /**
@@ -64,7 +68,7 @@ public final class PrimitiveCollector {
 
     /** What rests in the present frame, and is described from an event of it. */
     private RestFrame restFrame(Event zero, double clockOffset) {
-        return new RestFrame(frame.motion(), zero.minus(frame.origin()), clockOffset);
+        return new RestFrame(motions.get(frame), zero.minus(origin()), clockOffset);
     }
 
     /** A collector for objects at rest whose place does not depend on the camera; image points stay where they are. */
@@ -155,7 +159,7 @@ public final class PrimitiveCollector {
         }
         primitive.setOrder(count++);
         primitive.setRestFrame(rest);
-        frame.primitives().add(primitive);
+        objects.get(frame).add(primitive);
     }
 
     /**
@@ -170,10 +174,10 @@ public final class PrimitiveCollector {
      */
     public void addMoving(
             Velocity velocity, Vector3dc place, double offset, Placement placement, Consumer<Placement> content) {
-        FrameObjects outerFrame = frame;
+        int outerFrame = frame;
         RestFrame outerRest = rest;
         double clockOffset = rest.clockOffset() + offset;
-        double ownZero = rest.zero().plus(frame.origin()).time();
+        double ownZero = rest.zero().plus(origin()).time();
         Velocity turned = placement.velocity(velocity);
         if (tree.law() == TransformationLaw.NONE || turned.isRest()) {
             Vector3dc shift = placement.vector(place);
@@ -184,9 +188,10 @@ public final class PrimitiveCollector {
             Vector3d at = placement.place(place);
             Event start = new Event(at.x, at.y, at.z, ownZero);
             frame = frameFor(turned, start);
-            Event shift = described.route(outerFrame.motion(), frame.motion()).transform(start);
+            Event shift =
+                    described.route(motions.get(outerFrame), motions.get(frame)).transform(start);
             rest = restFrame(shift, clockOffset);
-            content.accept(placement.inFrame(shift.position(), frame.origin().position()));
+            content.accept(placement.inFrame(shift.position(), origin().position()));
         }
         frame = outerFrame;
         rest = outerRest;
@@ -210,30 +215,34 @@ public final class PrimitiveCollector {
         return rest.zero().time();
     }
 
-    private FrameObjects frameFor(Velocity velocity, Event start) {
-        for (FrameObjects known : frames) {
-            FrameMotion motion = known.motion();
+    private Event origin() {
+        return tree.origin(motions.get(frame));
+    }
+
+    private int frameFor(Velocity velocity, Event start) {
+        for (int i = 0; i < motions.size(); i++) {
+            FrameMotion motion = motions.get(i);
             if (motion != null
-                    && motion.outer() == frame.motion()
+                    && motion.outer() == motions.get(frame)
                     && motion.velocity().proper().equals(velocity.proper())) {
-                return known;
+                return i;
             }
         }
-        if (frames.size() > Moving.MOST_FRAMES) {
+        if (motions.size() > Moving.MOST_FRAMES) {
             throw new InvalidPropertyException(
                     VELOCITY, "one of at most " + Moving.MOST_FRAMES + " in a scene", velocity.toString());
         }
-        FrameMotion motion = new FrameMotion(frame.motion(), velocity, start);
+        FrameMotion motion = new FrameMotion(motions.get(frame), velocity, start);
         if (tree.law() == TransformationLaw.LORENTZ) {
             motion.requireGamma(VELOCITY);
         }
         return addFrame(motion);
     }
 
-    private FrameObjects addFrame(FrameMotion motion) {
-        FrameObjects added = new FrameObjects(motion, tree.origin(motion), new ArrayList<>());
-        frames.add(added);
-        return added;
+    private int addFrame(FrameMotion motion) {
+        motions.add(motion);
+        objects.add(new ArrayList<>());
+        return motions.size() - 1;
     }
 
     /**
@@ -241,13 +250,13 @@ public final class PrimitiveCollector {
      * described.
      */
     Vector3dc imagePoint(Vector3dc point) {
-        Event event = described.route(null, frame.motion()).transform(imagePoints.apply(point));
-        return event.minus(rest.zero().plus(frame.origin())).position();
+        Event event = described.route(null, motions.get(frame)).transform(imagePoints.apply(point));
+        return event.minus(rest.zero().plus(origin())).position();
     }
 
     /** The number of the frame in which what is added now rests. */
     public int frame() {
-        return frames.indexOf(frame);
+        return frame;
     }
 
     /** Where and when what is added now is described. */
@@ -255,13 +264,18 @@ public final class PrimitiveCollector {
         return rest;
     }
 
-    /** What rests in each frame, so far: first what does not move. */
-    public List<FrameObjects> frames() {
-        return List.copyOf(frames);
+    /** How each frame moves, so far, by its number; null is the first, in which rests what does not move. */
+    public List<FrameMotion> motions() {
+        return Collections.unmodifiableList(motions);
+    }
+
+    /** What rests in a frame, so far. */
+    public List<Primitive> primitives(int index) {
+        return Collections.unmodifiableList(objects.get(index));
     }
 
     /** All primitives at rest so far. */
     public List<Primitive> primitives() {
-        return List.copyOf(frames.get(0).primitives());
+        return List.copyOf(objects.get(0));
     }
 }

@@ -58,18 +58,18 @@ record AntialiasingStudy(
     }
 
     @Override
-    public void conclude(List<Measurement> all, Conclusion conclusion) {
+    public void conclude(List<StudyPoint> all, Conclusion conclusion) {
         conclusion.say("antialiasing.centre");
         for (String name : compared.keySet()) {
             // there is none if the photograph is blurred
-            for (Measurement centre : Measurement.of(name, PictureStudy.CENTRE, all)) {
+            for (StudyPoint centre : StudyPoint.of(name, PictureStudy.CENTRE, all)) {
                 double anywhere = anywhere(name, all);
                 conclusion.say("antialiasing.centreOf", name, 100 * centre.medianError() / anywhere);
             }
         }
         conclusion.say("antialiasing.adaptive");
         for (String name : compared.keySet()) {
-            for (Measurement centre : Measurement.of(name, PictureStudy.CENTRE, all)) {
+            for (StudyPoint centre : StudyPoint.of(name, PictureStudy.CENTRE, all)) {
                 double error = centre.medianError();
                 double anywhere = anywhere(name, all);
                 conclusion.demand(error <= anywhere, "antialiasing.centreError", name, anywhere, error);
@@ -81,16 +81,16 @@ record AntialiasingStudy(
         PromisedErrors.conclude(all, conclusion);
     }
 
-    private static double anywhere(String name, List<Measurement> all) {
-        return Measurement.of(name, PictureStudy.ANYWHERE, 1, all).medianError();
+    private static double anywhere(String name, List<StudyPoint> all) {
+        return StudyPoint.of(name, PictureStudy.ANYWHERE, 1, all).medianError();
     }
 
     /** How many times fewer rays are needed for the same error, by the law fitted to the same number everywhere. */
-    private static double saving(String name, List<Measurement> all) {
-        PowerLaw fixed = PowerLaw.ofError(Measurement.of(name, PictureStudy.FIXED, all), Measurement::rays);
-        List<Measurement> adaptive = Measurement.of(name, PictureStudy.ADAPTIVE, all);
+    private static double saving(String name, List<StudyPoint> all) {
+        PowerLaw fixed = PowerLaw.ofError(StudyPoint.of(name, PictureStudy.FIXED, all), StudyPoint::rays);
+        List<StudyPoint> adaptive = StudyPoint.of(name, PictureStudy.ADAPTIVE, all);
         double log = 0;
-        for (Measurement point : adaptive) {
+        for (StudyPoint point : adaptive) {
             double needed = Math.pow(point.medianError() / fixed.factor(), 1 / fixed.slope());
             log += Math.log(needed / point.rays()) / adaptive.size();
         }

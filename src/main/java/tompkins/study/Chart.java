@@ -12,21 +12,8 @@ import java.util.function.Function;
  * @param up the axis upwards
  * @param pareto whether to mark the best points, which no other beats on both axes; less is better on both
  * @param own the method of the program, whose points are drawn last and larger; empty if there is none
- * @param guides lines to compare the curves with
  */
-public record Chart(
-        String problem,
-        String title,
-        Axis<Double> across,
-        Axis<Spread> up,
-        boolean pareto,
-        String own,
-        List<Guide> guides) {
-
-    /** A chart without guides. */
-    Chart(String problem, String title, Axis<Double> across, Axis<Spread> up, boolean pareto, String own) {
-        this(problem, title, across, up, pareto, own, List.of());
-    }
+public record Chart(String problem, String title, Axis<Double> across, Axis<Spread> up, boolean pareto, String own) {
 
     /**
      * An axis.
@@ -35,24 +22,16 @@ public record Chart(
      * @param value the place of a measurement
      * @param <T> a number, or a spread with error bars
      */
-    public record Axis<T>(String label, Function<Measurement, T> value) {}
-
-    /**
-     * A straight line from the origin.
-     *
-     * @param name in the legend
-     * @param factor what the axis upwards shows, divided by what the axis across shows
-     */
-    record Guide(String name, double factor) {}
+    public record Axis<T>(String label, Function<StudyPoint, T> value) {}
 
     /** Seconds of one thread. */
     static final Axis<Double> SECONDS = new Axis<>("seconds (one thread)", measurement -> measurement.medianSeconds());
 
     /** Seconds of one thread, upwards. */
-    static final Axis<Spread> TIME = new Axis<>("seconds (one thread)", Measurement::seconds);
+    static final Axis<Spread> TIME = new Axis<>("seconds (one thread)", StudyPoint::seconds);
 
     /** Root mean square error in linear light. */
-    static final Axis<Spread> ERROR = new Axis<>("RMS error in linear light (white = 1)", Measurement::error);
+    static final Axis<Spread> ERROR = new Axis<>("RMS error in linear light (white = 1)", StudyPoint::error);
 
     /** Rays that were followed. */
     static final Axis<Double> RAYS = new Axis<>("rays", measurement -> measurement.rays());
@@ -67,28 +46,23 @@ public record Chart(
         return kind + "-" + problem + ".png";
     }
 
-    /** The same chart with lines to compare the curves with. */
-    Chart withGuides(List<Guide> lines) {
-        return new Chart(problem, title, across, up, pareto, own, lines);
-    }
-
     /** The setting of the trials across. */
     static Axis<Double> setting(String label) {
-        return new Axis<>(label, Measurement::setting);
+        return new Axis<>(label, StudyPoint::setting);
     }
 
     /** The place of a measurement across. */
-    double x(Measurement point) {
+    double x(StudyPoint point) {
         return across.value.apply(point);
     }
 
     /** The place of a measurement upwards. */
-    Spread y(Measurement point) {
+    Spread y(StudyPoint point) {
         return up.value.apply(point);
     }
 
     /** The measurements that this chart shows: those of its problem and of the parts of it, {@code problem:part}. */
-    List<Measurement> shown(List<Measurement> all) {
+    List<StudyPoint> shown(List<StudyPoint> all) {
         return all.stream()
                 .filter(measurement -> measurement.problem().equals(problem)
                         || measurement.problem().startsWith(problem + ":"))
@@ -96,7 +70,7 @@ public record Chart(
     }
 
     /** Those of them that can be drawn on logarithmic axes. */
-    public List<Measurement> drawn(List<Measurement> all) {
+    public List<StudyPoint> drawn(List<StudyPoint> all) {
         return shown(all).stream()
                 .filter(point -> x(point) > 0 && y(point).low() > 0)
                 .toList();

@@ -12,7 +12,6 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.DoubleSummaryStatistics;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -32,7 +31,7 @@ import org.jfree.data.xy.XYIntervalSeries;
 import org.jfree.data.xy.XYIntervalSeriesCollection;
 import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
-import tompkins.image.FewColours;
+import tompkins.image.Palette;
 
 /**
  * Draws a {@link Chart}: a curve with error bars for each method, its slope, the Pareto front, and the reference's
@@ -45,15 +44,14 @@ public final class ChartDrawing {
     private static final int FEWEST_FOR_SLOPE = 3;
     private static final double RING = 6;
     private static final Color FRONT = new Color(255, 200, 0, 130);
-    private static final float[][] DASHES = {{9, 5}, {2, 4}};
 
     private ChartDrawing() {}
 
     /** The chart as a PNG file. */
-    public static byte[] png(Chart chart, List<Measurement> all) {
+    public static byte[] png(Chart chart, List<StudyPoint> all) {
         try {
             return ChartUtils.encodeAsPNG(
-                    FewColours.of(drawing(chart, all, ChartStyle.PRINTED)
+                    Palette.reduced(drawing(chart, all, ChartStyle.PRINTED)
                             .createBufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB, null)),
                     false,
                     9);
@@ -63,8 +61,8 @@ public final class ChartDrawing {
     }
 
     /** The chart, drawn from those of the measurements that it shows. */
-    public static JFreeChart drawing(Chart chart, List<Measurement> all, ChartStyle style) {
-        List<Measurement> shown = chart.drawn(all);
+    public static JFreeChart drawing(Chart chart, List<StudyPoint> all, ChartStyle style) {
+        List<StudyPoint> shown = chart.drawn(all);
         XYIntervalSeriesCollection curves = new XYIntervalSeriesCollection();
         XYErrorRenderer renderer = new XYErrorRenderer();
         renderer.setDefaultLinesVisible(true);
@@ -84,7 +82,6 @@ public final class ChartDrawing {
         if (chart.pareto()) {
             addFront(chart, shown, plot);
         }
-        addGuides(chart, shown, plot, style);
         addFloor(shown, plot, style);
         JFreeChart drawing = new JFreeChart(chart.title(), style.title(), plot, true);
         drawing.getTitle().setPaint(style.ink());
@@ -97,25 +94,25 @@ public final class ChartDrawing {
         return drawing;
     }
 
-    private static Map<String, List<Measurement>> curves(Chart chart, List<Measurement> shown) {
-        Map<String, List<Measurement>> curves = new LinkedHashMap<>();
+    private static Map<String, List<StudyPoint>> curves(Chart chart, List<StudyPoint> shown) {
+        Map<String, List<StudyPoint>> curves = new LinkedHashMap<>();
         // the first curve is drawn last, over the others
         if (shown.stream().anyMatch(point -> point.method().equals(chart.own()))) {
             curves.put(chart.own(), new ArrayList<>());
         }
-        for (Measurement point : shown) {
+        for (StudyPoint point : shown) {
             curves.computeIfAbsent(point.method(), method -> new ArrayList<>()).add(point);
         }
         curves.values()
-                .forEach(points -> points.sort(
-                        Comparator.comparingDouble(Measurement::rays).thenComparing(chart::x)));
+                .forEach(points ->
+                        points.sort(Comparator.comparingDouble(StudyPoint::rays).thenComparing(chart::x)));
         return curves;
     }
 
     private static void addCurve(
             Chart chart,
             String name,
-            List<Measurement> points,
+            List<StudyPoint> points,
             XYIntervalSeriesCollection curves,
             XYErrorRenderer renderer,
             ChartStyle style) {
@@ -123,7 +120,7 @@ public final class ChartDrawing {
         XYIntervalSeries series = new XYIntervalSeries(name + slope(chart, points));
         // points of one curve at one place are drawn as one, with bars from the smallest to the largest
         Map<Double, List<Spread>> places = new TreeMap<>();
-        for (Measurement point : points) {
+        for (StudyPoint point : points) {
             places.computeIfAbsent(chart.x(point), x -> new ArrayList<>()).add(chart.y(point));
         }
         places.forEach((x, values) -> {
@@ -145,7 +142,7 @@ public final class ChartDrawing {
         }
     }
 
-    private static String slope(Chart chart, List<Measurement> points) {
+    private static String slope(Chart chart, List<StudyPoint> points) {
         PowerLaw law = PowerLaw.fit(
                 points.stream().mapToDouble(point -> chart.x(point)).toArray(),
                 points.stream().mapToDouble(point -> chart.y(point).middle()).toArray());
@@ -170,13 +167,13 @@ public final class ChartDrawing {
     }
 
     /** The points that no other beats on both axes, from the cheapest on. */
-    static List<Measurement> front(Chart chart, List<Measurement> shown) {
-        List<Measurement> byCost = new ArrayList<>(shown);
+    static List<StudyPoint> front(Chart chart, List<StudyPoint> shown) {
+        List<StudyPoint> byCost = new ArrayList<>(shown);
         byCost.sort(Comparator.comparing(chart::x)
                 .thenComparing(point -> chart.y(point).middle()));
-        List<Measurement> front = new ArrayList<>();
+        List<StudyPoint> front = new ArrayList<>();
         double best = Double.POSITIVE_INFINITY;
-        for (Measurement point : byCost) {
+        for (StudyPoint point : byCost) {
             double error = chart.y(point).middle();
             if (error < best) {
                 best = error;
@@ -193,9 +190,9 @@ public final class ChartDrawing {
      * @param place in pixels
      * @param reach in pixels
      */
-    public static Measurement nearest(
-            Chart chart, List<Measurement> all, XYPlot plot, Rectangle2D area, Point2D place, double reach) {
-        ToDoubleFunction<Measurement> distance = point -> place.distance(
+    public static StudyPoint nearest(
+            Chart chart, List<StudyPoint> all, XYPlot plot, Rectangle2D area, Point2D place, double reach) {
+        ToDoubleFunction<StudyPoint> distance = point -> place.distance(
                 plot.getDomainAxis().valueToJava2D(chart.x(point), area, plot.getDomainAxisEdge()),
                 plot.getRangeAxis().valueToJava2D(chart.y(point).middle(), area, plot.getRangeAxisEdge()));
         return chart.drawn(all).stream()
@@ -204,7 +201,7 @@ public final class ChartDrawing {
                 .orElse(null);
     }
 
-    private static void addFront(Chart chart, List<Measurement> shown, XYPlot plot) {
+    private static void addFront(Chart chart, List<StudyPoint> shown, XYPlot plot) {
         XYSeries series = new XYSeries("Pareto front", false);
         front(chart, shown)
                 .forEach(point -> series.add(chart.x(point), chart.y(point).middle()));
@@ -215,27 +212,8 @@ public final class ChartDrawing {
         plot.setRenderer(1, renderer);
     }
 
-    private static void addGuides(Chart chart, List<Measurement> shown, XYPlot plot, ChartStyle style) {
-        DoubleSummaryStatistics across = shown.stream().mapToDouble(chart::x).summaryStatistics();
-        XYSeriesCollection guides = new XYSeriesCollection();
-        XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
-        for (Chart.Guide guide : chart.guides()) {
-            int number = guides.getSeriesCount();
-            XYSeries series = new XYSeries(guide.name());
-            series.add(across.getMin(), guide.factor() * across.getMin());
-            series.add(across.getMax(), guide.factor() * across.getMax());
-            guides.addSeries(series);
-            renderer.setSeriesPaint(number, style.guide());
-            float[] dash = DASHES[number % DASHES.length];
-            renderer.setSeriesStroke(
-                    number, new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dash, 0));
-        }
-        plot.setDataset(2, guides);
-        plot.setRenderer(2, renderer);
-    }
-
-    private static void addFloor(List<Measurement> shown, XYPlot plot, ChartStyle style) {
-        double floor = shown.stream().mapToDouble(Measurement::floor).max().orElse(0);
+    private static void addFloor(List<StudyPoint> shown, XYPlot plot, ChartStyle style) {
+        double floor = shown.stream().mapToDouble(StudyPoint::floor).max().orElse(0);
         if (floor > 0) {
             ValueMarker marker = new ValueMarker(floor, Color.GRAY, new BasicStroke(1.5f));
             marker.setLabel("error of the reference");

@@ -11,11 +11,10 @@ import java.util.List;
  * @param paper what it is drawn on
  * @param ink for words, numbers and axes
  * @param grid fine lines through the numbers of the axes
- * @param guide lines to compare the curves with
  * @param curves the colours of the curves, which begin again after the last
  * @param size of the type of most words, in points
  */
-public record ChartStyle(Color paper, Color ink, Color grid, Color guide, List<Color> curves, float size) {
+public record ChartStyle(Color paper, Color ink, Color grid, List<Color> curves, float size) {
 
     private static final float PRINTED_SIZE = 12;
 
@@ -30,17 +29,12 @@ public record ChartStyle(Color paper, Color ink, Color grid, Color guide, List<C
             new Color(0x777777));
 
     /** For documents. */
-    public static final ChartStyle PRINTED = new ChartStyle(
-            Color.WHITE, Color.BLACK, new Color(0xdddddd), new Color(0x888888), with(Color.BLACK), PRINTED_SIZE);
+    public static final ChartStyle PRINTED =
+            new ChartStyle(Color.WHITE, Color.BLACK, new Color(0xdddddd), with(Color.BLACK), PRINTED_SIZE);
 
     /** For screens in dark rooms. */
     public static final ChartStyle DARK = new ChartStyle(
-            new Color(0x1c1e21),
-            new Color(0xe4e4e4),
-            new Color(0x3d4147),
-            new Color(0x9a9a9a),
-            with(Color.WHITE),
-            PRINTED_SIZE);
+            new Color(0x1c1e21), new Color(0xe4e4e4), new Color(0x3d4147), with(Color.WHITE), PRINTED_SIZE);
 
     /** A style; the list is copied. */
     public ChartStyle {
@@ -55,7 +49,7 @@ public record ChartStyle(Color paper, Color ink, Color grid, Color guide, List<C
 
     /** The same style with type of another size. */
     public ChartStyle withSize(float points) {
-        return new ChartStyle(paper, ink, grid, guide, curves, points);
+        return new ChartStyle(paper, ink, grid, curves, points);
     }
 
     Color curve(int number) {

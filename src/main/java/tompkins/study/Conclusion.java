@@ -33,7 +33,7 @@ public final class Conclusion {
      *
      * @param all the measurements of all its trials
      */
-    public static Conclusion of(Study study, List<Measurement> all) {
+    public static Conclusion of(Study study, List<StudyPoint> all) {
         Conclusion conclusion = new Conclusion();
         study.conclude(all, conclusion);
         return conclusion;

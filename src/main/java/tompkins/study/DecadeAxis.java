@@ -22,7 +22,7 @@ final class DecadeAxis extends LogAxis {
     private static final double FEW = 3;
     private static final int[] ALONE = {1};
     private static final int[] THREE = {1, 2, 5};
-    private static final int[] SIX = {1, 2, 3, 4, 5, 7};
+    private static final int[] NINE = {1, 2, 3, 4, 5, 6, 7, 8, 9};
 
     /**
      * An axis.
@@ -44,10 +44,11 @@ final class DecadeAxis extends LogAxis {
     public List<ValueTick> refreshTicks(Graphics2D g2, AxisState state, Rectangle2D dataArea, RectangleEdge edge) {
         double first = Math.log10(getLowerBound());
         double last = Math.log10(getUpperBound());
+        int[] factors = last - first <= 1 ? NINE : last - first <= FEW ? THREE : ALONE;
         TextAnchor anchor = RectangleEdge.isTopOrBottom(edge) ? TextAnchor.TOP_CENTER : TextAnchor.CENTER_RIGHT;
         List<ValueTick> ticks = new ArrayList<>();
         for (int exponent = (int) Math.floor(first); exponent <= last; exponent++) {
-            for (int factor : factors(last - first)) {
+            for (int factor : factors) {
                 double value = factor * Math.pow(10, exponent);
                 if (getRange().contains(value)) {
                     ticks.add(new LogTick(TickType.MAJOR, value, number(factor, exponent), anchor));
@@ -55,13 +56,6 @@ final class DecadeAxis extends LogAxis {
             }
         }
         return ticks;
-    }
-
-    private static int[] factors(double decades) {
-        if (decades <= 1) {
-            return SIX;
-        }
-        return decades <= FEW ? THREE : ALONE;
     }
 
     /** Such as 2·10⁻³. */

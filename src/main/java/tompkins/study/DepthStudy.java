@@ -135,9 +135,9 @@ final class DepthStudy implements Study {
     }
 
     @Override
-    public void conclude(List<Measurement> all, Conclusion conclusion) {
+    public void conclude(List<StudyPoint> all, Conclusion conclusion) {
         for (Problem problem : PROBLEMS) {
-            Measurement own = Measurement.of(problem.key, PROGRAM, all).get(0);
+            StudyPoint own = StudyPoint.of(problem.key, PROGRAM, all).get(0);
             double cheapest = cheapestLimit(own, all);
             if (problem.key.equals(TWO_CORRIDORS)) {
                 conclusion.say("depth.answer", cheapest / own.rays(), 1 / Ray.FAINTEST);
@@ -160,10 +160,10 @@ final class DepthStudy implements Study {
     }
 
     /** The fewest rays that a limit follows which is as exact as the program. */
-    private static double cheapestLimit(Measurement own, List<Measurement> all) {
-        return Measurement.of(own.problem(), LIMIT, all).stream()
+    private static double cheapestLimit(StudyPoint own, List<StudyPoint> all) {
+        return StudyPoint.of(own.problem(), LIMIT, all).stream()
                 .filter(limit -> limit.medianError() <= own.medianError() * (1 + 1e-9))
-                .mapToDouble(Measurement::rays)
+                .mapToDouble(StudyPoint::rays)
                 .min()
                 .orElse(Double.POSITIVE_INFINITY);
     }

@@ -10,17 +10,17 @@ import tompkins.spacetime.Velocity;
 enum DirectionForm {
 
     /** The program's own. */
-    HALF_ANGLE("half angles, double", velocity -> new LorentzTransformation(velocity)::direction),
+    HALF_ANGLE("half angles (double)", velocity -> new LorentzTransformation(velocity)::direction),
 
     /** {@code d + u ((u.d)/(gamma + 1) - |d|)} with the proper velocity u. */
-    PROPER_VELOCITY("proper velocity, double", velocity -> {
+    PROPER_VELOCITY("proper velocity (double)", velocity -> {
         Vector3dc u = velocity.proper();
         double shrink = 1 / (velocity.gamma() + 1);
         return (d, result) -> new Vector3d(u).mul(u.dot(d) * shrink - 1).add(d).normalize(result);
     }),
 
     /** As textbooks write it, from beta, with gamma from 1 - beta^2. */
-    NAIVE("textbook (beta), double", velocity -> {
+    NAIVE("textbook form (double)", velocity -> {
         Vector3d beta = new Vector3d(velocity.proper()).div(velocity.gamma());
         double square = beta.lengthSquared();
         double gamma = 1 / Math.sqrt(1 - square);
@@ -31,7 +31,7 @@ enum DirectionForm {
     }),
 
     /** As {@link #PROPER_VELOCITY}, in single precision. */
-    SINGLE("proper velocity, float", velocity -> {
+    SINGLE("proper velocity (float)", velocity -> {
         float ux = (float) velocity.proper().x();
         float uy = (float) velocity.proper().y();
         float uz = (float) velocity.proper().z();

@@ -45,25 +45,8 @@ final class ExactProblems {
                         DiscArea.below(c, u, v));
             });
 
-    /** A straight edge along the rows or the columns, which passes across them. */
-    static final ExactProblem PASSING = new ExactProblem(
-            "passing-edge",
-            "An edge passes, along rows or columns",
-            SampledSpace.TIME_AND_PIXEL,
-            -0.70,
-            "-3/4",
-            0.4,
-            random -> {
-                double speed = random.nextDouble(2, 20);
-                double c = 0.5 + speed * random.nextDouble(0.05, 0.95);
-                boolean alongRows = random.nextBoolean();
-                return new ExactProblem.Instance(
-                        position -> (alongRows ? position.y : position.x) + speed * position.moment < c ? 1 : 0,
-                        shareBelow(c, 1, speed));
-            });
-
     /** A straight edge in any direction that passes. */
-    static final ExactProblem PASSING_SLANTED = new ExactProblem(
+    static final ExactProblem PASSING = new ExactProblem(
             "passing-slanted-edge",
             "A slanted edge passes",
             SampledSpace.TIME_AND_PIXEL,
@@ -92,7 +75,7 @@ final class ExactProblems {
     static final List<ExactProblem> OF_LENS = List.of(ON_LENS, ON_LENS_AND_PIXEL);
 
     /** Those of a long exposure. */
-    static final List<ExactProblem> OF_EXPOSURE = List.of(PASSING, PASSING_SLANTED);
+    static final List<ExactProblem> OF_EXPOSURE = List.of(PASSING);
 
     private ExactProblems() {}
 

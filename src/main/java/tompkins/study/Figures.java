@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 
 /**
- * What a trial finds; see {@link Measurement} for the meaning of each figure.
+ * What a trial finds; see {@link StudyPoint} for the meaning of each figure.
  *
  * @param rays rays that were followed, or evaluations of the integrand
  * @param seconds time of one thread

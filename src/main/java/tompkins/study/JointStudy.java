@@ -26,7 +26,7 @@ record JointStudy(List<Study> parts) implements Study {
     }
 
     @Override
-    public void conclude(List<Measurement> all, Conclusion conclusion) {
+    public void conclude(List<StudyPoint> all, Conclusion conclusion) {
         for (Study part : parts) {
             conclusion.beginParagraph();
             part.conclude(all, conclusion);

@@ -16,8 +16,8 @@ public final class PictureStudy {
 
     static final String ADAPTIVE = "where needed";
     static final String FIXED = "the same number everywhere";
-    static final String CENTRE = "one sample, in the centre";
-    static final String ANYWHERE = "one sample, anywhere";
+    static final String CENTRE = "one sample in the centre";
+    static final String ANYWHERE = "one sample anywhere";
     static final int SEEDS = 3;
 
     private static final String PICTURE = "picture";
@@ -104,8 +104,8 @@ public final class PictureStudy {
      * @param listener told of all points so far
      * @throws java.util.concurrent.CancellationException soon after the study was cancelled
      */
-    public void measure(Consumer<List<Measurement>> listener) {
-        List<Measurement> measured = new ArrayList<>();
+    public void measure(Consumer<List<StudyPoint>> listener) {
+        List<StudyPoint> measured = new ArrayList<>();
         for (Trial trial : trials(false)) {
             measured.add(trial.measure());
             listener.accept(List.copyOf(measured));
@@ -113,7 +113,7 @@ public final class PictureStudy {
     }
 
     /** The quality of a point. */
-    public Quality qualityOf(Measurement point) {
+    public Quality qualityOf(StudyPoint point) {
         return point.method().equals(ADAPTIVE)
                 ? new Quality.TargetError(point.setting())
                 : new Quality.Samples((int) point.setting());

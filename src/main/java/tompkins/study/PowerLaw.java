@@ -35,8 +35,8 @@ record PowerLaw(double slope, double factor, double rSquared) {
     }
 
     /** How the median error falls with a number; errors below three times that of the reference are left out. */
-    static PowerLaw ofError(List<Measurement> points, ToDoubleFunction<Measurement> number) {
-        List<Measurement> clear = points.stream()
+    static PowerLaw ofError(List<StudyPoint> points, ToDoubleFunction<StudyPoint> number) {
+        List<StudyPoint> clear = points.stream()
                 .filter(point -> point.medianError() > 3 * point.floor())
                 .toList();
         return fit(

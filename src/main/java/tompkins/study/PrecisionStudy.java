@@ -20,12 +20,11 @@ final class PrecisionStudy implements Study {
 
     private static final MathContext DIGITS = new MathContext(50);
     private static final int DIRECTIONS = 400;
-    private static final int TIMED = 200_000;
     private static final double FLOAT_ROUNDING = 0x1p-24;
     private static final double PIXEL = Math.toRadians(20) / 640;
 
     /** The gamma at which single precision is compared with the program. */
-    private static final double TIMED_AT = 1e4;
+    private static final double SINGLE_AT = 1e4;
 
     private static final double[] GAMMAS = {1.01, 3, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
 
@@ -76,10 +75,7 @@ final class PrecisionStudy implements Study {
             // a picture shows the error where the Doppler factor shrinks or stretches it
             errors[i] = problem.equals(RADIANS) ? error : error * exact[3].doubleValue() / PIXEL;
         }
-        // the time is the same at every speed, and for both problems
-        boolean isTimed = problem.equals(PIXELS) && gamma == TIMED_AT;
-        double seconds = isTimed ? seconds(() -> turnAll(turning, turned.directions, found)) : 0;
-        return Figures.of(TIMED, Spread.exact(seconds), ErrorNorm.of(errors).maximum());
+        return Figures.of(DIRECTIONS, Spread.exact(0), ErrorNorm.of(errors).maximum());
     }
 
     private static Velocity velocity(double gamma) {
@@ -104,17 +100,6 @@ final class PrecisionStudy implements Study {
             exact[i] = exact(velocity(gamma).proper(), directions[i]);
         }
         return new Turned(directions, exact);
-    }
-
-    private static double seconds(Runnable task) {
-        Stopwatch.warmUp(task);
-        return Stopwatch.seconds(task);
-    }
-
-    private static void turnAll(DirectionForm.Direction turning, Vector3d[] directions, Vector3d result) {
-        for (int i = 0; i < TIMED; i++) {
-            turning.turn(directions[i % DIRECTIONS], result);
-        }
     }
 
     /** The unit direction in the scene frame, and the length that the transformation gives it. */
@@ -163,22 +148,14 @@ final class PrecisionStudy implements Study {
     }
 
     private static Chart chart(String problem, String title) {
-        Chart.Axis<Spread> error = new Chart.Axis<>("largest error in " + problem, Measurement::error);
+        Chart.Axis<Spread> error = new Chart.Axis<>("largest error in " + problem, StudyPoint::error);
         return new Chart(problem, title, Chart.setting("gamma"), error, false, DirectionForm.HALF_ANGLE.title());
     }
 
     @Override
-    public void conclude(List<Measurement> all, Conclusion conclusion) {
-        Measurement single = Measurement.of(PIXELS, DirectionForm.SINGLE.title(), TIMED_AT, all);
-        double singleNanoseconds = 1e9 * single.medianSeconds() / TIMED;
-        double ownNanoseconds = 1e9 * own(TIMED_AT, all).medianSeconds() / TIMED;
-        double saved = ownNanoseconds - singleNanoseconds;
-        conclusion.say(
-                "precision.answer",
-                single.medianError(),
-                saved > 0 ? StudyText.format("%.1f ns", saved) : "nothing",
-                singleNanoseconds,
-                ownNanoseconds);
+    public void conclude(List<StudyPoint> all, Conclusion conclusion) {
+        StudyPoint single = StudyPoint.of(PIXELS, DirectionForm.SINGLE.title(), SINGLE_AT, all);
+        conclusion.say("precision.answer", single.medianError());
         for (String problem : List.of(RADIANS, PIXELS)) {
             for (DirectionForm form : EXPECTED) {
                 // rounding of nearly equal numbers costs gamma twice, half angles once; the picture shrinks it by gamma
@@ -195,22 +172,19 @@ final class PrecisionStudy implements Study {
                         slope);
             }
         }
-        double worst = own(Velocity.GUARANTEED_GAMMA, all).medianError();
+        double worst = StudyPoint.of(PIXELS, DirectionForm.HALF_ANGLE.title(), Velocity.GUARANTEED_GAMMA, all)
+                .medianError();
         conclusion.demand(worst < 0.01, "precision.worst", Velocity.GUARANTEED_GAMMA, worst);
-        double law = 3 * FLOAT_ROUNDING * TIMED_AT / PIXEL;
+        double law = 3 * FLOAT_ROUNDING * SINGLE_AT / PIXEL;
         double error = single.medianError();
         conclusion.demand(error >= law / 4 && error <= 4 * law, "precision.single", law / 4, 4 * law, error);
     }
 
-    private static Measurement own(double gamma, List<Measurement> all) {
-        return Measurement.of(PIXELS, DirectionForm.HALF_ANGLE.title(), gamma, all);
-    }
-
     /** The power of gamma with which the error of a form grows. */
-    static PowerLaw law(String problem, DirectionForm form, List<Measurement> all) {
-        List<Measurement> points = Measurement.of(problem, form.title(), all).stream()
+    static PowerLaw law(String problem, DirectionForm form, List<StudyPoint> all) {
+        List<StudyPoint> points = StudyPoint.of(problem, form.title(), all).stream()
                 .filter(point -> point.setting() >= 10 && point.medianError() < 0.1)
                 .toList();
-        return PowerLaw.ofError(points, Measurement::setting);
+        return PowerLaw.ofError(points, StudyPoint::setting);
     }
 }

@@ -2,7 +2,6 @@ package tompkins.study;
 
 import java.util.SplittableRandom;
 import java.util.function.IntFunction;
-import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.hipparchus.random.HaltonSequenceGenerator;
 
@@ -11,8 +10,6 @@ final class SamplePatterns {
 
     /** The generating vector of a lattice rule (Cools, Kuo and Nuyens 2006): lens, time (its last number), pixel. */
     private static final long[] GENERATOR = {1, 182667, 110745, 469891, 498753};
-
-    private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
 
     private SamplePatterns() {}
 
@@ -67,35 +64,6 @@ final class SamplePatterns {
             order[j] = i;
         }
         return order;
-    }
-
-    /**
-     * {@link SamplingMethod#VOGEL}, turned in each pixel. Where the position in the pixel varies too, the positions are
-     * those of {@link SamplingMethod#ADDITIVE}, paired with the points of the disc at random.
-     */
-    static SamplePattern.Pixels vogel(int samples, SampledSpace space) {
-        IntToDoubleFunction radius = i -> Math.sqrt((i + 0.5) / samples);
-        double[] discX = table(samples, i -> radius.applyAsDouble(i) * Math.cos(i * GOLDEN_ANGLE));
-        double[] discY = table(samples, i -> radius.applyAsDouble(i) * Math.sin(i * GOLDEN_ANGLE));
-        SamplePattern.Pixels positions = space.hasPixel() ? additive(samples, space) : null;
-        return random -> {
-            double turn = 2 * Math.PI * random.nextDouble();
-            double cosine = Math.cos(turn);
-            double sine = Math.sin(turn);
-            int[] pairs = positions == null ? null : shuffled(samples, random);
-            SamplePattern.PixelSamples inPixel = positions == null ? null : positions.begin(random);
-            return (sample, at) -> {
-                if (inPixel != null) {
-                    inPixel.go(pairs[sample], at);
-                }
-                at.lensX = cosine * discX[sample] - sine * discY[sample];
-                at.lensY = sine * discX[sample] + cosine * discY[sample];
-            };
-        };
-    }
-
-    private static double[] table(int samples, IntToDoubleFunction value) {
-        return IntStream.range(0, samples).mapToDouble(value).toArray();
     }
 
     /** {@link SamplingMethod#HALTON}. */

@@ -19,13 +19,10 @@ enum SamplingMethod {
     ADDITIVE("R2", SamplePatterns::additive),
 
     /** The program's own: Sobol points with Owen's scrambling. */
-    SOBOL("Sobol, Owen-scrambled", (seed, samples, space) -> new PixelSampler(seed, space.hasLens(), space.hasTime())),
+    SOBOL("Sobol (Owen-scrambled)", (seed, samples, space) -> new PixelSampler(seed, space.hasLens(), space.hasTime())),
 
     /** Halton points, shifted for each pixel. */
-    HALTON("Halton", SamplePatterns::halton),
-
-    /** A sunflower spiral, turned for each pixel. */
-    VOGEL("Vogel spiral", SamplePatterns::vogel);
+    HALTON("Halton", SamplePatterns::halton);
 
     private final String title;
     private final Factory factory;
@@ -69,12 +66,5 @@ enum SamplingMethod {
             all.put(method.title, method.factory);
         }
         return new SamplingStudy.Comparison(seed, 4096, 5, all);
-    }
-
-    /** The comparison of the methods that can spread samples over time. */
-    static SamplingStudy.Comparison inTime(long seed) {
-        SamplingStudy.Comparison comparison = all(seed);
-        comparison.methods().remove(VOGEL.title);
-        return comparison;
     }
 }

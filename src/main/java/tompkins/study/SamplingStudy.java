@@ -1,7 +1,6 @@
 package tompkins.study;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,7 +13,7 @@ import tompkins.studio.Studio;
  * How best to spread the samples of a pixel: all methods at work on problems with an exact answer, where the number of
  * samples counts, and in photographs, where the time counts that they take on the way of the renderer.
  */
-abstract class SamplingStudy implements Study {
+final class SamplingStudy implements Study {
 
     /** The method of Dr TIM. */
     static final String RANDOM = SamplingMethod.RANDOM.title();
@@ -30,9 +29,6 @@ abstract class SamplingStudy implements Study {
     /** How many times as long random places may at least take in a photograph as the program's. */
     private static final double FASTER = 4;
 
-    /** How many times the time of the fastest method the program's may take in a photograph. */
-    private static final double SLOWER = 1.25;
-
     /**
      * What is compared, and how thoroughly.
      *
@@ -43,34 +39,29 @@ abstract class SamplingStudy implements Study {
      */
     record Comparison(long seed, int mostSamples, int repeats, Map<String, SamplingMethod.Factory> methods) {}
 
+    private final String question;
     private final Comparison comparison;
     private final List<ExactProblem> problems;
-    private final String photographed;
     private final Map<String, ScenePixels> scenes = new LinkedHashMap<>();
 
     /**
      * The study.
      *
+     * @param question the name of its texts
      * @param studios the photographs, by name
      * @param problems those with an exact answer
-     * @param photographed what is special about the photographs
      */
-    SamplingStudy(
-            Map<String, Studio> studios, Comparison comparison, List<ExactProblem> problems, String photographed) {
+    SamplingStudy(String question, Map<String, Studio> studios, Comparison comparison, List<ExactProblem> problems) {
+        this.question = question;
         this.comparison = comparison;
         this.problems = problems;
-        this.photographed = photographed;
         int referenceSamples = 16 * comparison.mostSamples;
         studios.forEach((name, studio) -> scenes.put(
                 name, new ScenePixels(studio, SCENE_BLOCKS, referenceSamples, Double.POSITIVE_INFINITY, () -> false)));
     }
 
-    final Comparison comparison() {
-        return comparison;
-    }
-
     @Override
-    public final String settings() {
+    public String settings() {
         return StudyText.of(
                 "sampling.settings",
                 comparison.seed,
@@ -125,21 +116,27 @@ abstract class SamplingStudy implements Study {
     }
 
     @Override
-    public final List<Chart> charts() {
+    public List<Chart> charts() {
         List<Chart> charts = new ArrayList<>();
         for (ExactProblem problem : problems) {
             String title = problem.title() + ", exact answer";
             charts.add(new Chart(problem.key(), title, Chart.setting("samples per pixel"), Chart.ERROR, true, PROGRAM));
         }
         for (String name : scenes.keySet()) {
-            charts.add(Chart.errorAgainstTime(name, name + ", " + photographed, PROGRAM));
+            charts.add(Chart.errorAgainstTime(name, name + ", " + StudyText.of(question + ".photographs"), PROGRAM));
         }
         return charts;
     }
 
     @Override
-    public void conclude(List<Measurement> all, Conclusion conclusion) {
+    public void conclude(List<StudyPoint> all, Conclusion conclusion) {
+        conclusion.say(question + ".answer");
         for (ExactProblem problem : problems) {
+            String slopes = comparison.methods.keySet().stream()
+                    .map(method -> StudyText.format(
+                            "%s %.2f", method, law(problem, method, all).slope()))
+                    .collect(Collectors.joining(", "));
+            conclusion.say("sampling.slopes", problem.title(), slopes);
             double random = law(problem, RANDOM, all).slope();
             conclusion.demand(random >= -0.55 && random <= -0.45, "sampling.random", problem.title(), random);
             PowerLaw own = law(problem, PROGRAM, all);
@@ -152,54 +149,31 @@ abstract class SamplingStudy implements Study {
                     STRAIGHT,
                     own.slope(),
                     own.rSquared());
-            double share = shareOfRandom(problem, all);
+            double share = error(problem, PROGRAM, all) / error(problem, RANDOM, all);
             conclusion.demand(
                     share <= problem.share(), "sampling.share", problem.title(), COMPARED_AT, problem.share(), share);
         }
         scenes.keySet().forEach(scene -> conclude(scene, all, conclusion));
     }
 
-    /** How soon the methods reach what random places reach in the end, and an error that all but they reach. */
-    private void conclude(String scene, List<Measurement> all, Conclusion conclusion) {
-        List<Measurement> randoms = Measurement.of(scene, RANDOM, all);
-        Measurement random = randoms.get(randoms.size() - 1);
-        double soon = saySecondsTo(random.medianError(), scene, all, conclusion).get(PROGRAM);
-        conclusion.demand(
-                soon * FASTER <= random.medianSeconds(),
-                "sampling.againstRandom",
-                scene,
-                random.medianError(),
-                FASTER,
-                random.medianSeconds() / soon);
-        List<Measurement> owns = Measurement.of(scene, PROGRAM, all);
-        Measurement own = owns.get(Math.max(0, owns.size() - 2));
-        Map.Entry<String, Double> fastest = saySecondsTo(own.medianError(), scene, all, conclusion)
-                .entrySet()
-                .iterator()
-                .next();
-        double ratio = own.medianSeconds() / fastest.getValue();
-        conclusion.demand(
-                ratio <= SLOWER, "sampling.againstFastest", scene, own.medianError(), SLOWER, ratio, fastest.getKey());
-    }
-
-    /** Says in which time each method comes to an error in a photograph, and returns the seconds, the fewest first. */
-    private Map<String, Double> saySecondsTo(double error, String scene, List<Measurement> all, Conclusion conclusion) {
-        Map<String, Double> seconds = new LinkedHashMap<>();
-        comparison.methods.keySet().stream()
-                .sorted(Comparator.comparingDouble(method -> secondsTo(error, scene, method, all)))
-                .forEach(method -> seconds.put(method, secondsTo(error, scene, method, all)));
-        String times = seconds.entrySet().stream()
-                .filter(entry -> Double.isFinite(entry.getValue()))
-                .map(entry -> StudyText.format("%s %.0f ms", entry.getKey(), 1e3 * entry.getValue()))
+    /** How soon the methods reach in a photograph what random places reach in the end. */
+    private void conclude(String scene, List<StudyPoint> all, Conclusion conclusion) {
+        List<StudyPoint> randoms = StudyPoint.of(scene, RANDOM, all);
+        StudyPoint random = randoms.get(randoms.size() - 1);
+        double error = random.medianError();
+        String times = comparison.methods.keySet().stream()
+                .filter(method -> Double.isFinite(secondsTo(error, scene, method, all)))
+                .map(method -> StudyText.format("%s %.0f ms", method, 1e3 * secondsTo(error, scene, method, all)))
                 .collect(Collectors.joining(", "));
         conclusion.say("sampling.times", error, scene, times);
-        return seconds;
+        double gain = random.medianSeconds() / secondsTo(error, scene, PROGRAM, all);
+        conclusion.demand(gain >= FASTER, "sampling.againstRandom", scene, error, FASTER, gain);
     }
 
     /** The time in which a method comes to an error, between its measurements; infinite if it does not. */
-    private static double secondsTo(double error, String problem, String method, List<Measurement> all) {
-        Measurement before = null;
-        for (Measurement point : Measurement.of(problem, method, all)) {
+    private static double secondsTo(double error, String problem, String method, List<StudyPoint> all) {
+        StudyPoint before = null;
+        for (StudyPoint point : StudyPoint.of(problem, method, all)) {
             if (point.medianError() <= error) {
                 return before == null ? point.medianSeconds() : between(before, point, error);
             }
@@ -209,28 +183,24 @@ abstract class SamplingStudy implements Study {
     }
 
     /** The time at an error, on the straight line between two points of a logarithmic chart. */
-    private static double between(Measurement before, Measurement after, double error) {
+    private static double between(StudyPoint before, StudyPoint after, double error) {
         double part = Math.log(before.medianError() / error) / Math.log(before.medianError() / after.medianError());
         return before.medianSeconds() * Math.pow(after.medianSeconds() / before.medianSeconds(), part);
     }
 
-    final double shareOfRandom(ExactProblem problem, List<Measurement> all) {
-        return error(problem, PROGRAM, all) / error(problem, RANDOM, all);
-    }
-
-    private static double error(ExactProblem problem, String method, List<Measurement> all) {
-        return Measurement.of(problem.key(), method, all).stream()
+    private static double error(ExactProblem problem, String method, List<StudyPoint> all) {
+        return StudyPoint.of(problem.key(), method, all).stream()
                 .filter(point -> point.setting() <= COMPARED_AT)
                 .reduce((first, second) -> second)
-                .map(Measurement::medianError)
+                .map(StudyPoint::medianError)
                 .orElse(Double.NaN);
     }
 
     /** How the error of a method falls with the number of samples. */
-    static PowerLaw law(ExactProblem problem, String method, List<Measurement> all) {
-        List<Measurement> points = Measurement.of(problem.key(), method, all).stream()
+    static PowerLaw law(ExactProblem problem, String method, List<StudyPoint> all) {
+        List<StudyPoint> points = StudyPoint.of(problem.key(), method, all).stream()
                 .filter(point -> point.setting() >= 16)
                 .toList();
-        return PowerLaw.ofError(points, Measurement::setting);
+        return PowerLaw.ofError(points, StudyPoint::setting);
     }
 }

@@ -14,13 +14,7 @@ import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.Sphere;
 import tompkins.search.NearestHit;
 import tompkins.search.ObjectTree;
-import tompkins.spacetime.Event;
-import tompkins.spacetime.FrameMotion;
-import tompkins.spacetime.FrameTree;
-import tompkins.spacetime.LightInMedium;
 import tompkins.spacetime.LorentzTransformation;
-import tompkins.spacetime.RelativeMotion;
-import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.surface.ColouredSurface;
 
@@ -65,13 +59,7 @@ record StabilityStudy(long seed) implements Study {
                     "beta",
                     -9,
                     StabilityStudy::fixedPoint),
-            new Place("far-sphere", "distance of a small sphere", "radius / distance", -7, StabilityStudy::farSphere),
-            new Place(
-                    "medium",
-                    "direction in glass seen by a fast camera in it",
-                    "1 / gamma",
-                    -6,
-                    StabilityStudy::fastInGlass));
+            new Place("far-sphere", "distance of a small sphere", "radius / distance", -7, StabilityStudy::farSphere));
 
     @Override
     public String settings() {
@@ -190,48 +178,16 @@ record StabilityStudy(long seed) implements Study {
         return new double[] {relative(hit ? nearest.distance() : Double.NaN, exact), relative(naive, exact)};
     }
 
-    /**
-     * The sine of the angle to the motion, in glass of index 1.5, of a ray that a camera sees at up to half of 1/gamma
-     * from its motion. The textbook solves for the slowness s in the frame of the camera, from {@code s^2 - 1 = (1 -
-     * 1/n^2) (gamma s - U d)^2}, and takes (d, -s) to the glass.
-     */
-    private static double[] fastInGlass(double distance, SplittableRandom random) {
-        double angle = random.nextDouble(0.1, 0.5) * distance;
-        Vector3d look = new Vector3d(Math.sin(angle), 0, Math.cos(angle));
-        Velocity velocity = Velocity.of(SpeedScale.GAMMA, 1 / distance, new Vector3d(0, 0, 1));
-        RelativeMotion motion = FrameTree.motion(null, new FrameMotion(null, velocity, Event.ORIGIN));
-        double speed = motion.inFirst().z();
-        BigDecimal index = new BigDecimal("1.5");
-        BigDecimal excess = index.multiply(index).subtract(BigDecimal.ONE);
-        BigDecimal gamma = BigDecimal.ONE.add(square(speed)).sqrt(DIGITS);
-        BigDecimal wider = BigDecimal.ONE.subtract(excess.multiply(square(speed)));
-        BigDecimal scaled = square(look.z).add(wider.multiply(square(look.x))).sqrt(DIGITS);
-        BigDecimal length = gamma.multiply(scaled)
-                .subtract(index.multiply(new BigDecimal(speed)).multiply(new BigDecimal(look.z)))
-                .divide(wider, DIGITS);
-        BigDecimal exact = new BigDecimal(look.x).divide(length, DIGITS);
-        double squared = motion.gamma() * motion.gamma();
-        double drag = 1 - 1 / (1.5 * 1.5);
-        double a = 1 - drag * squared;
-        double b = drag * motion.gamma() * speed * look.z;
-        double c = -1 - drag * speed * speed * look.z * look.z;
-        double slowness = (Math.sqrt(b * b - a * c) - b) / a;
-        double ahead = motion.gamma() * look.z - speed * slowness;
-        double naive = look.x / Math.sqrt(look.x * look.x + ahead * ahead);
-        LightInMedium.Seen met = new LightInMedium(1.5, motion).met(look.x(), look.y(), look.z());
-        return new double[] {relative(met.direction().x(), exact), relative(naive, exact)};
-    }
-
     @Override
     public List<Chart> charts() {
-        Chart.Axis<Spread> error = new Chart.Axis<>("largest relative error", Measurement::error);
+        Chart.Axis<Spread> error = new Chart.Axis<>("largest relative error", StudyPoint::error);
         return PLACES.stream()
                 .map(place -> new Chart(place.key, place.title, Chart.setting(place.distance), error, false, STABLE))
                 .toList();
     }
 
     @Override
-    public void conclude(List<Measurement> all, Conclusion conclusion) {
+    public void conclude(List<StudyPoint> all, Conclusion conclusion) {
         conclusion.say("stability.answer");
         for (Place place : PLACES) {
             double stable = worst(place, STABLE, all);
@@ -247,8 +203,8 @@ record StabilityStudy(long seed) implements Study {
         }
     }
 
-    private static double worst(Place place, String method, List<Measurement> all) {
-        return Measurement.of(place.key, method, all).stream()
+    private static double worst(Place place, String method, List<StudyPoint> all) {
+        return StudyPoint.of(place.key, method, all).stream()
                 .mapToDouble(point -> point.medianError())
                 .max()
                 .orElse(Double.NaN);

@@ -19,5 +19,5 @@ public interface Study {
      *
      * @param all the measurements of all trials
      */
-    void conclude(List<Measurement> all, Conclusion conclusion);
+    void conclude(List<StudyPoint> all, Conclusion conclusion);
 }

@@ -19,7 +19,7 @@ import tompkins.file.PendingFile;
  * @param origin which study with which settings was made by which program on which machine
  * @param measurements those of all trials of the study, in their order
  */
-public record StudyData(Origin origin, List<Measurement> measurements) {
+public record StudyData(Origin origin, List<StudyPoint> measurements) {
 
     private static final String COLUMNS = "problem,method,setting,rays,seconds_low,seconds_median,seconds_high,"
             + "error_low,error_median,error_high,maximum,reference_error";
@@ -85,12 +85,12 @@ public record StudyData(Origin origin, List<Measurement> measurements) {
         PendingFile.save(file, true, out -> out.write(text));
     }
 
-    private static String line(Measurement point) {
+    private static String line(StudyPoint point) {
         return String.format(
                 Locale.ROOT,
                 "%s,%s,%s,%s,%s,%s,%.6g,%.6g",
-                quoted(point.problem()),
-                quoted(point.method()),
+                point.problem(),
+                point.method(),
                 point.setting(),
                 point.rays(),
                 line(point.seconds()),
@@ -103,15 +103,7 @@ public record StudyData(Origin origin, List<Measurement> measurements) {
         return String.format(Locale.ROOT, "%.6g,%.6g,%.6g", spread.low(), spread.middle(), spread.high());
     }
 
-    private static String quoted(String text) {
-        return text.replace(',', ';');
-    }
-
-    private static String unquoted(String cell) {
-        return cell.replace(';', ',');
-    }
-
-    private static Measurement measurement(String line, Path file) {
+    private static StudyPoint measurement(String line, Path file) {
         String[] cells = line.split(",", -1);
         double[] numbers = new double[COLUMNS.split(",").length];
         try {
@@ -123,9 +115,9 @@ public record StudyData(Origin origin, List<Measurement> measurements) {
                     file + ": no figures of a study: " + line + "; without the file they are measured again",
                     new IOException(damaged));
         }
-        return new Measurement(
-                unquoted(cells[0]),
-                unquoted(cells[1]),
+        return new StudyPoint(
+                cells[0],
+                cells[1],
                 numbers[2],
                 numbers[3],
                 new Spread(numbers[4], numbers[5], numbers[6]),

@@ -10,8 +10,13 @@ public enum StudyKind {
 
     /** Where samples lie on the lens, in the pixel and in the exposure time; see {@link SamplingStudy}. */
     APERTURE(seed -> new JointStudy(List.of(
-            new ApertureStudy(BundledScenes.named("fig3a", "fig3b"), SamplingMethod.all(seed)),
-            new ExposureStudy(BundledScenes.named("rolling-slit"), SamplingMethod.inTime(seed))))),
+            new SamplingStudy(
+                    "aperture", BundledScenes.named("fig3a", "fig3b"), SamplingMethod.all(seed), ExactProblems.OF_LENS),
+            new SamplingStudy(
+                    "exposure",
+                    BundledScenes.named("rolling-slit"),
+                    SamplingMethod.all(seed),
+                    ExactProblems.OF_EXPOSURE)))),
 
     /** See {@link AntialiasingStudy}. */
     ANTIALIASING(AntialiasingStudy::of),

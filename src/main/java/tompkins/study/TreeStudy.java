@@ -23,7 +23,7 @@ import tompkins.surface.ColouredSurface;
  *
  * @param seed of the objects and the rays
  * @param mostObjects the largest number of objects
- * @param manyRepeats the number of runs for few objects: times need many runs, the hits need one
+ * @param manyRepeats the number of runs for few objects, whose times are short
  */
 record TreeStudy(long seed, int mostObjects, int manyRepeats) implements Study {
 
@@ -62,21 +62,18 @@ record TreeStudy(long seed, int mostObjects, int manyRepeats) implements Study {
     private Race race(int objects) {
         Map<String, IntFunction<Figures>> methods = new LinkedHashMap<>();
         if (objects <= LONGEST_LIST) {
-            methods.put(LIST, run -> search(objects, Integer.MAX_VALUE, run));
+            methods.put(LIST, run -> search(objects, Integer.MAX_VALUE));
         }
-        methods.put(TREE, run -> search(objects, 1, run));
-        methods.put(PROGRAM, run -> search(objects, ObjectTree.SMALLEST_TREE, run));
+        methods.put(TREE, run -> search(objects, 1));
+        methods.put(PROGRAM, run -> search(objects, ObjectTree.SMALLEST_TREE));
         return new Race(methods, objects <= MANY ? manyRepeats : REPEATS);
     }
 
-    private Figures search(int objects, int smallestTree, int run) {
+    private Figures search(int objects, int smallestTree) {
         List<Primitive> primitives = spheres(objects);
         Ray[] rays = rays();
         double seconds = Stopwatch.seconds(() -> search(new ObjectTree(primitives, smallestTree), rays));
-        // times need many runs, the hits need one
-        boolean compares = run == 1 && objects <= LONGEST_LIST;
-        int different = compares ? differences(primitives, new ObjectTree(primitives, smallestTree), rays) : 0;
-        return new Figures(RAYS, Spread.exact(seconds), Spread.exact(different), different, 0);
+        return Figures.of(RAYS, Spread.exact(seconds), 0);
     }
 
     private static double search(ObjectTree tree, Ray[] rays) {
@@ -86,25 +83,6 @@ record TreeStudy(long seed, int mostObjects, int manyRepeats) implements Study {
             sum += tree.nearest(ray, nearest) ? nearest.distance() : 0;
         }
         return sum;
-    }
-
-    /** How many rays find another object than with a list, or the same one at a distance that differs in any bit. */
-    private static int differences(List<Primitive> primitives, ObjectTree tree, Ray[] rays) {
-        ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
-        NearestHit inList = new NearestHit(new RayCounts());
-        NearestHit inTree = new NearestHit(new RayCounts());
-        int different = 0;
-        for (Ray ray : rays) {
-            boolean hit = list.nearest(ray, inList);
-            boolean same = tree.nearest(ray, inTree) == hit && (!hit || isSame(inList, inTree));
-            different += same ? 0 : 1;
-        }
-        return different;
-    }
-
-    /** Compares by number, because the tree holds copies of the primitives. */
-    private static boolean isSame(NearestHit one, NearestHit other) {
-        return one.primitive().order() == other.primitive().order() && one.distance() == other.distance();
     }
 
     private List<Primitive> spheres(int count) {
@@ -137,13 +115,13 @@ record TreeStudy(long seed, int mostObjects, int manyRepeats) implements Study {
     }
 
     @Override
-    public void conclude(List<Measurement> all, Conclusion conclusion) {
+    public void conclude(List<StudyPoint> all, Conclusion conclusion) {
         // the smallest number of objects from which on the tree is always faster, of those measured
         double crossing = Double.POSITIVE_INFINITY;
         double slower = 0;
         double at = Double.NaN;
-        List<Measurement> lists = Measurement.of(SPHERES, LIST, all);
-        for (Measurement list : lists) {
+        List<StudyPoint> lists = StudyPoint.of(SPHERES, LIST, all);
+        for (StudyPoint list : lists) {
             double objects = list.setting();
             double tree = seconds(TREE, objects, all);
             crossing = tree < list.medianSeconds() ? Math.min(crossing, objects) : Double.POSITIVE_INFINITY;
@@ -153,7 +131,7 @@ record TreeStudy(long seed, int mostObjects, int manyRepeats) implements Study {
                 at = objects;
             }
         }
-        Measurement longest = lists.get(lists.size() - 1);
+        StudyPoint longest = lists.get(lists.size() - 1);
         conclusion.say(
                 "tree.answer",
                 crossing < Double.POSITIVE_INFINITY ? StudyText.format("%.0f", crossing) : "no number of",
@@ -161,11 +139,9 @@ record TreeStudy(long seed, int mostObjects, int manyRepeats) implements Study {
                 longest.medianSeconds() / seconds(TREE, longest.setting(), all),
                 ObjectTree.SMALLEST_TREE);
         conclusion.demand(slower <= TOLERANCE, "tree.time", TOLERANCE, MANY, slower, at);
-        double different = all.stream().mapToDouble(Measurement::maximum).max().orElse(0);
-        conclusion.demand(different == 0, "tree.hits", different);
     }
 
-    private static double seconds(String method, double objects, List<Measurement> all) {
-        return Measurement.of(SPHERES, method, objects, all).medianSeconds();
+    private static double seconds(String method, double objects, List<StudyPoint> all) {
+        return StudyPoint.of(SPHERES, method, objects, all).medianSeconds();
     }
 }

@@ -5,17 +5,17 @@ import java.util.function.Supplier;
 /**
  * A measurement that can be made.
  *
- * @param problem see {@link Measurement#problem()}
- * @param method see {@link Measurement#method()}
- * @param setting see {@link Measurement#setting()}
+ * @param problem see {@link StudyPoint#problem()}
+ * @param method see {@link StudyPoint#method()}
+ * @param setting see {@link StudyPoint#setting()}
  * @param measurer finds the figures
  */
 public record Trial(String problem, String method, double setting, Supplier<Figures> measurer) {
 
     /** Makes the measurement. */
-    public Measurement measure() {
+    public StudyPoint measure() {
         Figures found = measurer.get();
-        return new Measurement(
+        return new StudyPoint(
                 problem, method, setting, found.rays(), found.seconds(), found.error(), found.maximum(), found.floor());
     }
 }

@@ -5,7 +5,6 @@ import java.util.List;
 import tompkins.camera.SamplePositions;
 import tompkins.light.Pulse;
 import tompkins.light.RestingLight;
-import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
@@ -76,14 +75,14 @@ public final class EmissionTimes {
         }
 
         @Override
-        public void hits(Frame frame, Ray ray, Hit hit, Primitive primitive) {
+        public void hits(Hit hit) {
             if (branch == 0 && watch != null) {
-                watch.findEmissions(frame, ray, hit, emissions);
+                watch.findEmissions(hit, emissions);
             }
         }
 
         @Override
-        public void leaves(Frame frame, Ray ray) {
+        public void leaves(Ray ray) {
             if (branch == 0) {
                 Arrays.fill(emissions, Double.NaN);
             }

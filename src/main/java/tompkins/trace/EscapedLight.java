@@ -12,17 +12,12 @@ interface EscapedLight {
     Colour colour(Ray ray);
 
     /** The same for a ray of a packet. */
-    default Colour colour(RayPacket rays, int place) {
-        return colour(rays.ray(place));
+    default Colour colour(RayPacket rays, int index) {
+        return colour(rays.ray(index));
     }
 
     /** The light that comes back, if it is the same for all rays; otherwise null. */
     default Colour evenLight() {
         return null;
-    }
-
-    /** The light that comes back, as the camera sees it; for surroundings that shift light where it leaves a hit. */
-    default Colour seen(Ray ray, Surroundings surroundings) {
-        return surroundings.seen(colour(ray), ray, 1);
     }
 }

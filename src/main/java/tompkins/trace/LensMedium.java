@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.primitive.Primitive;
+import tompkins.property.NumberText;
 import tompkins.ray.Hit;
 import tompkins.ray.Medium;
 import tompkins.ray.Ray;
@@ -43,6 +44,15 @@ final class LensMedium {
                     routes.route(routes.camera(), i).transform(lens).position());
         }
         return index == 1 ? null : new Medium(index, frame, null);
+    }
+
+    /** What a medium does to the picture of a camera that rests in it, in sentences; none for vacuum, which is null. */
+    static List<String> sentences(Medium medium) {
+        return medium == null
+                ? List.of()
+                : List.of("The lens rests in a medium of index " + NumberText.plain(medium.index(), 4)
+                        + ": behind a flat face across the view, what is in the middle of the picture stays there at any"
+                        + " speed, as without the medium, and sines of angles to the middle are divided by the index.");
     }
 
     /** The index of what is at a place among objects: 1 in vacuum. */

@@ -35,6 +35,7 @@ final class NearbyRays implements PathObserver {
     private long begun;
 
     private Leaving current;
+    private int cameraFrame;
     private long way;
 
     /** The rays of one place of the picture that leave the scene. Memory that is used again for other places. */
@@ -131,6 +132,7 @@ final class NearbyRays implements PathObserver {
 
     @Override
     public void starts(Ray ray) {
+        cameraFrame = ray.frame;
         current.look.set(ray.dx, ray.dy, ray.dz);
     }
 
@@ -148,14 +150,14 @@ final class NearbyRays implements PathObserver {
     }
 
     @Override
-    public void hits(Frame frame, Ray ray, Hit hit, Primitive primitive) {
-        int inScene = frame == Frame.SCENE ? 1 : 0;
-        way = ((way + inScene) * MIX + primitive.order()) * MIX + hit.part + 1;
+    public void hits(Hit hit) {
+        int inScene = hit.frame == cameraFrame ? 0 : 1;
+        way = ((way + inScene) * MIX + ((Primitive) hit.boundary).order()) * MIX + hit.part + 1;
     }
 
     @Override
-    public void leaves(Frame frame, Ray ray) {
-        if (frame == Frame.SCENE) {
+    public void leaves(Ray ray) {
+        if (ray.frame != cameraFrame) {
             current.all.add(new Left(Ray.blank().set(ray), way));
         }
     }

@@ -1,6 +1,5 @@
 package tompkins.trace;
 
-import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
@@ -27,11 +26,12 @@ interface PathObserver {
     /**
      * The ray, or one that came from it, hits something.
      *
-     * @param frame whether this is in the camera frame, or in the scene
-     * @param primitive what was hit
+     * @param hit with the ray that has hit, and the primitive as its boundary
      */
-    default void hits(Frame frame, Ray ray, Hit hit, Primitive primitive) {}
+    default void hits(Hit hit) {}
 
-    /** The ray, or one that came from it, goes on and meets nothing else in a frame. */
-    default void leaves(Frame frame, Ray ray) {}
+    /**
+     * The ray, or one that came from it, goes on and meets nothing else: in the camera frame, or in that of the scene.
+     */
+    default void leaves(Ray ray) {}
 }

@@ -2,6 +2,7 @@ package tompkins.trace;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.SamplePositions;
@@ -196,6 +197,14 @@ public record RayLife(
         return of(plan, x, y, lensX, lensY, moment, FEW_HITS);
     }
 
+    /** What rays meet in the middle of the exposure that are spread over a picture, so many in each row and column. */
+    public static Stream<Encounter> hits(RenderPlan plan, int side) {
+        return SamplePositions.spread(plan.width(), plan.height(), side)
+                .map(place -> way(plan, place.x(), place.y(), 0, 0, SamplePositions.MIDDLE))
+                .filter(life -> life != null)
+                .flatMap(life -> life.hits().stream());
+    }
+
     private static RayLife of(
             RenderPlan plan, double x, double y, double lensX, double lensY, double moment, long mostWeaker) {
         Recorder recorder = new Recorder(plan, mostWeaker);
@@ -226,6 +235,7 @@ public record RayLife(
         /** Where the present piece of the ray begins in the scene frame; null in the camera frame. */
         private Event corner;
 
+        private int cameraFrame;
         private Event start;
         private Vector3d startDirection;
         private Event crossing;
@@ -263,6 +273,7 @@ public record RayLife(
 
         @Override
         public void starts(Ray ray) {
+            cameraFrame = ray.frame;
             start = start(ray);
             startDirection = new Vector3d(ray.dx, ray.dy, ray.dz);
         }
@@ -280,14 +291,17 @@ public record RayLife(
         }
 
         @Override
-        public void hits(Frame frame, Ray ray, Hit hit, Primitive primitive) {
+        public void hits(Hit hit) {
+            Frame frame = frame(hit.frame);
+            Ray ray = hit.ray;
+            Primitive primitive = (Primitive) hit.boundary;
             boolean isKept = (branch == 0 ? mainHits++ : weakerHits++) < MOST_HITS;
             if (!isKept && branch > 0) {
                 return;
             }
             Event traced = new Event(hit.x, hit.y, hit.z, hit.time);
             RestFrame rest = primitive.restFrame();
-            PointFrame point = hit.runs ? new PointFrame(hit, plan.studio().transformation()) : null;
+            PointFrame point = hit.runs ? new PointFrame(hit, rest.rotation().law()) : null;
             Hit event = hit.event == null ? hit : hit.event;
             Event met = frame == Frame.CAMERA
                     ? traced
@@ -311,7 +325,7 @@ public record RayLife(
                             point == null ? null : new Vector3d(hit.velocityX, hit.velocityY, hit.velocityZ),
                             hit.coordinates == null ? Double.NaN : hit.coordinates.u(),
                             hit.coordinates == null ? Double.NaN : hit.coordinates.v()),
-                    flashes == null ? List.of() : flashes.at(frame, ray, hit, ray.depth == 0));
+                    flashes == null ? List.of() : flashes.at(hit));
             if (isKept) {
                 hits.add(encounter);
             } else {
@@ -323,6 +337,10 @@ public record RayLife(
                 }
                 corner = met;
             }
+        }
+
+        private Frame frame(int number) {
+            return number == cameraFrame ? Frame.CAMERA : Frame.SCENE;
         }
 
         private static Event start(Ray ray) {
@@ -339,8 +357,8 @@ public record RayLife(
         }
 
         @Override
-        public void leaves(Frame frame, Ray ray) {
-            if (frame == Frame.CAMERA || branch > 0 && weakerHits > MOST_HITS) {
+        public void leaves(Ray ray) {
+            if (frame(ray.frame) == Frame.CAMERA || branch > 0 && weakerHits > MOST_HITS) {
                 return;
             }
             Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz);

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.Predicate;
 import org.joml.Vector3dc;
 import tompkins.light.Illumination;
-import tompkins.light.RestingLight;
+import tompkins.light.LightShift;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
@@ -16,7 +16,7 @@ import tompkins.ray.RayPacket;
 import tompkins.surface.Refractive;
 import tompkins.surface.Response;
 import tompkins.surface.Tracer;
-import tompkins.world.FrameRoutes;
+import tompkins.world.Surroundings;
 
 /**
  * Follows rays among what surrounds them: the nearest hit decides, and what leaves the objects has escaped. One for
@@ -24,11 +24,9 @@ import tompkins.world.FrameRoutes;
  */
 final class RayTracer extends Padded implements Tracer {
 
-    private final Frame place;
     private final Surroundings surroundings;
-    private final List<RestingLight> lights;
     private final Illumination illumination;
-    private final FrameRoutes routes;
+    private final LightShift shift;
     private final EscapedLight escaped;
     private final int maximumDepth;
     private final RayCounts counts;
@@ -39,24 +37,21 @@ final class RayTracer extends Padded implements Tracer {
     /**
      * A tracer.
      *
-     * @param routes the ways between frames, if rays must know in which medium they are; null otherwise
+     * @param shift what becomes of light on its way to the camera, if that depends on the frame of the hit that it
+     *     leaves; null otherwise
      * @param escaped the light of rays that leave the surroundings
      * @param observer watches the rays; may be null
      */
     RayTracer(
-            Frame place,
             Surroundings surroundings,
-            List<RestingLight> lights,
-            FrameRoutes routes,
+            LightShift shift,
             EscapedLight escaped,
             int maximumDepth,
             RayCounts counts,
             PathObserver observer) {
-        this.place = place;
         this.surroundings = surroundings;
-        this.lights = lights;
-        illumination = new Illumination(lights, surroundings);
-        this.routes = routes;
+        this.shift = shift;
+        illumination = surroundings.illumination(shift);
         this.escaped = escaped;
         this.maximumDepth = maximumDepth;
         this.counts = counts;
@@ -68,41 +63,32 @@ final class RayTracer extends Padded implements Tracer {
         surroundings.begin(rays);
     }
 
-    /** Whether light is shifted where it leaves a hit, by the frequency in the frame of the hit. */
-    boolean shifts() {
-        return surroundings.shifts();
-    }
-
     /** The light along each ray that meets nothing, if it is the same for all; otherwise null. */
     Colour evenLight() {
         return escaped.evenLight();
     }
 
     /** Whether a ray of the packet may meet something. */
-    boolean mayMeet(int place) {
-        return surroundings.mayMeet(place);
+    boolean mayMeet(int index) {
+        return surroundings.mayMeet(index);
     }
 
     /** The light that comes back along a ray of the packet. */
-    Colour packetColour(RayPacket rays, int place) {
+    Colour packetColour(RayPacket rays, int index) {
         counts.rays++;
-        if (surroundings.nearest(place)) {
-            return withEscaped(follow(surroundings.met(), true, hitMemory));
-        }
-        return surroundings.shifts()
-                ? escaped.seen(rays.copy(place, startMemory), surroundings)
-                : escaped.colour(rays, place);
+        Hit hit = surroundings.nearest(index, hitMemory);
+        return hit == null ? escaped.colour(rays, index) : withEscaped(follow(hit.ray, hit, hitMemory));
     }
 
     /**
      * Follows a ray of the packet until it ends or leaves the objects of this frame.
      *
-     * @return what it has brought; the ray that leaves is memory that is used again
+     * @return what it has brought; the ray that leaves is memory that is reused
      */
-    TracedPath follow(RayPacket rays, int place) {
+    TracedPath follow(RayPacket rays, int index) {
         counts.rays++;
-        boolean hits = surroundings.nearest(place);
-        return follow(hits ? surroundings.met() : rays.copy(place, startMemory), hits, hitMemory);
+        Hit hit = surroundings.nearest(index, hitMemory);
+        return follow(hit == null ? rays.copy(index, startMemory) : hit.ray, hit, hitMemory);
     }
 
     @Override
@@ -122,76 +108,66 @@ final class RayTracer extends Padded implements Tracer {
             return Colour.BLACK;
         }
         counts.rays++;
-        boolean hits = surroundings.nearest(start);
-        return withEscaped(follow(hits ? surroundings.met() : start, hits, Hit.blank()));
+        Hit memory = Hit.blank();
+        return withEscaped(follow(start, surroundings.nearest(start, memory), memory));
     }
 
     /** The colour of a ray that was followed, with what comes from behind the objects. */
     private Colour withEscaped(TracedPath path) {
-        Ray left = path.escaped();
-        if (left == null) {
+        if (path.escaped() == null) {
             return path.light();
         }
-        return path.light()
-                .plus(
-                        surroundings.shifts()
-                                ? escaped.seen(left, surroundings)
-                                : path.throughput().times(escaped.colour(left)));
+        Colour behind = escaped.colour(path.escaped());
+        return path.light().plus(shift == null ? path.throughput().times(behind) : behind);
     }
 
     /**
-     * Follows a ray whose nearest hit has just been searched for. The memory is for its hits, each of which is dealt
-     * with before the next.
+     * Follows a ray from its nearest hit on, if there is one. The memory is for its hits, each of which is dealt with
+     * before the next.
      */
-    private TracedPath follow(Ray start, boolean startHits, Hit memory) {
+    private TracedPath follow(Ray start, Hit first, Hit memory) {
         Ray ray = start;
-        boolean hits = startHits;
         Colour light = Colour.BLACK;
         Colour weight = start.weight;
-        if (hits && place == Frame.SCENE) {
+        if (first != null && surroundings.home() == 0) {
             counts.sceneHits++;
         }
-        boolean first = true;
-        while (hits) {
-            Response response = respond(ray, surroundings.hit(memory));
+        for (Hit hit = first; hit != null; hit = surroundings.nearest(ray, memory)) {
+            Response response = respond(hit);
             Colour own = response.light();
-            light = first ? own : light.plus(surroundings.shifts() ? own : own.times(weight));
-            first = false;
+            light = ray == start ? own : light.plus(shift == null ? own.times(weight) : own);
             Ray next = response.next();
             if (next == null || isGivenUp(next)) {
                 return new TracedPath(light, weight, null);
             }
             weight = weight.times(response.factor());
-            ray = surroundings.goesOn(next, weight);
+            // light is shifted where it leaves a hit, so the ray must know what becomes of it on the way before that
+            ray = shift == null ? next : next.weighted(weight);
             counts.rays++;
-            hits = surroundings.nearest(ray);
-            if (hits) {
-                ray = surroundings.met();
-            }
         }
         ray = surroundings.leaving(ray);
         if (observer != null) {
-            observer.leaves(place, ray);
+            observer.leaves(ray);
         }
         return new TracedPath(light, weight, ray);
     }
 
-    private Response respond(Ray ray, Hit hit) {
+    private Response respond(Hit hit) {
         Primitive primitive = (Primitive) hit.boundary;
         if (observer != null) {
-            observer.hits(place, ray, hit, primitive);
+            observer.hits(hit);
         }
         if (hit.contact != null && hit.contact.hits().size() > 1) {
             return Refractive.respond(
-                    ray,
+                    hit.ray,
                     hit,
-                    media(hit, each -> each.cosine(ray) >= 0),
-                    media(hit, each -> each.cosine(ray) < 0),
+                    media(hit, each -> each.cosine(hit.ray) >= 0),
+                    media(hit, each -> each.cosine(hit.ray) < 0),
                     this);
         }
         return hit.runs
-                ? new PointTracer(this, surroundings, lights, hit).respond(primitive.surface(), ray)
-                : primitive.surface().respond(ray, hit, this);
+                ? new MomentaryFrameTracer(this, surroundings.lighting(), hit).respond(primitive.surface())
+                : primitive.surface().respond(hit.ray, hit, this);
     }
 
     /** The boundaries of media in the layer of a hit that are met as wanted. */
@@ -224,11 +200,11 @@ final class RayTracer extends Padded implements Tracer {
 
     @Override
     public boolean keepsMedia() {
-        return routes != null;
+        return surroundings.keepsMedia();
     }
 
     @Override
     public Vector3dc velocity(Medium medium, int frame) {
-        return routes.motion(frame, medium.frame()).inFirst();
+        return surroundings.velocity(medium, frame);
     }
 }

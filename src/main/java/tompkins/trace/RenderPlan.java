@@ -13,6 +13,8 @@ import tompkins.camera.PictureRays;
 import tompkins.camera.PixelSampler;
 import tompkins.camera.SamplePositions;
 import tompkins.camera.Sampler;
+import tompkins.camera.StereoLayout;
+import tompkins.light.LightShift;
 import tompkins.light.LightSource;
 import tompkins.light.Pulse;
 import tompkins.light.RestingLight;
@@ -37,7 +39,7 @@ import tompkins.studio.View;
 import tompkins.surface.Surface;
 import tompkins.world.FlashTimes;
 import tompkins.world.FrameRoutes;
-import tompkins.world.Lamp;
+import tompkins.world.Surroundings;
 import tompkins.world.World;
 
 /**
@@ -95,7 +97,7 @@ public final class RenderPlan {
         lensMedium = sceneMedium == null ? around : null;
         cameraLights = studio.lights().stream().flatMap(LightSource::atRest).toList();
         // last, because it follows a ray by this plan
-        shift = studio.shiftsColours() ? LightShift.metered(this) : null;
+        shift = studio.shiftsColours() ? metered() : null;
         stars = studio.background() instanceof StarSky sky
                 ? new StarField(sky, studio, pictureRays, around == null, shift, unwanted)
                 : null;
@@ -271,6 +273,25 @@ public final class RenderPlan {
         return sceneFromCamera.transform(lensEvent());
     }
 
+    /**
+     * The shift for the picture, metered in its middle, behind what moves with the camera; of two eyes it is that
+     * between them, so that both pictures have one exposure.
+     */
+    private LightShift metered() {
+        if (studio.camera().stereo().layout() != StereoLayout.NONE) {
+            return RenderPlan.of(studio.withCamera(studio.camera().betweenEyes()), this).shift;
+        }
+        RayLife middle = middleLife();
+        if (middle != null && middle.sceneStart() != null) {
+            return new LightShift(
+                    studio.colours(), studio.metering(), middle.sceneDopplerFactor(), middle.sceneDirectionLength());
+        }
+        // no light of the scene comes from there: as if nothing stood before the lens
+        Vector3dc direction = chiefDirection(middle().x(), middle().y());
+        Ray ray = studio.sceneFromCamera().transform(Ray.from(0, 0, 0, direction.x(), direction.y(), direction.z(), 0));
+        return new LightShift(studio.colours(), studio.metering(), 1 / ray.frequency, ray.directionLength);
+    }
+
     /** A tracer for one thread, which adds to the given counts. */
     public SampleTracer tracer(RayCounts counts) {
         return tracer(counts, sampler(), null);
@@ -287,39 +308,26 @@ public final class RenderPlan {
     }
 
     private SampleTracer tracer(RayCounts counts, Sampler sampler, PathObserver observer) {
-        return tracer(
-                counts,
-                sampler,
-                observer,
-                stars == null
-                        ? null
-                        : new StarTracer(stars, watcher -> tracer(new RayCounts(), sampler(), watcher, null)));
+        StarTracer starTracer = stars == null
+                ? null
+                : new StarTracer(stars, watcher -> tracer(new RayCounts(), sampler(), watcher, null));
+        return tracer(counts, sampler, observer, starTracer);
     }
 
     private SampleTracer tracer(RayCounts counts, Sampler sampler, PathObserver observer, StarTracer starTracer) {
         int depth = studio.settings().maximumDepth();
-        boolean moving = needsFrames();
+        LightShift shiftAtHits = needsFrames() ? shift : null;
         RayTracer sceneTracer = new RayTracer(
-                Frame.SCENE,
                 scene(counts),
-                world.lights(),
-                moving && keepsMedia ? routes : null,
-                starTracer == null ? new BackgroundTracer(studio.background()) : starTracer,
+                shiftAtHits,
+                starTracer == null ? new BackgroundTracer(studio.background(), shiftAtHits) : starTracer,
                 depth,
                 counts,
                 observer);
-        SceneEntry entry = new SceneEntry(routes, sceneMedium, sceneTracer, shift, observer);
+        SceneEntry entry = new SceneEntry(routes, sceneMedium, sceneTracer, needsFrames() ? null : shift, observer);
         RayTracer cameraTracer = cameraFrame.size() == 0
                 ? null
-                : new RayTracer(
-                        Frame.CAMERA,
-                        beforeLens(counts),
-                        cameraLights,
-                        keepsMedia ? routes : null,
-                        entry,
-                        depth,
-                        counts,
-                        observer);
+                : new RayTracer(beforeLens(counts), null, entry, depth, counts, observer);
         return new SampleTracer(
                 sampler,
                 pictureRays,
@@ -348,33 +356,28 @@ public final class RenderPlan {
     }
 
     private Surroundings beforeLens(RayCounts counts) {
-        List<Lamp> lamps =
-                cameraLights.stream().map(light -> new Lamp(light, 0, 0)).toList();
-        return new RestingSurroundings(cameraFrame, lamps, counts);
+        TransformationLaw law = keepsMedia ? TransformationLaw.LORENTZ : TransformationLaw.NONE;
+        return Surroundings.ofOneFrame(routes.camera(), cameraFrame, cameraLights, routes, law, counts);
     }
 
     private Surroundings scene(RayCounts counts) {
-        if (needsFrames()) {
-            return new MovingSurroundings(world, routes, studio.transformation(), shift, counts);
-        }
-        return new RestingSurroundings(world.objects(0), world.lamps(), counts);
+        return world.surroundings(routes, needsFrames() ? studio.transformation() : TransformationLaw.NONE, counts);
     }
 
     /** Finds what flash lamps do at hits, for one thread; null if no lamp flashes. */
     FlashWatch flashWatch() {
-        RayCounts counts = new RayCounts();
         return hasFlashes()
                 ? new FlashWatch(
                         world.lights(),
-                        scene(counts),
-                        beforeLens(counts),
+                        scene(new RayCounts()),
+                        beforeLens(new RayCounts()),
                         new FlashTimes(world, routes, studio.transformation()))
                 : null;
     }
 
     /** What the medium around the lens does to the picture. */
     public List<String> mediumSentences() {
-        return sceneMedium == null ? List.of() : sceneMedium.sentences();
+        return sceneMedium == null ? LensMedium.sentences(lensMedium) : sceneMedium.sentences();
     }
 
     /**

@@ -1,5 +1,6 @@
 package tompkins.trace;
 
+import tompkins.light.LightShift;
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
@@ -19,7 +20,7 @@ final class SceneEntry implements EscapedLight {
      *
      * @param routes the ways between the frames
      * @param medium a medium of the scene in which the lens is; may be null
-     * @param shift what becomes of the light, or null if it stays as it is
+     * @param shift what becomes of the light at the end, or null if it stays as it is
      * @param observer watches the rays; may be null
      */
     SceneEntry(
@@ -63,7 +64,7 @@ final class SceneEntry implements EscapedLight {
      * @param directionLength that of its ray
      */
     Colour inCameraFrame(Colour light, double frequency, double directionLength) {
-        return shift == null || sceneTracer.shifts() ? light : shift.seen(light, 1, 1 / frequency, directionLength);
+        return shift == null ? light : shift.seen(light, 1 / frequency, directionLength);
     }
 
     /**

@@ -7,6 +7,7 @@ import org.joml.Vector3d;
 import tompkins.camera.EyeView;
 import tompkins.camera.PictureRays;
 import tompkins.light.ColourLaw;
+import tompkins.light.LightShift;
 import tompkins.light.Star;
 import tompkins.light.StarCatalogue;
 import tompkins.ray.Colour;
@@ -92,14 +93,9 @@ final class StarField {
         return shift == null ? atRest[star] : shift.ofBlackBody(temperatures[star], dopplerFactor, directionLength);
     }
 
-    /** The light between the stars. */
-    Colour evenLight() {
-        return sky.colour();
-    }
-
-    /** Whether the motion changes the light of stars; they are given as the camera sees them then. */
-    boolean areShifted() {
-        return shift != null;
+    /** The light between the stars, as the camera sees it along a ray. */
+    Colour between(Ray ray) {
+        return shift == null ? sky.colour() : shift.seen(sky.colour(), ray, 1);
     }
 
     /** Whether a ray that leaves the scene comes straight from the sky, so that its pixel is all that matters. */

@@ -83,18 +83,12 @@ final class StarTracer extends Padded implements EscapedLight, StarMap.Visitor {
 
     @Override
     public Colour colour(Ray ray) {
-        Colour even = stars.evenLight();
-        return stars.areShifted() ? even : even.plus(stars(ray));
+        return stars.between(ray).plus(stars(ray).times(ray.weight));
     }
 
     @Override
     public Colour colour(RayPacket rays, int place) {
         return colour(rays.copy(place, memory));
-    }
-
-    @Override
-    public Colour seen(Ray ray, Surroundings surroundings) {
-        return surroundings.seen(stars.evenLight(), ray, 1).plus(stars(ray).times(ray.weight));
     }
 
     private Colour stars(Ray ray) {

@@ -4,10 +4,10 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import tompkins.camera.SamplePositions;
 import tompkins.primitive.Primitive;
 import tompkins.property.Descriptions;
 import tompkins.ray.Hit;
-import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.studio.Studio;
 import tompkins.studio.UniformBackground;
@@ -29,11 +29,8 @@ public final class TouchingSurfaces implements PathObserver {
         Studio simple = Descriptions.with(studio, "background", UniformBackground.DEFAULT)
                 .withSettings(Descriptions.with(studio.settings(), "maximumDepth", DEPTH));
         SampleTracer tracer = RenderPlan.of(simple, plan).tracer(new RayCounts(), this);
-        for (int i = 0; i < TRIED * TRIED; i++) {
-            double x = (i % TRIED + 0.5) / TRIED * plan.width();
-            double y = (i / TRIED + 0.5) / TRIED * plan.height();
-            tracer.sample(x, y, 0, 0, 0.5);
-        }
+        SamplePositions.spread(plan.width(), plan.height(), TRIED)
+                .forEach(position -> tracer.sample(position.x(), position.y(), 0, 0, 0.5));
     }
 
     /** Which media meet at one boundary, in sentences. */
@@ -47,7 +44,7 @@ public final class TouchingSurfaces implements PathObserver {
     }
 
     @Override
-    public void hits(Frame frame, Ray ray, Hit hit, Primitive primitive) {
+    public void hits(Hit hit) {
         if (hit.contact == null) {
             return;
         }

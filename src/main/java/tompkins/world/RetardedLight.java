@@ -1,8 +1,9 @@
 package tompkins.world;
 
 import java.util.Arrays;
-import java.util.stream.Stream;
+import java.util.List;
 import org.joml.Vector3dc;
+import tompkins.light.Lighting;
 import tompkins.light.Sightline;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
@@ -19,7 +20,7 @@ import tompkins.spacetime.TransformationLaw;
  * The ways of light from lamps to a hit, when both may move: a lamp shines from where it was when the light left it,
  * and what was in the way when the light passed throws the shadow. One for each thread.
  */
-public final class RetardedLight {
+final class RetardedLight implements Lighting {
 
     private final FrameRoutes routes;
     private final RayCounts counts;
@@ -31,7 +32,7 @@ public final class RetardedLight {
 
     private final ObjectTree[] trees;
 
-    /** The numbers of the frames in which something throws shadows. */
+    /** The numbers of the frames in which something may throw shadows. */
     private final int[] darkening;
 
     private final Primitive[] lastShadows;
@@ -42,36 +43,35 @@ public final class RetardedLight {
     private final Ray fromEvent = Ray.blank();
     private final Ray inFrame = Ray.blank();
 
-    /** The ways in a world, for one thread. */
-    public RetardedLight(World world, FrameRoutes routes, TransformationLaw law, RayCounts counts) {
+    /** The ways of light to hits among the objects of some frames, null where nothing is searched; for one thread. */
+    RetardedLight(ObjectTree[] trees, List<Lamp> lamps, FrameRoutes routes, TransformationLaw law, RayCounts counts) {
+        this.trees = trees;
         this.routes = routes;
         this.counts = counts;
         scratch = new NearestHit(counts);
-        trees = world.trees();
-        darkening = Arrays.stream(world.filledFrames())
-                .filter(frame -> trees[frame].throwsShadows())
-                .toArray();
-        lamps = world.lamps().toArray(Lamp[]::new);
+        int[] filled = Surroundings.filled(trees);
+        darkening = filled.length == 1
+                ? filled
+                : Arrays.stream(filled)
+                        .filter(frame -> trees[frame].throwsShadows())
+                        .toArray();
+        this.lamps = lamps.toArray(Lamp[]::new);
         paces = law != TransformationLaw.GALILEAN
                 ? null
-                : Stream.of(lamps)
+                : lamps.stream()
                         .map(lamp -> routes.route(lamp.frame(), routes.camera())
                                 .worldLine()
                                 .position())
                         .toArray(Vector3dc[]::new);
-        lastShadows = new Primitive[world.frameCount()];
+        lastShadows = new Primitive[trees.length];
     }
 
     /** Forgets what was seen before, so that the work for a packet depends on nothing else. */
-    public void beginBlock() {
+    void beginBlock() {
         Arrays.fill(lastShadows, null);
     }
 
-    /**
-     * Finds the way from a hit to a lamp.
-     *
-     * @return false if no light of the lamp gets to the event
-     */
+    @Override
     public boolean find(int source, Hit hit, Sightline sight) {
         Lamp lamp = lamps[source];
         if (paces != null) {
@@ -137,7 +137,7 @@ public final class RetardedLight {
         return true;
     }
 
-    /** Whether nothing throws a shadow on a hit along a way that was found for it. */
+    @Override
     public boolean isClear(int source, Hit hit, Sightline sight) {
         counts.shadowRays++;
         double length = sight.length;

@@ -17,6 +17,7 @@ import tompkins.primitive.Bounds;
 import tompkins.primitive.Placement;
 import tompkins.primitive.Primitive;
 import tompkins.property.InvalidPropertyException;
+import tompkins.ray.RayCounts;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
 import tompkins.search.LampShadows;
@@ -88,9 +89,11 @@ public final class World {
         }
         int smallestTree = plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE;
         // trees hold copies, so that what was collected can be forgotten
-        frames = collector.frames().stream()
-                .map(frame -> new InertialFrame(
-                        frame.motion(), frame.origin(), new ObjectTree(frame.primitives(), smallestTree)))
+        frames = IntStream.range(0, collector.motions().size())
+                .mapToObj(frame -> new InertialFrame(
+                        collector.motions().get(frame),
+                        tree.origin(collector.motions().get(frame)),
+                        new ObjectTree(collector.primitives(frame), smallestTree)))
                 .toList();
         lamps = plain ? List.copyOf(unprepared) : prepared(unprepared, routes(tree));
         lights = lamps.stream().map(Lamp::light).toList();
@@ -196,16 +199,10 @@ public final class World {
         return frames.get(frame).objects();
     }
 
-    /** The primitives that rest in each frame. */
-    ObjectTree[] trees() {
-        return frames.stream().map(InertialFrame::objects).toArray(ObjectTree[]::new);
-    }
-
-    /** The numbers of the frames in which primitives rest; the others hold lamps, or what moves in them. */
-    int[] filledFrames() {
-        return IntStream.range(0, frames.size())
-                .filter(frame -> objects(frame).size() > 0)
-                .toArray();
+    /** What rays and light can meet, for one thread. */
+    public Surroundings surroundings(FrameRoutes routes, TransformationLaw lawOfLight, RayCounts counts) {
+        ObjectTree[] trees = frames.stream().map(InertialFrame::objects).toArray(ObjectTree[]::new);
+        return new Surroundings(trees, lamps, routes, lawOfLight, counts);
     }
 
     /**

@@ -152,10 +152,6 @@ class ExplainCommandTest {
             | 'scene': [{'type': 'Disc', 'surface': {'type': 'Refractive'}}]
             The focus ignores windows, glass and mirrors | 'cameraFrame': [WINDOW], 'camera': {'apertureRadius': 0.1} \
             | 'cameraFrame': [WINDOW]
-            missed by about 75 % of the pixels: these are focused at infinity. | 'camera': {'apertureRadius': 0.1, 'focus': QUARTER} \
-            | 'camera': {'focus': QUARTER}
-            missed by about 75 % of the pixels: these are focused at infinity, and stay black | \
-            'camera': {'shutter': {'type': 'FocusSurfaceShutter'}, 'focus': QUARTER} | 'camera': {'apertureRadius': 0.1}
             Image points ignore the objects that move with the camera | 'cameraFrame': [WINDOW], \
             'scene': [{'type': 'Group', 'objects': [{'type': 'ImagePointGrid'}]}] | 'cameraFrame': [WINDOW], 'scene': [{'type': 'Sphere'}]
             Lamps do not get fainter with distance. | 'scene': [{'type': 'Sphere'}] \
@@ -182,7 +178,7 @@ class ExplainCommandTest {
 
     /** Two velocities beside rest: what has one of them shares a frame, wherever it is. */
     @Test
-    void explainTellsWhatEachFrameHolds() throws IOException {
+    void explainTellsTheFramesAndTheFastest() throws IOException {
         String said = explained("""
                 'scene': [
                   {'type': 'Sphere'},
@@ -194,21 +190,13 @@ class ExplainCommandTest {
                 """);
         assertThat(said)
                 .contains(
-                        "4 inertial frames: each ray is searched for in every one that holds objects: at rest 1 primitive"
-                                + " and 1 lamp; moving with gamma 1.25: 2 primitives and 1 lamp;"
-                                + " moving with gamma 1.667: 0 primitives; moving with gamma 1.25 in what moves: 1 primitive.");
-        String many = IntStream.range(1, 31)
-                .mapToObj(i -> "{'type': 'Moving', 'velocity': [0, 0, " + i / 100.0 + "]}")
-                .collect(Collectors.joining(", ", "'scene': [", "]"));
-        assertThat(explained(many)).contains("31 inertial frames").contains("; and 23 more.");
+                        "4 inertial frames: each ray is searched for in every one that holds objects; the fastest moves"
+                                + " with gamma 1.667.");
     }
 
     private String explained(String scene) throws IOException {
         String text = "{" + (scene == null ? "" : scene) + "}";
         String whole = text.replace("WINDOW", "{'type': 'Plane', 'surface': {'type': 'LorentzWindow'}}")
-                .replace(
-                        "QUARTER",
-                        "{'type': 'Parallelogram', 'corner': [0, 0, 10], 'spanU': [100, 0, 0], 'spanV': [0, 100, 0]}")
                 .replace('\'', '"');
         return ProgramRun.of("explain", Files.writeString(folder.resolve("left.json"), whole), "--size", "8x8")
                 .out();

@@ -78,7 +78,7 @@ class ProgramProcessTest extends ShellTest {
         Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 1000, \"height\": 800}}");
 
         ProgramRun run = shell(ProgramShell.PROGRAM + " render sky.json -o sky.png --format png16 & p=$!; "
-                + "while kill -0 $p 2> /dev/null && [ -z \"$(find . -path './.tompkins*' -name sky.png)\" ]; "
+                + "while kill -0 $p 2> /dev/null && [ -z \"$(find . -name '.tompkins*' -size +0)\" ]; "
                 + "do sleep 0.01; done; kill -TERM $p; wait $p; ls -A | grep -c part");
 
         assertThat(run.out()).isEqualTo("0\n");
@@ -86,7 +86,7 @@ class ProgramProcessTest extends ShellTest {
 
     /** Whoever writes goes on until the last moment, and would leave behind what it writes after the tidying. */
     @ParameterizedTest
-    @CsvSource({"film.gif, film.gif", "frames, frame0001.png"})
+    @CsvSource({"film.gif, '.tompkins*'", "frames, frame0001.png"})
     void aFilmThatIsStoppedLeavesWholeFramesAlone(String output, String begun)
             throws IOException, InterruptedException {
         Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 64, \"height\": 48}}");
@@ -95,8 +95,8 @@ class ProgramProcessTest extends ShellTest {
             ProgramRun run = shell(
                     ProgramShell.PROGRAM + " animate sky.json --from 0 --to 0.9 --duration 600 -o " + output
                             + " & p=$!; "
-                            + "while kill -0 $p 2> /dev/null && [ -z \"$(find . -name " + begun
-                            + ")\" ]; do sleep 0.01; done; "
+                            + "while kill -0 $p 2> /dev/null && [ -z \"$(find . -name '" + begun
+                            + "')\" ]; do sleep 0.01; done; "
                             + "sleep " + pause
                             + "; kill -TERM $p; wait $p; echo $?; ls -A | grep -v -e sky -e err; find frames -not -name 'frame*' 2> /dev/null; rm -rf frames");
 

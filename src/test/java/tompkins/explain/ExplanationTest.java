@@ -166,23 +166,19 @@ class ExplanationTest {
                 says(
                         "pair",
                         stereo(StereoLayout.SIDE_BY_SIDE),
-                        "The left half is the picture of the left eye, the right half that of the right eye. The eyes rest"
-                                + " in the camera frame, 0.3 apart, and both show what is 10 straight ahead in the middle of"
-                                + " their pictures. What is infinitely far away is 2.72 pixels farther to the right for the"
-                                + " right eye."),
+                        "Stereo, side by side: the eyes rest in the camera frame, 0.3 apart, and both show what is 10"
+                                + " straight ahead in the middle of their pictures."),
                 says(
                         "anaglyph",
                         stereo(StereoLayout.ANAGLYPH),
-                        "An anaglyph: red of the left eye, green and blue of the right eye. The eyes rest in the camera"
-                                + " frame, 0.3 apart, and both show what is 10 straight ahead in the middle of their"
-                                + " pictures. What is infinitely far away is 5.44 pixels farther to the right for the right"
-                                + " eye. Each sample follows a ray of each eye; the ray that is traced for a point is that"
+                        "Stereo, anaglyph: the eyes rest in the camera frame, 0.3 apart, and both show what is 10 straight"
+                                + " ahead in the middle of their pictures. Each sample follows a ray of each eye; the ray that is traced for a point is that"
                                 + " of the left eye."),
                 says(
                         "eye",
                         stereo(StereoLayout.RIGHT_EYE),
-                        "The picture of the right of two eyes. The eyes rest in the camera frame, 0.3 apart, and both show"
-                                + " what is 10 straight ahead in the middle of their pictures."),
+                        "Stereo, right eye: the eyes rest in the camera frame, 0.3 apart, and both show what is 10 straight"
+                                + " ahead in the middle of their pictures."),
                 says(
                         "48 rows",
                         rolling,
@@ -194,8 +190,8 @@ class ExplanationTest {
                 says(
                         "unknown blur",
                         exposed.withSettings(exposed.settings().withSize(1, 48)),
-                        "The shutter stays open for 0.5: objects in the middle of the picture move by an unknown length"
-                                + " meanwhile, in a corner by an unknown length. This is free; smooth blur needs more samples."),
+                        "The shutter stays open for 0.5: what the middle of the picture shows moves by an unknown length"
+                                + " meanwhile. This is free; smooth blur needs more samples."),
                 says(
                         "nothing",
                         REST.withScene(List.of()),
@@ -282,16 +278,16 @@ class ExplanationTest {
     /** The ball is met at (0, 0, 9), 5 away from the lamp at (0, 3, 5): light is there 14 before the picture. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-                    0 | 0.5 | 0 | 14 too early. It would be lit with an opening time from 14 to 14.5 (now 0).
-                    -20 | 0.5 | 0 | 5.5 too late. It would be lit with an opening time from -6 to -5.5 (now 0).
-                    -14 | 0.5 | 0 | then it was on. It is lit with an opening time from 0 to 0.5 (now 0).
-                    -1 | 0.5 | 4 | 1 too early. It would be lit with an opening time from 1 to 1.5 (now 0).
+                    0 | 0.5 | 0 | would be lit with an opening time from 14 to 14.5
+                    -20 | 0.5 | 0 | would be lit with an opening time from -6 to -5.5
+                    -14 | 0.5 | 0 | is lit with an opening time from 0 to 0.5
+                    -1 | 0.5 | 4 | would be lit with an opening time from 1 to 1.5
                     """)
     void saysWhenAFlashIsSeen(double start, double duration, double period, String end) {
         assertThat(new Explanation(RenderPlan.of(flashed(new Pulse(start, duration, period)))).sentences())
                 .contains("Lamp 1 flashes for 0.5 at " + NumberText.of(start) + " of its own time"
                         + (period == 0 ? "" : ", and again every 4")
-                        + ". What the middle of the picture shows was reached by light that left it at -14: " + end);
+                        + ". The middle of the picture " + end + " (now 0), while it shows that surface.");
     }
 
     private static Studio flashed(Pulse flash) {
@@ -315,8 +311,6 @@ class ExplanationTest {
         assertThat(new Explanation(RenderPlan.of(flashed(new Pulse(1, 0.5, 0)))).warnings())
                 .singleElement(as(STRING))
                 .startsWith("no flash lights anything in the picture at this opening time: something is lit with");
-        assertThat(new Explanation(RenderPlan.of(flashed(new Pulse(-14, 1e-10, 0)))).warnings())
-                .anyMatch(warning -> warning.startsWith("the flash of lamp 1 is so short"));
         assertThat(new Explanation(RenderPlan.of(flashed(new Pulse(-14, 0.5, 0)))).warnings())
                 .isEmpty();
         Studio lit = Lighting.of(REST, List.of(PointLight.DEFAULT, (PointLight)
@@ -353,8 +347,8 @@ class ExplanationTest {
                 .anyMatch(sentence -> sentence.startsWith("The sky holds 5044 stars, to magnitude 6 at rest")
                         && sentence.endsWith("Motion moves them and leaves them as bright as they are."));
         assertThat(new Explanation(RenderPlan.of(stars.withColours(ColourLaw.SEARCHLIGHT))).sentences())
-                .anyMatch(sentence -> sentence.endsWith("brighter with the square of the Doppler factor D."))
-                .anyMatch(sentence -> sentence.startsWith("Stars that are fainter at rest are left out"));
+                .anyMatch(sentence -> sentence.contains("brighter with the square of the Doppler factor D."))
+                .anyMatch(sentence -> sentence.contains("Stars that are fainter at rest are left out"));
         assertThat(new Explanation(RenderPlan.of(MOVING)).sentences()).noneMatch(sentence -> sentence.contains("star"));
     }
 }

@@ -68,7 +68,7 @@ class FlashesTest {
 
         List<double[]> spans = spans(sentence);
         assertThat(spans).as(sentence).isNotEmpty();
-        assertThat(sentence).contains(isLitNow ? "It is lit" : "It would be lit");
+        assertThat(sentence).contains(isLitNow ? "picture is lit" : "picture would be lit");
         for (double[] span : spans) {
             assertThat(light(studio, span[0] - 1e-3)).as("before %s", sentence).isZero();
             assertThat(light(studio, span[0] + step))
@@ -96,12 +96,9 @@ class FlashesTest {
     @Test
     void warnsOnlyIfTheExposureHoldsNoLight() throws Exception {
         String scene = "'scene':[{WALL}],'lights':[{LAMP{'start':0,'duration':0.1}}],'camera':{EXPOSE10 SHUT OPEN";
-        assertThat(new Flashes(RenderPlan.of(studio(scene + "15}}"))).warnings())
-                .isEmpty();
-        assertThat(new Flashes(RenderPlan.of(studio(scene + "9}}"))).warnings())
-                .singleElement()
-                .asString()
-                .startsWith("no flash lights anything");
+        assertThat(new Flashes(RenderPlan.of(studio(scene + "15}}"))).warning()).isEmpty();
+        assertThat(new Flashes(RenderPlan.of(studio(scene + "9}}"))).warning())
+                .hasValueSatisfying(warning -> assertThat(warning).startsWith("no flash lights anything"));
     }
 
     private static List<double[]> spans(String sentence) {

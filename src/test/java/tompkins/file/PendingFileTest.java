@@ -28,8 +28,10 @@ class PendingFileTest {
     private Path folder;
 
     private static PendingFile written(Path target, String content) throws IOException {
-        PendingFile pending = PendingFile.newFile(target);
-        pending.write(content.getBytes(StandardCharsets.UTF_8));
+        PendingFile pending = PendingFile.at(target, false);
+        try (OutputStream out = pending.open()) {
+            out.write(content.getBytes(StandardCharsets.UTF_8));
+        }
         return pending;
     }
 
@@ -99,7 +101,7 @@ class PendingFileTest {
         assumeThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
                 .isZero();
 
-        assertThatThrownBy(() -> PendingFile.replacing(pipe))
+        assertThatThrownBy(() -> PendingFile.at(pipe, true))
                 .hasMessage(pipe + ": cannot be written: it is a device or a pipe, not a file");
         assertThat(Files.readAttributes(pipe, "isOther").get("isOther")).isEqualTo(true);
     }
@@ -107,7 +109,7 @@ class PendingFileTest {
     /** What is written on would come back after it was removed. */
     @Test
     void whoeverWritesIsStoppedBeforeTheRestIsRemoved() throws IOException {
-        PendingFile pending = PendingFile.newFile(folder.resolve("film.gif"));
+        PendingFile pending = PendingFile.at(folder.resolve("film.gif"), false);
         OutputStream open = pending.open();
         boolean[] stopped = {false};
         pending.stopAtEnd(() -> {

@@ -83,7 +83,7 @@ class ForeignPicturesTest {
     @Test
     void aPhotographHeldUprightIsUpright() throws IOException {
         byte[] stored = Files.readAllBytes(file("jpeg-exif6.jpg"));
-        int upper = LibraryReader.image(PictureEncoding.JPEG, stored, "stored").getRGB(1, 1) & 0xff;
+        int upper = ImageProviders.image(PictureEncoding.JPEG, stored, "stored").getRGB(1, 1) & 0xff;
         assertThat(upper).isLessThan(16);
 
         PixelPicture picture = PictureFile.read(stored, "turned");

@@ -46,7 +46,7 @@ class Mp4WriterTest {
 
     private AnimationWriter open(Path program) throws IOException {
         Path film = folder.resolve("film.mp4");
-        return new Mp4Writer(film, PendingFile.replacing(film), 24, program);
+        return new Mp4Writer(film, PendingFile.at(film, true), 24, program);
     }
 
     @Test
@@ -84,10 +84,10 @@ class Mp4WriterTest {
         Path program = program("exit 0\n");
         String elsewhere = folder.toString();
 
-        assertThat(Mp4Writer.findProgram(elsewhere + File.pathSeparator + programs))
-                .isEqualTo(program);
-        assertThat(Mp4Writer.findProgram(elsewhere)).isNull();
-        assertThat(Mp4Writer.findProgram(null)).isNull();
+        assertThat(Mp4Writer.program(elsewhere + File.pathSeparator + programs)).isEqualTo(program);
+        for (String without : List.of(elsewhere, "")) {
+            assertThatThrownBy(() -> Mp4Writer.program(without)).hasMessageContaining("install it");
+        }
     }
 
     @Test
@@ -165,7 +165,7 @@ class Mp4WriterTest {
     @Test
     void ffmpegMakesAFilmOrAMessageSaysWhatElse() throws IOException {
         Path film = folder.resolve("film.mp4");
-        if (Mp4Writer.findProgram(System.getenv("PATH")) == null) {
+        if (!isInstalled()) {
             assertThatThrownBy(() -> AnimationFormat.MP4.open(film, 25, true))
                     .isInstanceOf(FileException.class)
                     .hasMessageContaining("install it")
@@ -195,6 +195,14 @@ class Mp4WriterTest {
         }
     }
 
+    private static boolean isInstalled() {
+        try {
+            return Mp4Writer.program(System.getenv("PATH")) != null;
+        } catch (FileException missing) {
+            return false;
+        }
+    }
+
     /** Bars of full and of mixed colours; one column and one row more than a video can have. */
     private static BufferedImage bars() {
         BufferedImage image = new BufferedImage(161, 121, BufferedImage.TYPE_INT_RGB);
@@ -217,7 +225,8 @@ class Mp4WriterTest {
         Path frame = folder.resolve("frame");
         String read = "-loglevel error -i " + film + " -frames:v 1 -vf scale=in_color_matrix=bt709:in_range=tv"
                 + " -f rawvideo -pix_fmt rgb24 " + frame;
-        List<String> command = new ArrayList<>(List.of(Mp4Writer.program().toString()));
+        List<String> command =
+                new ArrayList<>(List.of(Mp4Writer.program(System.getenv("PATH")).toString()));
         command.addAll(List.of(read.split(" ")));
         assertThat(new ProcessBuilder(command)
                         .inheritIO()

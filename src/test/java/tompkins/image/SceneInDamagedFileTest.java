@@ -105,7 +105,9 @@ class SceneInDamagedFileTest {
         png[new String(png, ISO_8859_1).indexOf(chunk) + place] ^= 1;
         Path file = file(png);
         assertThatThrownBy(() -> PhotographFile.requireWhole(file))
-                .hasMessage(file + ": the picture is damaged: the file ends too early or contradicts itself");
+                .hasMessageMatching(
+                        ".*: the picture is damaged: the file is damaged in the part that begins at byte \\d+;"
+                                + " another copy of it may be intact");
     }
 
     @Test

@@ -29,9 +29,10 @@ class LampsTest {
     private final Vector3d lamp = new Vector3d();
     private boolean gets = true;
     private boolean isClear = true;
-    private double shift = 1;
+    private LightShift shift;
+    private double frequency = 1;
 
-    /** Lamps that rest, in a world whose camera sees light {@code shift} times as bright for each lamp's factor. */
+    /** Lamps whose light has half the frequency at the surface. */
     private final Lighting lighting = new Lighting() {
         @Override
         public boolean find(int source, Hit hit, Sightline sight) {
@@ -42,16 +43,6 @@ class LampsTest {
         @Override
         public boolean isClear(int source, Hit hit, Sightline sight) {
             return isClear;
-        }
-
-        @Override
-        public boolean shifts() {
-            return shift != 1;
-        }
-
-        @Override
-        public Colour seen(Colour light, Ray from, double dopplerFactor) {
-            return light.times(shift * dopplerFactor);
         }
     };
 
@@ -64,7 +55,18 @@ class LampsTest {
         hit.normalY = normal.y;
         hit.normalZ = normal.z;
         Ray hitting = Ray.from(place.x - ray.x, place.y - ray.y, place.z - ray.z, ray.x, ray.y, ray.z, 0);
-        return new Illumination(List.of(sources), lighting).reflected(hitting, hit, DIFFUSE, SPECULAR);
+        return illumination(sources).reflected(at(frequency, hitting), hit, DIFFUSE, SPECULAR);
+    }
+
+    private Illumination illumination(RestingLight... sources) {
+        return new Illumination(List.of(sources), lighting, shift);
+    }
+
+    /** The ray, of light in vacuum that has another frequency at the camera. */
+    private static Ray at(double frequency, Ray ray) {
+        ray.frequency = frequency;
+        ray.directionLength = frequency;
+        return ray;
     }
 
     private PointLight lamp(double exponent) {
@@ -150,18 +152,25 @@ class LampsTest {
         assertClose(reflected(lamp(2)), 4.9 * 0.36, 1.21 * 0.36, 1.69 * 0.36);
     }
 
-    /** Half the frequency from the lamps, as the sight says; none of its own from even light. */
+    /**
+     * The searchlight effect is the fourth power of all frequency ratios: 4 from the surface to the camera, and 1/2
+     * from the lamps to the surface, as the sight says; none of its own from even light.
+     */
     @Test
     void lightIsSeenShifted() {
         standBefore();
-        shift = 10;
+        shift = new LightShift(ColourLaw.SEARCHLIGHT, Metering.NONE, 1, 1);
+        frequency = 0.25;
 
         Colour seen = reflected(lamp(0), new AmbientLight(new Colour(3, 10, 100)));
 
-        assertClose(seen, 5 * (0.4 * 0.8 + 4.9) + 6, 5 * (0.9 * 0.8 + 1.21) + 30, 5 * (2.5 * 0.8 + 1.69) + 500);
-        Illumination lamps = new Illumination(List.of(), lighting);
-        assertClose(lamps.emitted(Ray.blank(), LIGHT), 20, 30, 50);
-        shift = 1;
-        assertThat(lamps.emitted(Ray.blank(), LIGHT)).isEqualTo(LIGHT);
+        assertClose(
+                seen,
+                16 * (0.4 * 0.8 + 4.9) + 256 * 0.6,
+                16 * (0.9 * 0.8 + 1.21) + 256 * 3,
+                16 * (2.5 * 0.8 + 1.69) + 256 * 50);
+        assertClose(illumination().emitted(at(0.25, Ray.blank()), LIGHT), 512, 768, 1280);
+        shift = null;
+        assertThat(illumination().emitted(at(0.25, Ray.blank()), LIGHT)).isEqualTo(LIGHT);
     }
 }

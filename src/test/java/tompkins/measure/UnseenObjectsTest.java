@@ -39,7 +39,7 @@ class UnseenObjectsTest {
     }
 
     private static String warning(Studio studio) {
-        return UnseenObjects.warning(RenderPlan.of(studio)).orElse("");
+        return new UnseenObjects(RenderPlan.of(studio)).warning().orElse("");
     }
 
     @Test
@@ -57,7 +57,8 @@ class UnseenObjectsTest {
         assertThat(warning(studio(FLOOR, ball(0, 0, 8), ball(0, 0, -8)))).isEmpty();
         assertThat(warning(studio(FLOOR, ball(13, 11, 1000)))).isEmpty();
         assertThat(warning(studio(FLOOR))).isEmpty();
-        assertThat(UnseenObjects.sentence(RenderPlan.of(studio(ball(0, 0, 8))))).isEmpty();
+        assertThat(new UnseenObjects(RenderPlan.of(studio(ball(0, 0, 8)))).sentence())
+                .isEmpty();
     }
 
     /** The picture at the opening time that is told shows the die. */
@@ -78,7 +79,7 @@ class UnseenObjectsTest {
     @Test
     void othersAreToldBesideWhatIsSeen() {
         Sphere roof = new Sphere("roof", new Vector3d(0, 30, 8), 1, ColouredSurface.DEFAULT);
-        assertThat(UnseenObjects.sentence(RenderPlan.of(studio(FLOOR, ball(0, 0, 8), roof))))
+        assertThat(new UnseenObjects(RenderPlan.of(studio(FLOOR, ball(0, 0, 8), roof))).sentence())
                 .hasValue("Not all objects are in the picture: \"roof\" is above the picture.");
     }
 

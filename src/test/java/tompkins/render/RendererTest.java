@@ -204,15 +204,18 @@ class RendererTest {
                 .anyMatch(call -> call.getClassName().equals(SampleTracer.class.getName()));
     }
 
-    /** To plan a pass of so many pixels takes up to a second; the best of five, since others may hold a thread up. */
+    /**
+     * To plan a pass of so many pixels takes up to a second; sums, since clocks of processors may tick in hundredths.
+     */
     @Test
     @Tag("alone")
     void aLargePictureEndsSoonWhileItsNextPassIsPlanned() throws InterruptedException {
         RenderPlan plan = RenderPlan.of(size(PaperStudios.fig1b(), 3840, 2160, 1));
-        double whole = secondsAfterFirstPass(plan, false);
-        double ended = Double.MAX_VALUE;
-        for (int attempt = 0; attempt < 5 && ended > whole / 3; attempt++) {
-            ended = Math.min(ended, secondsAfterFirstPass(plan, true));
+        double whole = 0;
+        double ended = 0;
+        for (int attempt = 0; attempt < 6; attempt++) {
+            whole += secondsAfterFirstPass(plan, false);
+            ended += secondsAfterFirstPass(plan, true);
         }
         assertThat(ended).isLessThan(whole / 3);
     }

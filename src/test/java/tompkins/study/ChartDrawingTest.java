@@ -12,7 +12,6 @@ import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.axis.ValueTick;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.ui.RectangleEdge;
-import org.jfree.data.xy.XYDataset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -26,8 +25,8 @@ class ChartDrawingTest {
     private static final int SECOND_COLOUR = 0xffe69f00;
 
     /** A chart shows its points, on axes that are not much longer than they need and have numbers. */
-    static void assertReadable(Chart chart, List<Measurement> all) {
-        List<Measurement> drawn = chart.shown(all).stream()
+    static void assertReadable(Chart chart, List<StudyPoint> all) {
+        List<StudyPoint> drawn = chart.shown(all).stream()
                 .filter(point -> chart.up().value().apply(point).low() > 0)
                 .toList();
         XYPlot plot = ChartDrawing.drawing(chart, all, ChartStyle.PRINTED).getXYPlot();
@@ -95,7 +94,7 @@ class ChartDrawingTest {
 
     @Test
     void ownPointIsSeenOverAnotherAtTheSamePlace() {
-        List<Measurement> all = List.of(
+        List<StudyPoint> all = List.of(
                 point("other", 1, 0.1), point("other", 10, 0.01), point(OWN, 10, 0.01), point("other", 100, 0.001));
         assertThat(pixels(SECOND_COLOUR, chart(), all)).as("covered").isZero();
         assertThat(pixels(FIRST_COLOUR, chart(OWN), all)).as("ring").isBetween(20L, 150L);
@@ -103,7 +102,7 @@ class ChartDrawingTest {
     }
 
     /** Number of pixels of a colour between the axes. */
-    private static long pixels(int colour, Chart chart, List<Measurement> all) {
+    private static long pixels(int colour, Chart chart, List<StudyPoint> all) {
         JFreeChart drawing = ChartDrawing.drawing(chart, all, ChartStyle.PRINTED);
         drawing.removeLegend();
         BufferedImage image = drawing.createBufferedImage(600, 400);
@@ -111,19 +110,6 @@ class ChartDrawingTest {
                 .filter(place -> place % 600 > 100 && place / 600 < 340 && place / 600 > 40)
                 .filter(place -> image.getRGB(place % 600, place / 600) == colour)
                 .count();
-    }
-
-    @Test
-    void guidesRunAcross() {
-        Chart chart = chart().withGuides(List.of(new Chart.Guide("equal", 1), new Chart.Guide("half", 0.5)));
-        XYDataset guides = ChartDrawing.drawing(chart, List.of(point(OWN, 1, 2), point(OWN, 8, 4)), ChartStyle.PRINTED)
-                .getXYPlot()
-                .getDataset(2);
-        assertThat(guides.getSeriesKey(1).toString()).isEqualTo("half");
-        assertThat(guides.getXValue(1, 0)).isEqualTo(1);
-        assertThat(guides.getYValue(1, 0)).isEqualTo(0.5);
-        assertThat(guides.getXValue(1, 1)).isEqualTo(8);
-        assertThat(guides.getYValue(1, 1)).isEqualTo(4);
     }
 
     private static Chart chart() {
@@ -134,7 +120,7 @@ class ChartDrawingTest {
         return new Chart("p", "title", Chart.setting("setting"), Chart.ERROR, false, own);
     }
 
-    private static Measurement point(String method, double setting, double error) {
-        return new Measurement("p", method, setting, 1, Spread.exact(1), Spread.exact(error), error, 0);
+    private static StudyPoint point(String method, double setting, double error) {
+        return new StudyPoint("p", method, setting, 1, Spread.exact(1), Spread.exact(error), error, 0);
     }
 }

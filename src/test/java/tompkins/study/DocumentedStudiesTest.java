@@ -51,7 +51,7 @@ class DocumentedStudiesTest {
     @Test
     void thePromiseIsTakenOfEveryScene() throws IOException {
         List<String> scenes = data(StudyKind.ANTIALIASING).measurements().stream()
-                .map(Measurement::problem)
+                .map(StudyPoint::problem)
                 .filter(problem -> problem.startsWith("promise:"))
                 .map(problem -> problem.split(":")[1] + ".json")
                 .distinct()

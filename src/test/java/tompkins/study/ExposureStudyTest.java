@@ -53,8 +53,8 @@ class ExposureStudyTest {
 
     @Test
     void methodsFallAsTheorySays() {
-        ExposureStudy study = study(1024, SamplingMethod.inTime(7).methods());
-        List<Measurement> all = measure(study);
+        SamplingStudy study = study(1024, SamplingMethod.all(7).methods());
+        List<StudyPoint> all = measure(study);
         assertThat(Conclusion.of(study, all).findings())
                 .allSatisfy(finding ->
                         assertThat(finding.holds()).as(finding.sentence()).isTrue());
@@ -66,14 +66,18 @@ class ExposureStudyTest {
         Map<String, SamplingMethod.Factory> broken = new LinkedHashMap<>();
         broken.put(SamplingMethod.RANDOM.title(), SamplingMethod.RANDOM.factory());
         broken.put(PROGRAM, (seed, samples, space) -> new PixelSampler(seed, true, false));
-        ExposureStudy study = study(256, broken);
+        SamplingStudy study = study(256, broken);
         assertThat(Conclusion.of(study, measure(study)).findings())
                 .filteredOn(finding -> !finding.holds())
                 .hasSizeGreaterThanOrEqualTo(2 * ExactProblems.OF_EXPOSURE.size());
     }
 
-    private static ExposureStudy study(int mostSamples, Map<String, SamplingMethod.Factory> methods) {
-        return new ExposureStudy(Map.of(), new SamplingStudy.Comparison(7, mostSamples, 1, methods));
+    private static SamplingStudy study(int mostSamples, Map<String, SamplingMethod.Factory> methods) {
+        return new SamplingStudy(
+                "exposure",
+                Map.of(),
+                new SamplingStudy.Comparison(7, mostSamples, 1, methods),
+                ExactProblems.OF_EXPOSURE);
     }
 
     /** What {@code --error} promises, of the scenes with an exposure time or a rolling shutter. */
@@ -85,7 +89,7 @@ class ExposureStudyTest {
             exposed.put(name, BundledScenes.studio(name + ".json"));
         }
 
-        List<Measurement> all = new PromisedErrors(exposed, 1, 40, 256)
+        List<StudyPoint> all = new PromisedErrors(exposed, 1, 40, 256)
                 .trials().stream().map(Trial::measure).toList();
 
         assertThat(all).hasSize(18);
@@ -96,7 +100,7 @@ class ExposureStudyTest {
                         assertThat(finding.holds()).as(finding.sentence()).isTrue());
     }
 
-    private static List<Measurement> measure(Study study) {
+    private static List<StudyPoint> measure(Study study) {
         return study.trials().stream().map(Trial::measure).toList();
     }
 }

@@ -29,7 +29,7 @@ class StudiesTest {
     private static final Study PRECISION = new PrecisionStudy(5);
 
     /** What was measured, for the tests that ask other things of it. */
-    private static final IdentityHashMap<Study, List<Measurement>> MEASURED = new IdentityHashMap<>();
+    private static final IdentityHashMap<Study, List<StudyPoint>> MEASURED = new IdentityHashMap<>();
 
     @TempDir
     private Path folder;
@@ -37,7 +37,7 @@ class StudiesTest {
     @ParameterizedTest
     @MethodSource("studies")
     void findingsHold(Study study) {
-        List<Measurement> all = measure(study);
+        List<StudyPoint> all = measure(study);
         assertThat(Conclusion.of(study, all).findings())
                 .isNotEmpty()
                 .allSatisfy(finding ->
@@ -62,7 +62,7 @@ class StudiesTest {
     /** The powers of gamma of the theory: rounding of nearly equal numbers costs gamma twice, half angles once. */
     @Test
     void precisionIsLostAsTheorySays() {
-        List<Measurement> all = measure(PRECISION);
+        List<StudyPoint> all = measure(PRECISION);
         Map<DirectionForm, Double> inTheScene =
                 Map.of(DirectionForm.PROPER_VELOCITY, 2.0, DirectionForm.HALF_ANGLE, 1.0);
         inTheScene.forEach((form, power) -> {
@@ -76,35 +76,12 @@ class StudiesTest {
     }
 
     @Test
-    void singlePrecisionSavesWhatWasMeasured() {
-        assertThat(answerWithTimes(20, 10))
-                .contains("saves nothing: it takes 20.0 ns for a direction, the program 10.0 ns.");
-        assertThat(answerWithTimes(23.6, 368.2))
-                .contains("saves 344.6 ns: it takes 23.6 ns for a direction, the program 368.2 ns.");
-    }
-
-    /** What the study of precision concludes, from the nanoseconds that single precision and the program take. */
-    private static String answerWithTimes(double single, double own) {
-        // of several measurements of one trial the first counts
-        List<Measurement> all =
-                new ArrayList<>(List.of(timed(DirectionForm.SINGLE, single), timed(DirectionForm.HALF_ANGLE, own)));
-        all.addAll(measure(PRECISION));
-        return Conclusion.of(PRECISION, all).answer();
-    }
-
-    private static Measurement timed(DirectionForm form, double nanoseconds) {
-        // 200 000 directions
-        Spread seconds = Spread.exact(nanoseconds * 2e-4);
-        return new Measurement(PrecisionStudy.PIXELS, form.title(), 1e4, 200_000, seconds, Spread.exact(3), 3, 0);
-    }
-
-    @Test
     void brokenPromisesAreFound() {
         assertThat(promises(promised(96, 4, 0.0001))).allMatch(Finding::holds);
         assertThat(promises(promised(94, 6, 0.0001)).get(0).holds()).isFalse();
     }
 
-    private static List<Finding> promises(List<Measurement> all) {
+    private static List<Finding> promises(List<StudyPoint> all) {
         Conclusion conclusion = new Conclusion();
         PromisedErrors.conclude(all, conclusion);
         return conclusion.findings();
@@ -117,21 +94,14 @@ class StudiesTest {
     }
 
     /** Runs that err as promised, and runs that err by 1.3 times as much. */
-    private static List<Measurement> promised(int kept, int broken, double floor) {
-        List<Measurement> runs = new ArrayList<>();
+    private static List<StudyPoint> promised(int kept, int broken, double floor) {
+        List<StudyPoint> runs = new ArrayList<>();
         for (int run = 0; run < kept + broken; run++) {
             double error = 0.01 * (run < kept ? 1 : 1.3);
             String problem = "promise:scene:seed " + run;
-            runs.add(new Measurement(problem, "pinholes", 0.01, 1, Spread.exact(1), Spread.exact(error), error, floor));
+            runs.add(new StudyPoint(problem, "pinholes", 0.01, 1, Spread.exact(1), Spread.exact(error), error, floor));
         }
         return runs;
-    }
-
-    @Test
-    void treeFindsWhatTheListFinds() {
-        Study study = new TreeStudy(3, TestRun.cases(200, 1000), 1);
-        assertThat(measure(study))
-                .allSatisfy(point -> assertThat(point.maximum()).isZero());
     }
 
     @Test
@@ -162,7 +132,7 @@ class StudiesTest {
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 3})
     void pictureThatNobodyWaitsForIsMeasuredNoMore(int wanted) {
-        List<Measurement> shown = new ArrayList<>();
+        List<StudyPoint> shown = new ArrayList<>();
         PictureStudy study = new PictureStudy("picture", PaperStudios.fig1b(), 1, 80, 64, () -> shown.size() == wanted);
 
         assertThatThrownBy(() -> study.measure(points -> shown.add(points.get(points.size() - 1))))
@@ -186,19 +156,19 @@ class StudiesTest {
     @Test
     void frontHoldsWhatNoOtherBeats() {
         Chart chart = Chart.errorAgainstTime("p", "title", "");
-        Measurement cheap = point(1, 0.5);
-        Measurement beaten = point(2, 0.6);
-        Measurement good = point(3, 0.1);
-        Measurement asDear = point(3, 0.2);
+        StudyPoint cheap = point(1, 0.5);
+        StudyPoint beaten = point(2, 0.6);
+        StudyPoint good = point(3, 0.1);
+        StudyPoint asDear = point(3, 0.2);
         assertThat(ChartDrawing.front(chart, List.of(asDear, good, beaten, cheap)))
                 .containsExactly(cheap, good);
     }
 
-    private static Measurement point(double seconds, double error) {
-        return new Measurement("p", "m", 1, 1, Spread.exact(seconds), Spread.exact(error), error, 0);
+    private static StudyPoint point(double seconds, double error) {
+        return new StudyPoint("p", "m", 1, 1, Spread.exact(seconds), Spread.exact(error), error, 0);
     }
 
-    private static List<Measurement> measure(Study study) {
+    private static List<StudyPoint> measure(Study study) {
         return MEASURED.computeIfAbsent(
                 study, first -> first.trials().stream().map(Trial::measure).toList());
     }

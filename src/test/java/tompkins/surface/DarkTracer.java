@@ -22,7 +22,7 @@ final class DarkTracer implements Tracer, Lighting {
 
     @Override
     public Illumination illumination() {
-        return new Illumination(List.of(), this);
+        return new Illumination(List.of(), this, null);
     }
 
     @Override
@@ -33,15 +33,5 @@ final class DarkTracer implements Tracer, Lighting {
     @Override
     public boolean isClear(int source, Hit hit, Sightline sight) {
         return false;
-    }
-
-    @Override
-    public boolean shifts() {
-        return false;
-    }
-
-    @Override
-    public Colour seen(Colour light, Ray ray, double dopplerFactor) {
-        return light;
     }
 }

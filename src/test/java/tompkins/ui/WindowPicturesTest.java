@@ -35,7 +35,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import tompkins.image.FewColours;
+import tompkins.image.Palette;
 import tompkins.io.BundledScenes;
 import tompkins.io.StudioReader;
 import tompkins.measure.MeasureKind;
@@ -129,7 +129,7 @@ class WindowPicturesTest {
             Rectangle bounds =
                     WindowDriver.onEventThread(() -> driver.window().frame().getBounds());
             BufferedImage picture = new Robot().createScreenCapture(bounds);
-            write(FewColours.of(picture), shot.file());
+            write(Palette.reduced(picture), shot.file());
         }
     }
 

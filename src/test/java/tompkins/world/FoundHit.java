@@ -1,9 +1,9 @@
 package tompkins.world;
 
 import org.joml.Vector3d;
+import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
-import tompkins.search.NearestHit;
 import tompkins.spacetime.Event;
 
 /** A hit that was searched for in all frames. */
@@ -14,11 +14,12 @@ final class FoundHit {
     private final Event own;
     private final Event inScene;
 
-    FoundHit(MovingRow row, WorldSearch search, NearestHit nearest) {
-        ray = search.ray();
-        hit = search.hit(Hit.blank());
-        inScene = row.inScene(hit.event.frame, new Event(hit.event.x, hit.event.y, hit.event.z, hit.event.time));
-        own = nearest.primitive().restFrame().own(traced());
+    FoundHit(MovingRow row, Hit hit) {
+        this.hit = hit;
+        ray = hit.ray;
+        Hit event = hit.event == null ? hit : hit.event;
+        inScene = row.inScene(event.frame, new Event(event.x, event.y, event.z, event.time));
+        own = ((Primitive) hit.boundary).restFrame().own(traced());
     }
 
     private Event traced() {

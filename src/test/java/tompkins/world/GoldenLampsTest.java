@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import tompkins.golden.GoldenRow;
 import tompkins.golden.GoldenTable;
 import tompkins.golden.Worst;
+import tompkins.light.Lighting;
 import tompkins.light.Sightline;
 import tompkins.math.Vectors;
 import tompkins.ray.Hit;
@@ -135,7 +136,7 @@ class GoldenLampsTest {
             hit.setPlace(0, x.x, x.y, x.z, row.number("t"));
             hit.eventMemory().setPlace(0, x.x, x.y, x.z, row.number("t"));
             Sightline sight = new Sightline();
-            RetardedLight ways = scene.retardedLight();
+            Lighting ways = scene.retardedLight();
             if (!ways.find(0, hit, sight)) {
                 throw new IllegalStateException("no light");
             }

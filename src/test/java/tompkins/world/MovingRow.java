@@ -9,6 +9,7 @@ import tompkins.light.PointLight;
 import tompkins.light.Pulse;
 import tompkins.math.Vectors;
 import tompkins.ray.Colour;
+import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
@@ -19,7 +20,6 @@ import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
-import tompkins.search.NearestHit;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameTree;
 import tompkins.spacetime.TransformationLaw;
@@ -115,14 +115,17 @@ final class MovingRow {
 
     /** The search for what a ray of the scene frame meets first; null if it meets nothing. */
     FoundHit find(Ray ray) {
-        NearestHit nearest = new NearestHit(new RayCounts());
-        WorldSearch search = new WorldSearch(world, routes, nearest);
-        return search.nearest(ray) ? new FoundHit(this, search, nearest) : null;
+        Hit hit = surroundings().nearest(ray, Hit.blank());
+        return hit == null ? null : new FoundHit(this, hit);
     }
 
     /** The ways of light from the lamps. */
-    RetardedLight retardedLight() {
-        return new RetardedLight(world, routes, law, new RayCounts());
+    tompkins.light.Lighting retardedLight() {
+        return surroundings().lighting();
+    }
+
+    private Surroundings surroundings() {
+        return world.surroundings(routes, law, new RayCounts());
     }
 
     /** An event of a frame in the scene. */

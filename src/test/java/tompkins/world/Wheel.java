@@ -92,7 +92,7 @@ final class Wheel {
 
     /** The velocity with which the ray passes the point, for a unit of distance. */
     private Vector3d passing(GoldenRow row, MovingRow world, Event camera, Vector3d towards) {
-        int frame = world.world.filledFrames()[0];
+        int frame = world.world.objects(0).size() > 0 ? 0 : 1;
         Ray ray = world.routes.transform(world.inScene(camera, towards, measures), frame, Ray.blank());
         return new Vector3d(ray.dx, ray.dy, ray.dz).fma(ray.slowness, row.vector("V_"));
     }

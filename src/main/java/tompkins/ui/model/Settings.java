@@ -15,6 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
 import java.util.function.Consumer;
+import tompkins.file.FileException;
 import tompkins.file.FileFailure;
 import tompkins.file.PendingFile;
 import tompkins.ui.widget.Look;
@@ -214,20 +215,16 @@ public final class Settings {
                 lock(lock);
                 Properties kept = kept();
                 changes.forEach(change -> change.accept(kept));
-                try (PendingFile pending = PendingFile.replacing(file)) {
-                    StringWriter text = new StringWriter();
-                    kept.store(text, null);
-                    pending.write(text.toString().getBytes(StandardCharsets.UTF_8));
-                    pending.commit();
-                }
+                StringWriter text = new StringWriter();
+                kept.store(text, null);
+                PendingFile.save(file, true, out -> out.write(text.toString().getBytes(StandardCharsets.UTF_8)));
                 changes.clear();
                 for (int i = 0; i < MOST_RECENT && kept.containsKey(RECENT + i); i++) {
                     values.setProperty(RECENT + i, kept.getProperty(RECENT + i));
                 }
             }
         } catch (IOException | UncheckedIOException failure) {
-            IOException reason = failure instanceof IOException io ? io : ((UncheckedIOException) failure).getCause();
-            tell(Texts.get("settings.notKept", file, FileFailure.reason(reason)));
+            tell(Texts.get("settings.notKept", file, FileException.reason(failure)));
         }
     }
 }

@@ -29,8 +29,8 @@ import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.study.ChartDrawing;
 import tompkins.study.ChartStyle;
-import tompkins.study.Measurement;
 import tompkins.study.PictureStudy;
+import tompkins.study.StudyPoint;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.Keys;
@@ -60,7 +60,7 @@ public final class QualityPanel extends Part {
     private final Note asked = Note.ofLines(2);
     private final NumberField error;
     private final StudioModel model;
-    private final BiConsumer<PictureStudy, Consumer<List<Measurement>>> measuring;
+    private final BiConsumer<PictureStudy, Consumer<List<StudyPoint>>> measuring;
     private Quality shown;
 
     /** The window that is open, which replaces the previous one; null if none is. */
@@ -72,7 +72,7 @@ public final class QualityPanel extends Part {
     }
 
     /** The panel, with another way to the points of the chart. */
-    QualityPanel(StudioModel model, BiConsumer<PictureStudy, Consumer<List<Measurement>>> measuring) {
+    QualityPanel(StudioModel model, BiConsumer<PictureStudy, Consumer<List<StudyPoint>>> measuring) {
         super(Rows.panel());
         this.model = model;
         this.measuring = measuring;
@@ -142,7 +142,7 @@ public final class QualityPanel extends Part {
         /** Null until its scene has been prepared. */
         private PictureStudy study;
 
-        private List<Measurement> shown = List.of();
+        private List<StudyPoint> shown = List.of();
 
         /** What is said about the point under the mouse, which a click would take; null if there is none. */
         private String pointedAt;
@@ -232,7 +232,7 @@ public final class QualityPanel extends Part {
                     .orElseGet(this::progress));
         }
 
-        private void draw(List<Measurement> measured) {
+        private void draw(List<StudyPoint> measured) {
             shown = measured;
             draw();
             showState();
@@ -251,7 +251,7 @@ public final class QualityPanel extends Part {
         }
 
         /** The point nearest to the mouse; null if none is near. */
-        private Measurement near(ChartMouseEvent event) {
+        private StudyPoint near(ChartMouseEvent event) {
             return ChartDrawing.nearest(
                     study.chart(),
                     shown,
@@ -261,7 +261,7 @@ public final class QualityPanel extends Part {
                     REACH);
         }
 
-        private void pointAt(Measurement point) {
+        private void pointAt(StudyPoint point) {
             pointedAt = point == null ? null : Texts.get("quality.pointedAt", text(study.qualityOf(point)));
             chart.setCursor(Cursor.getPredefinedCursor(point == null ? Cursor.DEFAULT_CURSOR : Cursor.HAND_CURSOR));
             showState();
@@ -288,7 +288,7 @@ public final class QualityPanel extends Part {
 
             @Override
             public void chartMouseClicked(ChartMouseEvent event) {
-                Measurement point = near(event);
+                StudyPoint point = near(event);
                 if (point != null) {
                     take(study.qualityOf(point));
                     chosenPoint = Texts.get("quality.chosen", text(study.qualityOf(point)));

@@ -18,8 +18,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tompkins.studio.Studios;
-import tompkins.study.Measurement;
 import tompkins.study.Spread;
+import tompkins.study.StudyPoint;
 import tompkins.ui.Components;
 import tompkins.ui.NeedsDisplay;
 import tompkins.ui.WindowDriver;
@@ -31,15 +31,15 @@ import tompkins.ui.widget.Look;
 @NeedsDisplay
 class QualityPanelTest {
 
-    private static final Measurement SAME = point("the same number everywhere", 4, 0.001, 0.03);
-    private static final Measurement NEEDED = point("where needed", 0.001, 0.1, 0.001);
-    private static final List<Measurement> POINTS = List.of(SAME, point("where needed", 0.008, 0.01, 0.01), NEEDED);
+    private static final StudyPoint SAME = point("the same number everywhere", 4, 0.001, 0.03);
+    private static final StudyPoint NEEDED = point("where needed", 0.001, 0.1, 0.001);
+    private static final List<StudyPoint> POINTS = List.of(SAME, point("where needed", 0.008, 0.01, 0.01), NEEDED);
 
     private final StudioModel model = new StudioModel(Studios.sphere(), null);
     private JFrame frame;
 
-    private static Measurement point(String method, double setting, double seconds, double error) {
-        return new Measurement("picture", method, setting, 1e6, Spread.exact(seconds), Spread.exact(error), error, 0);
+    private static StudyPoint point(String method, double setting, double seconds, double error) {
+        return new StudyPoint("picture", method, setting, 1e6, Spread.exact(seconds), Spread.exact(error), error, 0);
     }
 
     @BeforeEach
@@ -89,7 +89,7 @@ class QualityPanelTest {
         });
     }
 
-    private static void choose(Measurement point, String quality) {
+    private static void choose(StudyPoint point, String quality) {
         mouse(MouseEvent.MOUSE_MOVED, point, 0);
         assertThat(state()).isEqualTo("Click to use: " + quality);
         mouse(MouseEvent.MOUSE_CLICKED, point, 0);
@@ -97,7 +97,7 @@ class QualityPanelTest {
     }
 
     /** Gives the mouse to a place some pixels to the right of a point. */
-    private static void mouse(int id, Measurement point, int right) {
+    private static void mouse(int id, StudyPoint point, int right) {
         ChartPanel chart = Components.find(dialog().getContentPane(), ChartPanel.class, "chart");
         chart.paintImmediately(0, 0, chart.getWidth(), chart.getHeight());
         XYPlot plot = chart.getChart().getXYPlot();

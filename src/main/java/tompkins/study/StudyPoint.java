@@ -14,7 +14,7 @@ import java.util.List;
  * @param maximum the largest error
  * @param floor the root mean square error of the reference itself; 0 for an exact answer
  */
-public record Measurement(
+public record StudyPoint(
         String problem,
         String method,
         double setting,
@@ -35,7 +35,7 @@ public record Measurement(
     }
 
     /** The measurements of one method at one problem, of all those given and in their order. */
-    static List<Measurement> of(String problem, String method, List<Measurement> all) {
+    static List<StudyPoint> of(String problem, String method, List<StudyPoint> all) {
         return all.stream()
                 .filter(point ->
                         point.problem().equals(problem) && point.method().equals(method))
@@ -47,7 +47,7 @@ public record Measurement(
      *
      * @throws java.util.NoSuchElementException if it is not among those given
      */
-    static Measurement of(String problem, String method, double setting, List<Measurement> all) {
+    static StudyPoint of(String problem, String method, double setting, List<StudyPoint> all) {
         return of(problem, method, all).stream()
                 .filter(point -> point.setting() == setting)
                 .findFirst()

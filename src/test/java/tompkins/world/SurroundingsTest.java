@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.math.Vectors;
 import tompkins.primitive.Primitive;
+import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
@@ -18,7 +19,6 @@ import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
-import tompkins.search.NearestHit;
 import tompkins.search.RandomAims;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameTree;
@@ -27,7 +27,7 @@ import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
 
 /** The nearest hit among objects with several velocities, against asking every primitive of every frame. */
-class WorldSearchTest {
+class SurroundingsTest {
 
     private static SceneObject moving(double speed, SceneObject... objects) {
         return new Moving("moving", Velocity.of(speed, 0, 0), new Vector3d(), 0, List.of(objects));
@@ -95,28 +95,26 @@ class WorldSearchTest {
     private static final class Found {
         final World world;
         final FrameRoutes routes;
-        final NearestHit nearest = new NearestHit(new RayCounts());
-        final WorldSearch search;
+        final Surroundings search;
 
         Found(List<SceneObject> scene) {
             Studio studio = Studio.DEFAULT.withScene(scene);
             FrameTree frames = FrameTree.near(Event.ORIGIN, studio.transformation(), studio.velocity());
             world = new World(studio, frames, point -> Event.ORIGIN, false);
             routes = world.routes(frames);
-            search = new WorldSearch(world, routes, nearest);
+            search = world.surroundings(routes, studio.transformation(), new RayCounts());
         }
 
         Nearest inPacket(int place) {
-            return result(search.nearest(place));
+            return result(search.nearest(place, Hit.blank()));
         }
 
         Nearest alone(Ray ray) {
-            return result(search.nearest(ray));
+            return result(search.nearest(ray, Hit.blank()));
         }
 
-        private Nearest result(boolean isFound) {
-            assertThat(nearest.primitive() != null).isEqualTo(isFound);
-            return isFound ? new Nearest(nearest.primitive(), search.ray().frame) : new Nearest(null, 0);
+        private static Nearest result(Hit hit) {
+            return hit == null ? new Nearest(null, 0) : new Nearest((Primitive) hit.boundary, hit.ray.frame);
         }
 
         Nearest byAsking(Ray ray) {

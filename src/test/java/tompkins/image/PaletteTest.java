@@ -8,7 +8,7 @@ import java.awt.image.IndexColorModel;
 import java.util.function.IntBinaryOperator;
 import org.junit.jupiter.api.Test;
 
-class FewColoursTest {
+class PaletteTest {
 
     private static final int SIDE = 256;
 
@@ -30,7 +30,7 @@ class FewColoursTest {
     void aPictureWithFewColoursKeepsThem() {
         // 32 by 8 colours, far apart and near each other
         BufferedImage picture = picture((column, row) -> 0x070000 * (column / 8) + 0xFE0101 * (row / 32) & 0xFFFFFF);
-        BufferedImage few = FewColours.of(picture);
+        BufferedImage few = Palette.reduced(picture);
         assertThat(colours(few)).isEqualTo(256);
         for (int shift = 0; shift < 24; shift += 8) {
             assertThat(PictureDifference.ofLevels(picture, few, shift)).isZero();
@@ -39,7 +39,7 @@ class FewColoursTest {
 
     @Test
     void onePlainColourStaysAlone() {
-        BufferedImage few = FewColours.of(picture((column, row) -> 0x123456));
+        BufferedImage few = Palette.reduced(picture((column, row) -> 0x123456));
         assertThat(colours(few)).isEqualTo(1);
         assertThat(few.getRGB(3, 5)).isEqualTo(0xFF123456);
     }
@@ -51,7 +51,7 @@ class FewColoursTest {
     @Test
     void twoRampsAreDividedAsFinelyAsCanBe() {
         BufferedImage picture = picture((column, row) -> column << 16 | row);
-        BufferedImage few = FewColours.of(picture);
+        BufferedImage few = Palette.reduced(picture);
         assertThat(colours(few)).isEqualTo(256);
         double best = Math.sqrt((16 * 16 - 1) / 12.0 + 0.25);
         assertThat(PictureDifference.ofLevels(picture, few, 16)).isCloseTo(best, within(1e-9));

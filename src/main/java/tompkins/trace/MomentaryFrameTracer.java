@@ -1,11 +1,10 @@
 package tompkins.trace;
 
-import java.util.List;
 import org.joml.Vector3dc;
 import tompkins.light.Illumination;
 import tompkins.light.Lighting;
-import tompkins.light.RestingLight;
 import tompkins.light.Sightline;
+import tompkins.primitive.Primitive;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Medium;
@@ -19,7 +18,7 @@ import tompkins.surface.Tracer;
  * What a surface that turns may ask, in the frame in which the point that is hit rests for a moment. Rays that go on
  * return to the frame around it, and the ways to lamps come from there. Made for one hit.
  */
-final class PointTracer implements Tracer, Lighting {
+final class MomentaryFrameTracer implements Tracer, Lighting {
 
     private final RayTracer outside;
     private final Lighting lighting;
@@ -29,17 +28,18 @@ final class PointTracer implements Tracer, Lighting {
     private final Sightline found = new Sightline();
     private final Ray way = Ray.blank();
 
-    PointTracer(RayTracer outside, Surroundings surroundings, List<RestingLight> lights, Hit hit) {
+    MomentaryFrameTracer(RayTracer outside, Lighting lighting, Hit hit) {
         this.outside = outside;
+        this.lighting = lighting;
         this.hit = hit;
-        lighting = surroundings;
-        point = new PointFrame(hit, surroundings.law());
-        illumination = new Illumination(lights, this);
+        point = new PointFrame(
+                hit, ((Primitive) hit.boundary).restFrame().rotation().law());
+        illumination = outside.illumination().by(this);
     }
 
     /** What the surface makes of the ray that has hit it. */
-    Response respond(Surface surface, Ray ray) {
-        Ray inside = point.enter(ray);
+    Response respond(Surface surface) {
+        Ray inside = point.enter(hit.ray);
         point.enterHit();
         Response response = surface.respond(inside, hit, this);
         return response.next() == null
@@ -91,15 +91,5 @@ final class PointTracer implements Tracer, Lighting {
     @Override
     public boolean isClear(int source, Hit at, Sightline sight) {
         return lighting.isClear(source, at, found);
-    }
-
-    @Override
-    public boolean shifts() {
-        return lighting.shifts();
-    }
-
-    @Override
-    public Colour seen(Colour light, Ray ray, double dopplerFactor) {
-        return lighting.seen(light, ray, dopplerFactor);
     }
 }

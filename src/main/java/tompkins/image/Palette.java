@@ -11,18 +11,18 @@ import java.util.PriorityQueue;
  * Pictures with at most 256 colours, for GIF, and for PNG files of half the size. The palette that the JDK chooses for
  * a GIF leaves bands in a sky, an error three times as large.
  */
-public final class FewColours {
+public final class Palette {
 
     private static final int MOST = 256;
     private static final int CHANNELS = 3;
 
-    private FewColours() {}
+    private Palette() {}
 
     /**
      * A copy of an opaque picture with a palette. The pixels whose colours differ most are parted at their mean, again
      * and again; each part gets its mean colour. A picture with no more than 256 colours keeps them.
      */
-    public static BufferedImage of(BufferedImage picture) {
+    public static BufferedImage reduced(BufferedImage picture) {
         int width = picture.getWidth();
         int height = picture.getHeight();
         long[] pixels = pixels(picture.getRGB(0, 0, width, height, null, 0, width));

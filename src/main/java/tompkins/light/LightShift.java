@@ -1,12 +1,7 @@
-package tompkins.trace;
+package tompkins.light;
 
-import org.joml.Vector3dc;
-import tompkins.camera.StereoLayout;
-import tompkins.light.ColourLaw;
-import tompkins.light.Metering;
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
-import tompkins.studio.Studio;
 
 /**
  * What becomes of the light of the scene on its way into the camera frame. If it is metered, white light keeps its
@@ -35,7 +30,7 @@ public final class LightShift {
      * @param middle the Doppler factor of the scene in the middle of the picture
      * @param directionLength that of the ray there, in the scene frame
      */
-    LightShift(ColourLaw law, Metering metering, double middle, double directionLength) {
+    public LightShift(ColourLaw law, Metering metering, double middle, double directionLength) {
         this.law = law;
         this.metering = metering;
         this.middle = middle;
@@ -44,25 +39,18 @@ public final class LightShift {
     }
 
     /**
-     * The shift for the picture of a plan, metered in its middle, behind what moves with the camera; of two eyes it is
-     * that between them, so that both pictures have one exposure.
+     * The colour that light has for the camera which leaves a hit, or what is behind all objects, along a ray.
+     *
+     * @param light the colour in the frame of the ray, as if its lamp had the same frame
+     * @param lampFactor frequency in that frame divided by that in the frame of the lamp that it comes from
      */
-    static LightShift metered(RenderPlan plan) {
-        Studio studio = plan.studio();
-        if (studio.camera().stereo().layout() != StereoLayout.NONE) {
-            return RenderPlan.of(studio.withCamera(studio.camera().betweenEyes()), plan)
-                    .lightShift();
-        }
-        RayLife middle = plan.middleLife();
-        if (middle != null && middle.sceneStart() != null) {
-            return new LightShift(
-                    studio.colours(), studio.metering(), middle.sceneDopplerFactor(), middle.sceneDirectionLength());
-        }
-        // no light of the scene comes from there: as if nothing stood before the lens
-        Vector3dc direction =
-                plan.chiefDirection(plan.middle().x(), plan.middle().y());
-        Ray ray = studio.sceneFromCamera().transform(Ray.from(0, 0, 0, direction.x(), direction.y(), direction.z(), 0));
-        return new LightShift(studio.colours(), studio.metering(), 1 / ray.frequency, ray.directionLength);
+    public Colour seen(Colour light, Ray ray, double lampFactor) {
+        return seen(light.times(ray.weight), lampFactor, 1 / ray.frequency, ray.directionLength);
+    }
+
+    /** As above, for a ray that comes straight from the camera, and light whose lamp rests in the frame of the ray. */
+    public Colour seen(Colour light, double dopplerFactor, double directionLength) {
+        return seen(light, 1, dopplerFactor, directionLength);
     }
 
     /**
@@ -78,7 +66,7 @@ public final class LightShift {
      * @param dopplerFactor frequency in the camera frame divided by that in that frame
      * @param directionLength that of the ray along which it is seen
      */
-    Colour seen(Colour light, double lampFactor, double dopplerFactor, double directionLength) {
+    private Colour seen(Colour light, double lampFactor, double dopplerFactor, double directionLength) {
         if (!(dopplerFactor > 0)) {
             return light;
         }
@@ -94,7 +82,7 @@ public final class LightShift {
      * @param dopplerFactor frequency in the camera frame divided by that in the scene frame
      * @param directionLength that of the ray along which it is seen
      */
-    Colour ofBlackBody(double temperature, double dopplerFactor, double directionLength) {
+    public Colour ofBlackBody(double temperature, double dopplerFactor, double directionLength) {
         return dopplerFactor > 0
                 ? metered(law.ofBlackBody(temperature, dopplerFactor), dopplerFactor, directionLength)
                 : ColourLaw.UNCHANGED.ofBlackBody(temperature, 1);
