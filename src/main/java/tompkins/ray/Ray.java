@@ -14,6 +14,9 @@ public final class Ray {
      */
     public static final double FAINTEST = 1.0 / 1024;
 
+    /** More than rounding leaves of the square of the length of a unit vector. */
+    private static final double LARGEST_ROUNDING = 1e-6;
+
     /** The number of the frame in which the ray is given: 0 unless several frames are searched. */
     public int frame;
 
@@ -156,23 +159,13 @@ public final class Ray {
         return this;
     }
 
-    /** The ray that goes on from a hit in a new unit direction, with a share of this ray's light. */
-    public Ray bent(Hit hit, double newDx, double newDy, double newDz, double share) {
-        return bent(hit, newDx, newDy, newDz, lightSlowness(), 1, share);
-    }
-
-    /** The slowness of this ray; if it measures, the slowness 1 of the light that goes on where a surface bends it. */
-    public double lightSlowness() {
-        return measures ? 1 : slowness;
-    }
-
     /**
-     * As {@link #bent(Hit, double, double, double, double)}, with another slowness.
-     *
-     * @param angleFactor small angles between rays are divided by it
+     * The ray that goes on from a hit in a new unit direction, with a share of this ray's light, as a bundle that opens
+     * as before.
      */
-    public Ray bent(
-            Hit hit, double newDx, double newDy, double newDz, double newSlowness, double angleFactor, double share) {
+    public Ray bent(Hit hit, double newDx, double newDy, double newDz, double share) {
+        assert Math.abs(newDx * newDx + newDy * newDy + newDz * newDz - 1) < LARGEST_ROUNDING
+                : "direction (" + newDx + ", " + newDy + ", " + newDz + ") is no unit vector, at " + hit.boundary;
         Ray ray = copy();
         ray.startOn(hit);
         if (hit.contact != null) {
@@ -183,12 +176,28 @@ public final class Ray {
         ray.dx = newDx;
         ray.dy = newDy;
         ray.dz = newDz;
-        ray.slowness = newSlowness;
+        ray.slowness = lightSlowness();
         ray.width += ray.spread * hit.distance;
-        ray.spread /= angleFactor;
         ray.throughput *= share;
         ray.depth++;
         return ray;
+    }
+
+    /** The slowness of this ray; if it measures, the slowness 1 of the light that goes on where a surface bends it. */
+    public double lightSlowness() {
+        return measures ? 1 : slowness;
+    }
+
+    /** Gives this ray, which has just begun, another slowness. */
+    public Ray slowed(double newSlowness) {
+        slowness = newSlowness;
+        return this;
+    }
+
+    /** Divides the small angles between the rays of the bundle of this ray, which has just begun. */
+    public Ray narrowed(double angleFactor) {
+        spread /= angleFactor;
+        return this;
     }
 
     /** Notes what becomes of the light of this ray, which has just begun. */
@@ -283,7 +292,7 @@ public final class Ray {
 
     /** The same ray beyond a hit, with a share of its light. */
     public Ray straightOn(Hit hit, double share) {
-        Ray ray = bent(hit, dx, dy, dz, slowness, 1, share);
+        Ray ray = bent(hit, dx, dy, dz, share).slowed(slowness);
         ray.measures = measures;
         return ray;
     }

@@ -65,4 +65,12 @@ public sealed interface Surface
     default Continuation continuation() {
         return Continuation.NONE;
     }
+
+    /**
+     * Whether light takes the way of stationary time, as that of a wave does with mirrors and glass. What turns rays
+     * and leaves the time of the light as it is does not: signals arrive at another rate there than crests.
+     */
+    default boolean keepsPhase() {
+        return continuation() != Continuation.TURNED;
+    }
 }
