@@ -8,8 +8,9 @@ import java.io.PrintWriter;
 import java.nio.charset.Charset;
 import java.nio.file.InvalidPathException;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import picocli.CommandLine;
-import tompkins.property.AddedTypes;
+import tompkins.property.Descriptions;
 import tompkins.property.MistakeException;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.Shutter;
@@ -72,7 +73,7 @@ public final class Main {
     /** Reads the types that other jars add, before any argument: what is wrong with one ends the program. */
     private static void readAddedTypes() {
         try {
-            AddedTypes.requireDistinct(Surface.class, SceneObject.class, Shutter.class);
+            Stream.of(Surface.class, SceneObject.class, Shutter.class).forEach(Descriptions::members);
         } catch (MistakeException wrong) {
             System.err.println(wrong.getMessage());
             System.exit(Failures.MISTAKE);

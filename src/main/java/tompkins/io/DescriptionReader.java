@@ -146,7 +146,8 @@ final class DescriptionReader {
         problems.add(
                 type.value(),
                 path,
-                "unknown type " + type.value().shown() + "; allowed are " + String.join(", ", names) + hint);
+                "unknown type " + type.value().shown() + "; allowed are " + String.join(", ", names)
+                        + DescriptionTypes.origins(family) + hint);
         return null;
     }
 

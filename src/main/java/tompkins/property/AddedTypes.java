@@ -1,15 +1,18 @@
 package tompkins.property;
 
-import java.lang.reflect.Constructor;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.net.URI;
 import java.net.URL;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.ConcurrentSkipListSet;
 import java.util.stream.Collectors;
 
@@ -30,16 +33,16 @@ public final class AddedTypes {
      * @throws MistakeException that names the jar, if one of them cannot be used
      */
     static List<Class<?>> of(Class<?> service) {
-        List<Class<?>> added = new ArrayList<>();
         try {
-            ServiceLoader.load(service, service.getClassLoader()).stream()
-                    .forEach(provider -> added.add(provider.type()));
+            List<Class<?>> added = ServiceLoader.load(service, service.getClassLoader()).stream()
+                    .<Class<?>>map(ServiceLoader.Provider::type)
+                    .toList();
             added.forEach(AddedTypes::check);
             added.forEach(type -> origin(type).ifPresent(JARS::add));
+            return added;
         } catch (ServiceConfigurationError | LinkageError broken) {
-            throw new MistakeException(jars(service) + ": " + broken.getMessage());
+            throw new MistakeException(OneLine.of(jars(service, broken.toString()) + ": " + broken));
         }
-        return added;
     }
 
     private static void check(Class<?> type) {
@@ -51,36 +54,28 @@ public final class AddedTypes {
             if (!type.isInstance(usual)) {
                 throw mistake(type, "must have a constant DEFAULT of its own type, was " + usual);
             }
-            Descriptions.values(usual);
         } catch (ReflectiveOperationException hidden) {
             throw mistake(type, "must be public, with a public constant DEFAULT");
-        }
-        Constructor<?>[] all = type.getConstructors();
-        if (Arrays.stream(all).noneMatch(each -> each.getParameterCount() == type.getRecordComponents().length)) {
-            throw mistake(type, "must be public, with the public constructor of its components");
+        } catch (LinkageError broken) {
+            throw mistake(type, "cannot be loaded: " + (broken.getCause() == null ? broken : broken.getCause()));
         }
     }
 
     /**
-     * Checks that no two types of some families have one name.
+     * Checks that no added type has the name of another member of its family.
      *
-     * @throws MistakeException if two have
+     * @throws MistakeException if one has
      */
-    public static void requireDistinct(Class<?>... families) {
-        List<Class<?>> all = Arrays.stream(families)
-                .flatMap(family -> Descriptions.members(family).stream())
-                .toList();
-        all.stream().filter(type -> origin(type).isPresent()).forEach(type -> {
-            if (all.stream()
-                            .filter(other -> other.getSimpleName().equals(type.getSimpleName()))
-                            .count()
-                    > 1) {
-                throw mistake(type, "must have a name of its own: there is another type " + type.getSimpleName());
+    static void requireDistinct(List<Class<?>> family) {
+        Set<String> names = new TreeSet<>();
+        for (Class<?> type : family) {
+            if (!names.add(Descriptions.name(type))) {
+                throw mistake(type, "must have a name of its own: there is another type " + Descriptions.name(type));
             }
-        });
+        }
     }
 
-    /** Name and version of the jars that add types, of those that have been asked for. */
+    /** Name and version of the jars that add types, of those that have been read. */
     public static Set<String> jars() {
         return JARS;
     }
@@ -92,26 +87,38 @@ public final class AddedTypes {
             return Optional.empty();
         }
         String version = type.getPackage().getImplementationVersion();
-        return Optional.of(name(source) + (version == null ? "" : " " + version));
+        return Optional.of(OneLine.of(name(source.toString()) + (version == null ? "" : " " + version)));
     }
 
     private static MistakeException mistake(Class<?> type, String problem) {
-        return new MistakeException(origin(type).orElse("tompkins") + ": " + type.getName() + " " + problem);
+        return new MistakeException(
+                OneLine.of(origin(type).orElse("Tompkins") + ": " + type.getName() + " " + problem));
     }
 
-    private static String name(URL source) {
-        String path = source.getPath();
-        return Path.of(path.endsWith("/") ? path.substring(0, path.length() - 1) : path)
-                .getFileName()
-                .toString();
-    }
-
-    /** The jars that have types for a service. */
-    private static String jars(Class<?> service) {
-        return service.getClassLoader()
+    /** The jars that offer, for a service, a type of which a problem tells; all that offer one if it tells of none. */
+    private static String jars(Class<?> service, String problem) {
+        List<URL> files = service.getClassLoader()
                 .resources("META-INF/services/" + service.getName())
-                .map(file -> file.getPath().replaceAll("!?/META-INF/.*", ""))
-                .map(jar -> jar.substring(jar.lastIndexOf('/') + 1))
-                .collect(Collectors.joining(", "));
+                .toList();
+        List<URL> told = files.stream().filter(file -> isOf(problem, file)).toList();
+        return (told.isEmpty() ? files : told)
+                .stream()
+                        .map(file -> name(file.toString().replaceAll("^jar:|!?/META-INF/.*", "")))
+                        .collect(Collectors.joining(", "));
+    }
+
+    private static boolean isOf(String problem, URL file) {
+        try (InputStream in = file.openStream()) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8)
+                    .lines()
+                    .anyMatch(
+                            name -> !name.isBlank() && problem.replace('/', '.').contains(name.strip()));
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+    }
+
+    private static String name(String jar) {
+        return Path.of(URI.create(jar)).getFileName().toString();
     }
 }

@@ -225,13 +225,16 @@ public final class Descriptions {
     }
 
     private static List<Class<?>> readMembers(Class<?> family) {
-        return family.isRecord()
-                ? List.of(family)
-                : Arrays.stream(family.getPermittedSubclasses())
-                        .<Class<?>>flatMap(type -> type.isSealed()
-                                ? members(type).stream()
-                                : type.isInterface() ? AddedTypes.of(type).stream() : Stream.of(type))
-                        .toList();
+        if (family.isRecord()) {
+            return List.of(family);
+        }
+        List<Class<?>> members = Arrays.stream(family.getPermittedSubclasses())
+                .<Class<?>>flatMap(type -> type.isSealed()
+                        ? members(type).stream()
+                        : type.isInterface() ? AddedTypes.of(type).stream() : Stream.of(type))
+                .toList();
+        AddedTypes.requireDistinct(members);
+        return members;
     }
 
     /** The type of the elements if a type is a list. */

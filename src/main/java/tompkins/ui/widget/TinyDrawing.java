@@ -14,6 +14,7 @@ import java.util.ResourceBundle;
 import java.util.stream.Stream;
 import javax.swing.Icon;
 import javax.swing.UIManager;
+import tompkins.property.AddedTypes;
 
 /** Tiny drawings of objects, surfaces and shutters; the file of the drawings explains its letters. */
 public final class TinyDrawing {
@@ -26,19 +27,25 @@ public final class TinyDrawing {
 
     private TinyDrawing() {}
 
-    /** The drawing of a type of objects or surfaces, in the colour of the text beside it; null if it has none. */
+    /**
+     * The drawing of a type of objects or surfaces, in the colour of the text beside it; null for types of the program
+     * that have none.
+     */
     public static Icon of(Class<?> type) {
         String name = type.getSimpleName();
-        return DRAWINGS.containsKey(name) ? of(name, WIDTH, HEIGHT, null) : null;
+        boolean isDrawn = DRAWINGS.containsKey(name) || AddedTypes.origin(type).isPresent();
+        return isDrawn ? of(name, WIDTH, HEIGHT, null) : null;
     }
 
     /**
-     * The drawing of a name.
+     * The drawing of a name; a circle for one that other jars have added.
      *
      * @param ink for all of it; null for the colours of the look, and that of the text beside it
      */
     public static Icon of(String name, int width, int height, Color ink) {
-        String[] strokes = DRAWINGS.getString(name).split(";");
+        String[] strokes = DRAWINGS.containsKey(name)
+                ? DRAWINGS.getString(name).split(";")
+                : new String[] {"o " + width / 2 + " " + height / 2 + " 5 5"};
         return new Drawing(
                 width,
                 height,
