@@ -20,6 +20,7 @@ import tompkins.io.JsonValue.JsonNumber;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.JsonText;
 import tompkins.io.JsonValue.Member;
+import tompkins.property.AddedTypes;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Colour;
@@ -147,7 +148,7 @@ final class DescriptionReader {
                 type.value(),
                 path,
                 "unknown type " + type.value().shown() + "; allowed are " + String.join(", ", names)
-                        + DescriptionTypes.origins(family) + hint);
+                        + AddedTypes.withJars() + hint);
         return null;
     }
 

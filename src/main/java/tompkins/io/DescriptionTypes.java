@@ -6,14 +6,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.lesson.Lesson;
 import tompkins.lesson.PicturePoint;
 import tompkins.light.Pulse;
-import tompkins.property.AddedTypes;
 import tompkins.property.Descriptions;
 import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
@@ -57,15 +55,6 @@ final class DescriptionTypes {
     /** The names of the records of a family. */
     static List<String> memberNames(Class<?> family) {
         return MEMBER_NAMES.get(family);
-    }
-
-    /** Which jars have added records to a family, in brackets; empty if none has. */
-    static String origins(Class<?> family) {
-        String jars = Descriptions.members(family).stream()
-                .flatMap(member -> AddedTypes.origin(member).stream())
-                .distinct()
-                .collect(Collectors.joining(", "));
-        return jars.isEmpty() ? "" : " (with " + jars + ")";
     }
 
     /** The record of a family that is meant where none is named. */

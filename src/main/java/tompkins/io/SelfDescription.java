@@ -5,8 +5,6 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.Optional;
 import java.util.Properties;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.StereoLayout;
 import tompkins.image.Panorama;
@@ -50,8 +48,7 @@ public final class SelfDescription {
 
     /** Name and version of the program, and of the jars that add types to it. */
     public static String program() {
-        return Stream.concat(Stream.of("Tompkins " + version()), AddedTypes.jars().stream())
-                .collect(Collectors.joining(", "));
+        return "Tompkins " + version() + AddedTypes.withJars();
     }
 
     /** The version of the program, such as 1.2.0. */

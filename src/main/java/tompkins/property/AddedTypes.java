@@ -8,7 +8,6 @@ import java.net.URL;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import java.util.Set;
@@ -38,7 +37,7 @@ public final class AddedTypes {
                     .<Class<?>>map(ServiceLoader.Provider::type)
                     .toList();
             added.forEach(AddedTypes::check);
-            added.forEach(type -> origin(type).ifPresent(JARS::add));
+            added.forEach(type -> JARS.add(jar(type)));
             return added;
         } catch (ServiceConfigurationError | LinkageError broken) {
             throw new MistakeException(OneLine.of(jars(service, broken.toString()) + ": " + broken));
@@ -75,24 +74,28 @@ public final class AddedTypes {
         }
     }
 
-    /** Name and version of the jars that add types, of those that have been read. */
-    public static Set<String> jars() {
-        return JARS;
+    /** " with optics.jar 2.5": name and version of the jars that have added types; empty if none has. */
+    public static String withJars() {
+        return JARS.isEmpty() ? "" : " with " + String.join(", ", JARS);
     }
 
-    /** Name and version of the jar that adds a type; empty for a type of the program. */
-    public static Optional<String> origin(Class<?> type) {
-        URL source = type.getProtectionDomain().getCodeSource().getLocation();
-        if (source.equals(AddedTypes.class.getProtectionDomain().getCodeSource().getLocation())) {
-            return Optional.empty();
-        }
+    /** Whether another jar has added a type. */
+    public static boolean isAdded(Class<?> type) {
+        return !source(type).equals(source(AddedTypes.class));
+    }
+
+    private static URL source(Class<?> type) {
+        return type.getProtectionDomain().getCodeSource().getLocation();
+    }
+
+    /** Name and version of the jar of a type. */
+    private static String jar(Class<?> type) {
         String version = type.getPackage().getImplementationVersion();
-        return Optional.of(OneLine.of(name(source.toString()) + (version == null ? "" : " " + version)));
+        return OneLine.of(name(source(type).toString()) + (version == null ? "" : " " + version));
     }
 
     private static MistakeException mistake(Class<?> type, String problem) {
-        return new MistakeException(
-                OneLine.of(origin(type).orElse("Tompkins") + ": " + type.getName() + " " + problem));
+        return new MistakeException(OneLine.of(jar(type) + ": " + type.getName() + " " + problem));
     }
 
     /** The jars that offer, for a service, a type of which a problem tells; all that offer one if it tells of none. */

@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.jar.Attributes;
 import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
@@ -30,6 +31,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.image.PhotographFile;
+import tompkins.io.SelfDescription;
 
 /** Types of another jar: those that {@code docs/extending.md} shows, and wrong ones. */
 class ExtensionTest {
@@ -122,6 +124,14 @@ class ExtensionTest {
                 .collect(Collectors.joining(File.pathSeparator));
     }
 
+    private static String grating(double beta) {
+        return String.format(Locale.ROOT, GRATING, beta);
+    }
+
+    private static String torus(double x, String axis) {
+        return String.format(Locale.ROOT, TORUS, x, axis);
+    }
+
     /** Runs the program with other jars beside it. */
     private static Run run(List<Path> jars, String... words) throws IOException, InterruptedException {
         return run("tompkins.app.Main", jars, words);
@@ -172,8 +182,7 @@ class ExtensionTest {
 
     @Test
     void gratingShowsTheDopplerFactor() throws IOException, InterruptedException {
-        List<double[]> rows =
-                probe(String.format(GRATING, "0"), String.format(GRATING, "0.6"), String.format(GRATING, "-0.6"));
+        List<double[]> rows = probe(grating(0), grating(0.6), grating(-0.6));
 
         double[] factors = {1, 2, 0.5};
         for (int i = 0; i < factors.length; i++) {
@@ -191,10 +200,10 @@ class ExtensionTest {
     void torusIsMetWhereCirclesAreCut() throws IOException, InterruptedException {
         double tilt = Math.toRadians(80);
         List<double[]> rows = probe(
-                String.format(TORUS, "0", "0, 0, 1"),
-                String.format(TORUS, "2", "0, 0, -3"),
-                String.format(TORUS, "0", "1, 0, 0"),
-                String.format(TORUS, "0", Math.sin(tilt) + ", 0, " + Math.cos(tilt)));
+                torus(0, "0, 0, 1"),
+                torus(2, "0, 0, -3"),
+                torus(0, "1, 0, 0"),
+                torus(0, Math.sin(tilt) + ", 0, " + Math.cos(tilt)));
 
         // through the hole, through the tube along the axis, and across
         assertThat(depths(rows.get(0))).containsExactly(20);
@@ -214,7 +223,7 @@ class ExtensionTest {
 
     @Test
     void allCommandsKnowAddedTypes() throws IOException, InterruptedException {
-        Files.writeString(folder.resolve("scene.json"), String.format(GRATING, 0.6));
+        Files.writeString(folder.resolve("scene.json"), grating(0.6));
         List<Path> jars = List.of(jar);
 
         Run explained = run(jars, "explain", "scene.json");
@@ -224,11 +233,12 @@ class ExtensionTest {
         assertThat(picture.code).as(picture.out).isZero();
         Path photograph = folder.resolve("grating.png");
         assertThat(PhotographFile.readScene(photograph).orElseThrow()).contains("\"Grating\"");
-        assertThat(Files.readString(photograph, StandardCharsets.ISO_8859_1)).contains("optics.jar 2.5");
+        assertThat(Files.readString(photograph, StandardCharsets.ISO_8859_1))
+                .contains("Tompkins " + SelfDescription.version() + " with optics.jar 2.5");
         assertThat(run(jars, "check", "scene.json", "--set", "scene[0].surface.orders=7"))
                 .isEqualTo(new Run(2, "--set: scene[0].surface.orders: must be from -1 to 1, was 7"));
         assertThat(run(jars, "check", "scene.json", "--set", "scene[0].surface.type=Gratin").out)
-                .endsWith("Grating (with optics.jar 2.5); did you mean \"Grating\"?");
+                .endsWith("Grating with optics.jar 2.5; did you mean \"Grating\"?");
     }
 
     private static Run start(Path... jars) throws IOException, InterruptedException {

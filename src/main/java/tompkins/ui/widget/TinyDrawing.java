@@ -33,7 +33,7 @@ public final class TinyDrawing {
      */
     public static Icon of(Class<?> type) {
         String name = type.getSimpleName();
-        boolean isDrawn = DRAWINGS.containsKey(name) || AddedTypes.origin(type).isPresent();
+        boolean isDrawn = DRAWINGS.containsKey(name) || AddedTypes.isAdded(type);
         return isDrawn ? of(name, WIDTH, HEIGHT, null) : null;
     }
 
