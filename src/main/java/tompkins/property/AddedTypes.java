@@ -79,19 +79,11 @@ public final class AddedTypes {
         return JARS.isEmpty() ? "" : " with " + String.join(", ", JARS);
     }
 
-    /** Whether another jar has added a type. */
-    public static boolean isAdded(Class<?> type) {
-        return !source(type).equals(source(AddedTypes.class));
-    }
-
-    private static URL source(Class<?> type) {
-        return type.getProtectionDomain().getCodeSource().getLocation();
-    }
-
     /** Name and version of the jar of a type. */
     private static String jar(Class<?> type) {
+        URL jar = type.getProtectionDomain().getCodeSource().getLocation();
         String version = type.getPackage().getImplementationVersion();
-        return OneLine.of(name(source(type).toString()) + (version == null ? "" : " " + version));
+        return OneLine.of(name(jar.toString()) + (version == null ? "" : " " + version));
     }
 
     private static MistakeException mistake(Class<?> type, String problem) {

@@ -201,7 +201,7 @@ public final class ShutterPanel extends Part {
             boolean inList = index >= 0;
             boolean marked = inList && selected;
             Color ink = marked ? list.getSelectionForeground() : list.getForeground();
-            icon.setIcon(TinyDrawing.of(model.getSimpleName(), 64, 28, marked ? ink : null));
+            icon.setIcon(TinyDrawing.of(TinyDrawing.name(model), 64, 28, marked ? ink : null));
             name.setText(model == null ? "" : Wording.label(model));
             cell.getAccessibleContext().setAccessibleName(name.getText());
             line.setVisible(inList);

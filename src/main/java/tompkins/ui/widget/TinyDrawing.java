@@ -14,7 +14,6 @@ import java.util.ResourceBundle;
 import java.util.stream.Stream;
 import javax.swing.Icon;
 import javax.swing.UIManager;
-import tompkins.property.AddedTypes;
 
 /** Tiny drawings of objects, surfaces and shutters; the file of the drawings explains its letters. */
 public final class TinyDrawing {
@@ -27,25 +26,28 @@ public final class TinyDrawing {
 
     private TinyDrawing() {}
 
-    /**
-     * The drawing of a type of objects or surfaces, in the colour of the text beside it; null for types of the program
-     * that have none.
-     */
+    /** The drawing of a type of objects or surfaces, in the colour of the text beside it; null if it has none. */
     public static Icon of(Class<?> type) {
-        String name = type.getSimpleName();
-        boolean isDrawn = DRAWINGS.containsKey(name) || AddedTypes.isAdded(type);
-        return isDrawn ? of(name, WIDTH, HEIGHT, null) : null;
+        String name = name(type);
+        return DRAWINGS.containsKey(name) ? of(name, WIDTH, HEIGHT, null) : null;
+    }
+
+    /** The name of the drawing of a type; what other jars add has one for all of its kind. */
+    public static String name(Class<?> type) {
+        return Stream.of(type.getInterfaces())
+                .map(Class::getSimpleName)
+                .filter(DRAWINGS::containsKey)
+                .findFirst()
+                .orElse(type.getSimpleName());
     }
 
     /**
-     * The drawing of a name; a circle for one that other jars have added.
+     * The drawing of a name.
      *
      * @param ink for all of it; null for the colours of the look, and that of the text beside it
      */
     public static Icon of(String name, int width, int height, Color ink) {
-        String[] strokes = DRAWINGS.containsKey(name)
-                ? DRAWINGS.getString(name).split(";")
-                : new String[] {"o " + width / 2 + " " + height / 2 + " 5 5"};
+        String[] strokes = DRAWINGS.getString(name).split(";");
         return new Drawing(
                 width,
                 height,
