@@ -226,7 +226,12 @@ class ExtensionTest {
         Files.writeString(folder.resolve("scene.json"), grating(0.6));
         List<Path> jars = List.of(jar);
 
-        Run explained = run(jars, "explain", "scene.json");
+        Matcher page = Pattern.compile("```json\n(.*?)```", Pattern.DOTALL)
+                .matcher(Files.readString(Path.of("docs/extending.md")));
+        assertThat(page.find()).isTrue();
+        Files.writeString(folder.resolve("page.json"), page.group(1));
+
+        Run explained = run(jars, "explain", "page.json");
         assertThat(explained.code).as(explained.out).isZero();
         assertThat(explained.out).contains("do nothing else to it: Grating.");
         Run picture = run(jars, "render", "scene.json", "--set", "scene[0].surface.orders=0.1", "-o", "grating.png");
@@ -239,6 +244,27 @@ class ExtensionTest {
                 .isEqualTo(new Run(2, "--set: scene[0].surface.orders: must be from -1 to 1, was 7"));
         assertThat(run(jars, "check", "scene.json", "--set", "scene[0].surface.type=Gratin").out)
                 .endsWith("Grating with optics.jar 2.5; did you mean \"Grating\"?");
+    }
+
+    @Test
+    void directionsOfAnotherLengthAreFound() throws IOException, InterruptedException {
+        Path crooked = jar(
+                "crooked",
+                List.of("package optics; import tompkins.ray.*; import tompkins.surface.*; "
+                        + "public record Crooked() implements AddedSurface { "
+                        + "public static final Crooked DEFAULT = new Crooked(); "
+                        + "public Response respond(Ray ray, Hit hit, Tracer tracer) { "
+                        + "return Response.goesOn(ray.bent(hit, 0, 0.5, 1, 1), Colour.WHITE); } }"),
+                SURFACE,
+                "Crooked");
+        Files.writeString(
+                folder.resolve("crooked.json"),
+                "{\"scene\": [{\"type\": \"Sphere\", \"surface\": {\"type\": \"Crooked\"}}]}");
+
+        Run run = run(ExtensionProbe.class.getName(), List.of(crooked), "crooked.json");
+
+        assertThat(run.code).isNotZero();
+        assertThat(run.out).contains("direction (0.0, 0.5, 1.0) is no unit vector, at \"sphere\", Crooked[]");
     }
 
     private static Run start(Path... jars) throws IOException, InterruptedException {
