@@ -32,15 +32,6 @@ public final class TinyDrawing {
         return DRAWINGS.containsKey(name) ? of(name, WIDTH, HEIGHT, null) : null;
     }
 
-    /** The name of the drawing of a type; what other jars add has one for all of its kind. */
-    public static String name(Class<?> type) {
-        return Stream.of(type.getInterfaces())
-                .map(Class::getSimpleName)
-                .filter(DRAWINGS::containsKey)
-                .findFirst()
-                .orElse(type.getSimpleName());
-    }
-
     /**
      * The drawing of a name.
      *
@@ -89,6 +80,15 @@ public final class TinyDrawing {
         } else {
             g.fill(shape);
         }
+    }
+
+    /** The name of the drawing of a type; what other jars add has one for all of its kind. */
+    public static String name(Class<?> type) {
+        return Stream.of(type.getInterfaces())
+                .map(Class::getSimpleName)
+                .filter(DRAWINGS::containsKey)
+                .findFirst()
+                .orElse(type.getSimpleName());
     }
 
     private static Shape shape(char letter, double... numbers) {
