@@ -159,10 +159,7 @@ public final class Ray {
         return this;
     }
 
-    /**
-     * The ray that goes on from a hit in a new unit direction, with a share of this ray's light, as a bundle that opens
-     * as before.
-     */
+    /** The ray that goes on from a hit in a new unit direction, with a share of this ray's light. */
     public Ray bent(Hit hit, double newDx, double newDy, double newDz, double share) {
         assert Math.abs(newDx * newDx + newDy * newDy + newDz * newDz - 1) < LARGEST_ROUNDING
                 : "direction (" + newDx + ", " + newDy + ", " + newDz + ") is no unit vector, at " + hit.boundary;
