@@ -161,8 +161,7 @@ public final class Ray {
 
     /** The ray that goes on from a hit in a new unit direction, with a share of this ray's light. */
     public Ray bent(Hit hit, double newDx, double newDy, double newDz, double share) {
-        assert Math.abs(newDx * newDx + newDy * newDy + newDz * newDz - 1) < LARGEST_ROUNDING
-                : "direction (" + newDx + ", " + newDy + ", " + newDz + ") is no unit vector, at " + hit.boundary;
+        assert isUnit(newDx, newDy, newDz) : mistake(hit, newDx, newDy, newDz);
         Ray ray = copy();
         ray.startOn(hit);
         if (hit.contact != null) {
@@ -178,6 +177,14 @@ public final class Ray {
         ray.throughput *= share;
         ray.depth++;
         return ray;
+    }
+
+    private static boolean isUnit(double x, double y, double z) {
+        return Math.abs(x * x + y * y + z * z - 1) < LARGEST_ROUNDING;
+    }
+
+    private static String mistake(Hit hit, double x, double y, double z) {
+        return "direction (" + x + ", " + y + ", " + z + ") is no unit vector, at " + hit.boundary;
     }
 
     /** The slowness of this ray; if it measures, the slowness 1 of the light that goes on where a surface bends it. */
