@@ -4,16 +4,23 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
-import java.nio.file.InvalidPathException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Objects;
-import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.TypeConversionException;
+import picocli.CommandLine.UnmatchedArgumentException;
 import tompkins.file.FileFailure;
+import tompkins.io.Assignments;
+import tompkins.io.Spelling;
 import tompkins.property.MistakeException;
 
 /** What the program says when it cannot do what it was asked, and its exit codes. */
@@ -41,10 +48,6 @@ final class Failures {
         }
         if (exception instanceof MistakeException) {
             exception.getMessage().lines().forEach(err::println);
-            return MISTAKE;
-        }
-        if (exception instanceof InvalidPathException notAName) {
-            err.println(NamedFile.mistake(notAName));
             return MISTAKE;
         }
         if (exception instanceof FileSystemException failure) {
@@ -89,20 +92,62 @@ final class Failures {
     }
 
     /** Reports a mistake in the arguments, with the name that may have been meant. */
-    static int reportUsage(ParameterException exception, String[] arguments, BooleanSupplier display)
-            throws IOException {
+    static int reportUsage(ParameterException exception, String... arguments) {
         CommandLine commandLine = exception.getCommandLine();
         PrintWriter err = commandLine.getErr();
-        String mistake = ArgumentMistake.message(exception, arguments);
+        String mistake = usageMistake(exception, arguments);
         err.print(Ansi.AUTO.string("@|bold " + commandLine.getCommandSpec().qualifiedName() + ":|@ "));
         err.println(mistake);
-        if (exception.getCause() instanceof InvalidPathException
-                && TompkinsCommand.opensWindow(arguments)
-                && display.getAsBoolean()) {
-            TompkinsCommand.openWindow(mistake);
-            return WINDOW_IS_OPEN;
-        }
         err.println("Try '" + commandLine.getCommandSpec().qualifiedName() + " --help'.");
         return MISTAKE;
+    }
+
+    /** What is wrong with arguments: mostly in the words of the library that reads them. */
+    private static String usageMistake(ParameterException mistake, String... arguments) {
+        if (mistake instanceof UnmatchedArgumentException unmatched) {
+            return unmatched(unmatched, mistake.getCommandLine().getCommandSpec(), arguments[0]);
+        }
+        if (mistake.getCause() instanceof MistakeException wrongName) {
+            return wrongName.getMessage();
+        }
+        if (mistake.getCause() instanceof TypeConversionException refused) {
+            ArgSpec argument = mistake.getArgSpec();
+            String name = argument instanceof OptionSpec option ? option.longestName() : argument.paramLabel();
+            String refusal = refused.getMessage();
+            return name
+                    + (refusal.startsWith("must") ? " " : ": ")
+                    + refusal
+                    + (argument.arity().min() < argument.arity().max()
+                            ? "; without a value, " + name + " must come after SCENE"
+                            : "");
+        }
+        return mistake.getMessage().replaceFirst("^Error: ", "").replaceAll("\\[-[^{]*=(?=\\{)", "");
+    }
+
+    private static String unmatched(UnmatchedArgumentException mistake, CommandSpec command, String first) {
+        if (command.parent() == null && !first.startsWith("-") && Files.notExists(Path.of(first))) {
+            return TompkinsCommand.unknownWord(first, command.subcommands().keySet());
+        }
+        if (!mistake.isUnknownOption()) {
+            return "too many arguments: " + String.join(" ", mistake.getUnmatched());
+        }
+        String option = mistake.getUnmatched().get(0).replaceFirst("(?s)=.*", "");
+        List<String> owners = command.subcommands().values().stream()
+                .filter(other -> other.getCommandSpec().findOption(option) != null)
+                .map(CommandLine::getCommandName)
+                .toList();
+        if (!owners.isEmpty()) {
+            return option + " is an option of " + String.join(", ", owners) + "; write the command before it";
+        }
+        String word = option.replaceFirst("^-+", "");
+        // the help begins with the word that says it best
+        String like = command.options().stream()
+                .filter(known -> known.description()[0].startsWith(word + " "))
+                .map(OptionSpec::longestName)
+                .findFirst()
+                .orElse(option);
+        String hint = Spelling.hint(like, command.optionsMap().keySet());
+        boolean mayBeKey = hint.isEmpty() && command.findOption(SetOption.NAME) != null;
+        return "unknown option " + option + (mayBeKey ? Assignments.hint(word) : hint);
     }
 }

@@ -6,7 +6,8 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
-import java.nio.file.InvalidPathException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import picocli.CommandLine;
@@ -20,6 +21,11 @@ import tompkins.ui.TompkinsWindow;
 
 /** Starts the program: a command line with its sub-commands, or the window. */
 public final class Main {
+
+    /** What a command says that computes for a while, after so many seconds. */
+    static final String SLOW = "note: this takes a while; Ctrl-C stops it";
+
+    private static final int PATIENCE = 2;
 
     private Main() {}
 
@@ -44,11 +50,10 @@ public final class Main {
         }
         // help keeps to the width of the terminal
         System.setProperty("picocli.usage.width", "AUTO");
-        WorkingLine line = new WorkingLine(System.err, ProgressLine.isWatched());
-        WatchedStream out = new WatchedStream(new FileOutputStream(FileDescriptor.out), line);
-        PrintWriter err = printer(new WatchedStream(System.err, line));
+        WatchedStream out = new WatchedStream(new FileOutputStream(FileDescriptor.out));
+        PrintWriter err = printer(System.err);
         if (TompkinsCommand.isQuiet(arguments)) {
-            line.start();
+            CompletableFuture.delayedExecutor(PATIENCE, TimeUnit.SECONDS).execute(() -> err.println(SLOW));
         }
         int code = run(printer(out), err, Displays::usable, arguments);
         if (out.failure() != null) {
@@ -88,7 +93,7 @@ public final class Main {
         try {
             TompkinsCommand.openWindow(arguments.length == 0 ? null : NamedFile.of(arguments[0]));
             return true;
-        } catch (IOException | MistakeException | InvalidPathException | OutOfMemoryError wrong) {
+        } catch (IOException | MistakeException | OutOfMemoryError wrong) {
             // the command line reports it
             return false;
         }
@@ -112,7 +117,7 @@ public final class Main {
         commandLine.setExpandAtFiles(false);
         OptionValues.addTo(commandLine);
         commandLine.setExecutionExceptionHandler(Failures::report);
-        commandLine.setParameterExceptionHandler((exception, words) -> Failures.reportUsage(exception, words, display));
+        commandLine.setParameterExceptionHandler(Failures::reportUsage);
         try {
             return commandLine.execute(arguments);
         } catch (OutOfMemoryError tooMuch) {

@@ -27,29 +27,30 @@ final class NamedFile {
     /**
      * A file of some name.
      *
-     * @throws InvalidPathException if the name is empty, or the locale cannot express it or that of the current folder
+     * @throws MistakeException if the name is empty, or the locale cannot express it or that of the current folder
      */
     static Path of(String name) {
-        if (name.isEmpty()) {
-            // Java would take it for the current folder
-            throw new InvalidPathException(name, "empty");
+        try {
+            Path file = Path.of(name);
+            // Java would take no name for the current folder
+            if (name.isEmpty() || name.contains(NO_LETTER) && Files.notExists(file)) {
+                throw new InvalidPathException(name, "no name");
+            }
+            return file.isAbsolute() ? file : currentFolder().resolve(file);
+        } catch (InvalidPathException refused) {
+            throw new MistakeException(OptionValues.shown(refused.getInput()) + ": " + FileFailure.reason(refused));
         }
-        Path file = Path.of(name);
-        if (name.contains(NO_LETTER) && Files.notExists(file)) {
-            throw new InvalidPathException(name, "no letters");
-        }
-        return file.isAbsolute() ? file : currentFolder().resolve(file);
     }
 
     /**
      * The current folder, as an empty path.
      *
-     * @throws InvalidPathException if the locale cannot express its name: Java would look elsewhere
+     * @throws MistakeException if the locale cannot express its name: Java would look elsewhere
      */
     static Path currentFolder() {
         String name = System.getProperty("user.dir");
         if (name.contains(NO_LETTER)) {
-            throw new InvalidPathException(name, "no letters");
+            throw new MistakeException(name + ": " + FileFailure.reason(new InvalidPathException(name, "no letters")));
         }
         return Path.of("");
     }
@@ -106,10 +107,5 @@ final class NamedFile {
         } catch (IOException noSuchFile) {
             return false;
         }
-    }
-
-    /** What is wrong with a name. */
-    static String mistake(InvalidPathException refused) {
-        return OptionValues.shown(refused.getInput()) + ": " + FileFailure.reason(refused);
     }
 }

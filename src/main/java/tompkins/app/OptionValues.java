@@ -2,8 +2,8 @@ package tompkins.app;
 
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.TypeConversionException;
@@ -24,7 +24,7 @@ final class OptionValues {
         commandLine.registerConverter(Long.class, OptionValues::wholeNumber);
         commandLine.registerConverter(long.class, OptionValues::wholeNumber);
         commandLine.registerConverter(Part.class, Part::parse);
-        commandLine.registerConverter(PictureFormat.class, text -> constant(PictureFormat.class, text));
+        commandLine.registerConverter(PictureFormat.class, OptionValues::format);
     }
 
     /** Finite numbers with commas between them, as many as an example has. */
@@ -53,34 +53,38 @@ final class OptionValues {
         try {
             double number = NumberText.parse(text);
             if (Double.isInfinite(number)) {
-                throw new TypeConversionException("at most " + NumberText.of(Double.MAX_VALUE));
+                throw refused("at most " + NumberText.of(Double.MAX_VALUE), text);
             }
             if (NumberText.vanishes(text)) {
-                throw new TypeConversionException(NumberText.NOT_VANISHING);
+                throw refused(NumberText.NOT_VANISHING, text);
             }
             return number;
         } catch (NumberFormatException word) {
-            throw new TypeConversionException("a number");
+            throw refused("a number", text);
         }
     }
 
     private static long wholeNumber(String text) {
         try {
             return Long.parseLong(text);
-        } catch (NumberFormatException refused) {
-            boolean tooLong = text.matches("[+-]?[0-9]+");
-            throw new TypeConversionException(tooLong ? "a whole number of at most 18 digits" : "a whole number");
+        } catch (NumberFormatException notWhole) {
+            throw refused("a whole number of at most 18 digits", text);
         }
     }
 
-    private static <E extends Enum<E>> E constant(Class<E> type, String text) {
-        E[] constants = type.getEnumConstants();
-        return Stream.of(constants)
-                .filter(constant -> constant.name().equalsIgnoreCase(text))
-                .findFirst()
-                .orElseThrow(() -> new TypeConversionException((constants.length == 1 ? "" : "one of ")
-                        + Stream.of(constants)
-                                .map(constant -> constant.name().toLowerCase(Locale.ROOT))
-                                .collect(Collectors.joining(", "))));
+    private static PictureFormat format(String text) {
+        List<String> names = Stream.of(PictureFormat.values())
+                .map(format -> format.name().toLowerCase(Locale.ROOT))
+                .toList();
+        int index = names.indexOf(text.toLowerCase(Locale.ROOT));
+        if (index < 0) {
+            throw refused("one of " + String.join(", ", names), text);
+        }
+        return PictureFormat.values()[index];
+    }
+
+    /** The refusal of a word; the name of its option stands before it. */
+    static TypeConversionException refused(String allowed, String word) {
+        return new TypeConversionException("must be " + allowed + ", was " + shown(word));
     }
 }

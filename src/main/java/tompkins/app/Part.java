@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
-import picocli.CommandLine.TypeConversionException;
 
 /**
  * One of several equal parts of some work. Its pieces are not neighbours: where the cost grows from piece to piece, all
@@ -26,7 +25,7 @@ record Part(int index, int count) {
                 return part;
             }
         }
-        throw new TypeConversionException("I/N: the part I of N, counted from 0 and below N, such as 0/4");
+        throw OptionValues.refused("I/N: the part I of N, counted from 0 and below N, such as 0/4", text);
     }
 
     /** The pieces of the work that belong to this part: each N-th, beginning with I. */

@@ -25,8 +25,9 @@ final class QualityOptions {
                 arity = "0..1",
                 fallbackValue = "0.002",
                 paramLabel = "E",
-                description = "takes samples where they are needed until the root mean square error, in linear light,"
-                        + " is E; alone it means ${FALLBACK-VALUE}, half a step of an 8-bit picture")
+                description =
+                        "takes samples where they are needed, until the root mean square error in linear light is E;"
+                                + " alone it means ${FALLBACK-VALUE}")
         private Double error;
 
         /** The values of a scene that were given. */
@@ -52,8 +53,7 @@ final class QualityOptions {
                 names = "--seconds",
                 paramLabel = "S",
                 description =
-                        "takes samples where they help most, for S seconds; the photograph keeps how many each pixel"
-                                + " has on average, and is taken again with so many")
+                        "takes samples where they help most, for S seconds; taken again, it has as many on average")
         private Double seconds;
     }
 

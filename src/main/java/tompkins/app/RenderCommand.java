@@ -34,17 +34,17 @@ final class RenderCommand extends ProgramCommand {
     @Option(
             names = {"-o", "--output"},
             paramLabel = "FILE",
-            description = "the picture (.png, .tif, .tiff, .hdr or .pic; - is the standard output), or a folder, which"
-                    + " is made if its name ends in / and there is none; default: SCENE.png in the current folder, or SCENE-again.png for a"
-                    + " photograph")
+            description =
+                    "the picture (.png, .tif, .tiff, .hdr or .pic; - is the standard output), or a folder (a new one"
+                            + " ends in /); default: SCENE.png in the current folder, or SCENE-again.png for a photograph")
     private Path output;
 
     @Option(
             names = "--format",
             paramLabel = "FORMAT",
             description =
-                    "png, png16, tiff, tiff_float or hdr; default: that of a photograph that is taken again, or else the"
-                            + " usual one for the file's ending: png, tiff (16 bit) or hdr")
+                    "png, png16, tiff (16 bit), tiff_float or hdr; default: by the name of the picture, or as in the"
+                            + " photograph that is taken again")
     private PictureFormat format;
 
     @Mixin

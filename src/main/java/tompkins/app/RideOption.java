@@ -1,6 +1,5 @@
 package tompkins.app;
 
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Option;
@@ -30,13 +29,9 @@ final class RideOption {
         if (given != null || name == null || name.isEmpty()) {
             return given;
         }
-        try {
-            Path scene = NamedFile.of(name);
-            name = "";
-            return scene;
-        } catch (InvalidPathException noPath) {
-            throw new MistakeException(NamedFile.mistake(noPath));
-        }
+        Path scene = NamedFile.of(name);
+        name = "";
+        return scene;
     }
 
     /** The studio in which the ride begins. */

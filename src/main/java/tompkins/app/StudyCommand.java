@@ -47,17 +47,13 @@ final class StudyCommand extends ProgramCommand {
     @Option(
             names = {"-o", "--output"},
             paramLabel = "FOLDER",
-            description = "a folder for the page, and for a folder of charts and figures beside it, which is made if"
-                    + " there is none; default: the current folder")
+            description = "folder for the page and its charts, made if there is none; default: the current folder")
     private Path output;
 
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "seed of everything that is random")
     private long seed;
 
-    @Option(
-            names = "--force",
-            description = "measure again, and replace figures of other settings or of another machine, and a page that"
-                    + " is there")
+    @Option(names = "--force", description = "measure again, and replace the page and figures that are there")
     private boolean force;
 
     @Mixin

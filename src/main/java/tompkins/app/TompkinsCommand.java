@@ -4,6 +4,7 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -14,6 +15,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 import tompkins.io.BundledScenes;
+import tompkins.io.Spelling;
 import tompkins.io.StudioReader;
 import tompkins.property.MistakeException;
 import tompkins.ui.FirstScene;
@@ -147,6 +149,16 @@ final class TompkinsCommand extends ProgramCommand {
         openWindow(problem);
     }
 
+    /** What is wrong with a word in the place of a command or a scene. */
+    static String unknownWord(String word, Collection<String> commands) {
+        return word + ": there is neither a file nor a command of this name; " + commands(word, commands);
+    }
+
+    /** The names of the commands, with the one that a word may have meant. */
+    static String commands(String word, Collection<String> commands) {
+        return "the commands are " + String.join(", ", commands) + Spelling.hint(word, commands);
+    }
+
     /** Whether a word looks like the name of a file, and not like that of a command. */
     private static boolean isFileName(String word) {
         return word.contains(".") || word.contains(File.separator);
@@ -156,8 +168,7 @@ final class TompkinsCommand extends ProgramCommand {
     public Integer call() throws Exception {
         boolean hasDisplay = display.getAsBoolean();
         if (scene != null && Files.notExists(scene) && !(hasDisplay && isFileName(scene.toString()))) {
-            throw new MistakeException(
-                    ArgumentMistake.unknownWord(scene.toString(), commandLine().getCommandSpec()));
+            throw new MistakeException(unknownWord(scene.toString(), COMMANDS.keySet()));
         }
         if (hasDisplay) {
             // the window reports a file that cannot be read, because there may be no console

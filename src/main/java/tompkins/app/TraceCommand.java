@@ -76,8 +76,9 @@ final class TraceCommand extends ProgramCommand {
     @Option(
             names = "--draw",
             paramLabel = "SCENE",
-            description = "also write a scene file in which the rays are objects, to be seen from elsewhere: a rod for"
-                    + " each straight piece of all branches in the scene frame, a ball at each hit")
+            description =
+                    "also write a scene file in which the rays are objects: a rod for each straight piece in the scene"
+                            + " frame, a ball at each hit")
     private Path drawn;
 
     @Option(

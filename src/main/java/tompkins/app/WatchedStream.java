@@ -4,19 +4,14 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.util.Locale;
 
-/**
- * Passes on what the program prints in the place of the line that says that it works, and remembers why that failed; a
- * print writer only knows that it failed.
- */
+/** Passes on what the program prints, and remembers why that failed; a print writer only knows that it failed. */
 final class WatchedStream extends OutputStream {
 
     private final OutputStream stream;
-    private final WorkingLine line;
     private IOException failure;
 
-    WatchedStream(OutputStream stream, WorkingLine line) {
+    WatchedStream(OutputStream stream) {
         this.stream = stream;
-        this.line = line;
     }
 
     @Override
@@ -27,10 +22,7 @@ final class WatchedStream extends OutputStream {
     @Override
     public void write(byte[] bytes, int offset, int length) throws IOException {
         try {
-            synchronized (line) {
-                line.clear();
-                stream.write(bytes, offset, length);
-            }
+            stream.write(bytes, offset, length);
         } catch (IOException lost) {
             failure = lost;
             throw lost;

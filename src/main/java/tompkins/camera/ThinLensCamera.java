@@ -92,12 +92,10 @@ public record ThinLensCamera(
         Require.between("horizontalAngleDegrees", horizontalAngleDegrees, 0, 180);
         Require.notNegativeBelow("verticalAngleDegrees", verticalAngleDegrees, 180);
         Require.notNegative("apertureRadius", apertureRadius);
-        if (focusDistance != 0) {
-            Require.distance("focusDistance", focusDistance);
-            if (!Descriptions.areEqual(focus, DEFAULT.focus)) {
-                throw new InvalidPropertyException(
-                        "focusDistance", "0 or left out beside a focus: only one of both counts", focusDistance);
-            }
+        Require.duration("focusDistance", focusDistance);
+        if (focusDistance != 0 && !Descriptions.areEqual(focus, DEFAULT.focus)) {
+            throw new InvalidPropertyException(
+                    "focusDistance", "0 or left out beside a focus: only one of both counts", focusDistance);
         }
         SceneObject.requireAtRest("focus", focus);
         for (Vector3dc lens : stereo.lenses(

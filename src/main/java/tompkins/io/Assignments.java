@@ -44,6 +44,13 @@ public final class Assignments {
         return isWindowSet ? changed : FrontWindow.following(studio, changed);
     }
 
+    /** The end of a message about an option that is none, if a key of a scene has its name. */
+    public static String hint(String key) {
+        return DescriptionReader.part(key, Studio.DEFAULT)
+                .map(path -> Spelling.meant("--set " + path + "=VALUE"))
+                .orElse("");
+    }
+
     /** As above, for any description, and without a window. */
     static <R extends Record> R changed(R description, List<Assignment> assignments, Path folder) {
         Problems problems =

@@ -268,19 +268,19 @@ final class DescriptionReader {
     private static String home(String key, String path, Object whole) {
         // each element of a list may be meant, and its parts are those of many
         Object scene = path.contains("[") ? whole : Studio.DEFAULT;
+        if (scene == Studio.DEFAULT && DescriptionTypes.keys(Studio.class).contains(key)) {
+            return Spelling.meant(key + "\" beside \"camera");
+        }
         return part(key, whole)
                 .or(() -> part(key, scene))
-                .map(part -> "; did you mean \"" + part + "\"?")
+                .map(Spelling::meant)
                 .or(() -> DescriptionTypes.ownerOfKey(key, whole.getClass())
                         .map(owner -> "; " + owner + " has \"" + key + "\""))
                 .orElse("");
     }
 
     /** The way to the part of something that has a key. */
-    private static Optional<String> part(String key, Object whole) {
-        if (whole == Studio.DEFAULT && DescriptionTypes.keys(Studio.class).contains(key)) {
-            return Optional.of(key + "\" beside \"camera");
-        }
+    static Optional<String> part(String key, Object whole) {
         return StudioPath.stepsFrom(whole).stream()
                 .filter(part -> StudioPath.stepsFrom(StudioPath.ROOT.then(part).get(whole))
                         .contains(key))

@@ -13,13 +13,16 @@ import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.JsonText;
 import tompkins.io.JsonValue.Member;
 import tompkins.property.MistakeException;
+import tompkins.property.OneLine;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 import tools.jackson.core.StreamReadConstraints;
+import tools.jackson.core.TokenStreamContext;
 import tools.jackson.core.TokenStreamFactory;
 import tools.jackson.core.TokenStreamLocation;
+import tools.jackson.core.io.ContentReference;
 import tools.jackson.core.json.JsonFactory;
 import tools.jackson.core.json.JsonReadFeature;
 
@@ -49,8 +52,19 @@ final class JsonParsing {
                     .build())
             .build();
 
-    /** What is wrong if something follows the scene. */
-    static final String AFTER_THE_END = "the scene ends before this place: there is a } too many, or a { is missing";
+    private static final int LONGEST_MESSAGE = 200;
+
+    /** What the library says in other words: regular expressions, and what stands in their places. */
+    private static final List<Map.Entry<String, String>> PLAINER = List.of(
+            Map.entry(
+                    "(?s)^Illegal unquoted character \\(\\(CTRL-CHAR, code 1[03]\\).*",
+                    "a text must end on the line where it begins; a quote is missing"),
+            Map.entry("(?s)^(Unrecognized character escape .*)", "$1; a backslash itself is written \\\\\\\\"),
+            Map.entry(
+                    "(was expecting|expected a valid value) \\(JSON String.*",
+                    "expected a text in quotes, a number, true, false, a list [ ] or an object { }"),
+            Map.entry(": (enable|hexadecimal) .*| \\([^()]*\\[Source: .*| \\(code \\d+\\)", ""),
+            Map.entry("\\(\\(CTRL-CHAR, (code \\d+)\\)\\)", "($1)"));
 
     private static final String NEEDED =
             "a scene file (JSON, an object in braces { ... }) or a photograph saved by this program is needed";
@@ -108,7 +122,7 @@ final class JsonParsing {
             throw failure(value.line(), value.column(), "", NEEDED + ", found " + value.shown());
         }
         if (next("") != null) {
-            throw failure(line(), column(), "", AFTER_THE_END);
+            throw failure(line(), column(), "", "the scene ends before this place");
         }
         return root;
     }
@@ -118,9 +132,6 @@ final class JsonParsing {
         try {
             return parser.nextToken();
         } catch (JacksonException syntax) {
-            if (SyntaxMistake.isEndOfText(syntax) || syntax.getLocation() == null) {
-                throw failure("", syntax);
-            }
             int number = syntax.getLocation().getLineNr();
             String line = text.lines().skip(number - 1L).findFirst().orElse("");
             int blanks = line.length() - line.stripLeading().length();
@@ -223,37 +234,25 @@ final class JsonParsing {
 
     private MistakeException failure(String path, JacksonException syntax) {
         TokenStreamLocation place = syntax.getLocation();
-        if (place != null && SyntaxMistake.isInNumber(syntax)) {
-            return numberFailure(path, place);
+        String message = syntax.getOriginalMessage();
+        for (Map.Entry<String, String> plainer : PLAINER) {
+            message = message.replaceAll(plainer.getKey(), plainer.getValue());
         }
-        if (SyntaxMistake.isInComment(syntax) && SyntaxMistake.isSingleSlash(text)) {
-            int lineStart = Math.max(text.lastIndexOf('\n'), text.lastIndexOf('\r')) + 1;
-            int slashLine = (int) text.lines().count();
-            return failure(slashLine, text.length() - lineStart, path, SyntaxMistake.ofSlash());
-        }
-        boolean here = place == null || SyntaxMistake.isInComment(syntax);
-        int line = here ? line() : place.getLineNr();
-        int column = here ? Math.max(1, column()) : place.getColumnNr();
-        return failure(line, column, path, SyntaxMistake.message(syntax, parser));
+        return failure(
+                place == null ? line() : place.getLineNr(),
+                place == null ? column() : place.getColumnNr(),
+                path,
+                "not valid JSON: " + OneLine.shortened(message, LONGEST_MESSAGE) + unclosed(message));
     }
 
-    /** The failure for a number that holds, or ends before, a place. */
-    private MistakeException numberFailure(String path, TokenStreamLocation place) {
-        int found = (int) place.getCharOffset();
-        int start = found;
-        while (start > 0 && isOfNumber(text.charAt(start - 1))) {
-            start--;
+    /** Where the brace or bracket begins whose end is missing. */
+    private String unclosed(String message) {
+        TokenStreamContext context = parser.streamReadContext();
+        if (context == null || context.inRoot() || !message.matches("Unexpected (end-of-input|close marker).*")) {
+            return "";
         }
-        int end = found;
-        while (end < text.length() && isOfNumber(text.charAt(end))) {
-            end++;
-        }
-        int column = place.getColumnNr() - (found - start);
-        return failure(place.getLineNr(), column, path, SyntaxMistake.ofNumber(text.substring(start, end)));
-    }
-
-    private static boolean isOfNumber(char letter) {
-        return Character.isLetterOrDigit(letter) || "+-.".indexOf(letter) >= 0;
+        int line = context.startLocation(ContentReference.unknown()).getLineNr();
+        return "; the " + (context.inArray() ? "[" : "{") + " of line " + line + " is not closed";
     }
 
     private MistakeException failure(int line, int column, String path, String message) {

@@ -214,6 +214,9 @@ public final class StudioWriter {
     private static Map<String, Object> members(Studio studio, Predicate<FileContent> embedded) {
         Map<String, Object> members = new LinkedHashMap<>();
         members.put(StudioReader.VERSION_KEY, StudioReader.VERSION);
+        if (!studio.$schema().isEmpty()) {
+            members.put("$schema", studio.$schema());
+        }
         Object tree = new DescriptionWriter(embedded).tree(Studio.class, studio);
         ((Map<?, ?>) tree).forEach((key, value) -> members.put((String) key, value));
         return members;

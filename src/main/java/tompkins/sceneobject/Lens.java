@@ -57,8 +57,8 @@ public record Lens(
         centre = Require.finite("centre", centre);
         axis = Require.direction("axis", axis);
         Require.positive("radius", radius);
-        Require.within("frontCurvature", frontCurvature, -1 / radius, 1 / radius);
-        Require.within("backCurvature", backCurvature, -1 / radius, 1 / radius);
+        requireCap("frontCurvature", frontCurvature, radius);
+        requireCap("backCurvature", backCurvature, radius);
         Require.notNegative("edgeThickness", edgeThickness);
         double rises = CapPrimitive.rise(radius, frontCurvature) + CapPrimitive.rise(radius, backCurvature);
         if (!(edgeThickness + rises > 0)) {
@@ -66,6 +66,15 @@ public record Lens(
                     "edgeThickness",
                     "above " + NumberText.of(0 - rises) + ", so that the faces do not touch",
                     NumberText.of(edgeThickness));
+        }
+    }
+
+    /** A sphere of this curvature is at least as large as the rim. */
+    private static void requireCap(String property, double curvature, double radius) {
+        double most = 1 / radius;
+        if (!(Math.abs(curvature) <= most)) {
+            throw new InvalidPropertyException(
+                    property, "from " + NumberText.of(-most) + " to " + NumberText.of(most), curvature);
         }
     }
 

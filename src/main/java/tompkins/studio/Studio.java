@@ -68,7 +68,10 @@ public record Studio(
         @Meaning("Rides that begin elsewhere; the window offers them, and begins with the first")
         List<Ride> rides,
 
-        @Meaning("What the scene teaches, step by step") LessonPlan lesson) {
+        @Meaning("What the scene teaches, step by step") LessonPlan lesson,
+
+        @Meaning("Where text editors find the schema of scene files; they complete keys with it and show mistakes")
+        String $schema) {
 
     /** An empty scene, lit as in the paper, and its camera at rest. */
     public static final Studio DEFAULT = new Studio(
@@ -88,7 +91,8 @@ public record Studio(
             RenderSettings.DEFAULT,
             List.of(),
             List.of(),
-            NoLesson.DEFAULT);
+            NoLesson.DEFAULT,
+            "");
 
     /** Checks that the camera is not too fast for a picture, and that what goes along with it is at rest there. */
     public Studio {

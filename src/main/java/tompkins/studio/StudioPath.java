@@ -29,7 +29,7 @@ public record StudioPath(List<Object> steps) {
 
     /** A name, with a point before it unless it is the first step, or a place in a list. */
     private static final Pattern STEP =
-            Pattern.compile("(?:^|(?<=[A-Za-z\\]])\\.)([A-Za-z]+)|(?<=[A-Za-z\\]])\\[([0-9]{1,9})\\]");
+            Pattern.compile("(?:^|(?<=[A-Za-z\\]])\\.)(\\$?[A-Za-z]+)|(?<=[A-Za-z\\]])\\[([0-9]{1,9})\\]");
 
     /** The studio itself. */
     public static final StudioPath ROOT = new StudioPath(List.of());

@@ -41,7 +41,7 @@ final class CommandLineReference {
         text.append("\n## Arguments of several commands\n");
         shared.forEach((names, rows) -> {
             text.append("\nOf ").append(names).append(":\n\n");
-            table(text, rows);
+            append(text, rows);
         });
         commands.forEach((name, command) ->
                 append(text, name, command, row -> users.get(row).size() == 1));
@@ -71,12 +71,11 @@ final class CommandLineReference {
         text.append(String.join(" ", spec.usageMessage().header())).append("\n\n");
         List<String> rows = rows(command).filter(isOwn).toList();
         if (!rows.isEmpty()) {
-            table(text, rows);
+            append(text, rows);
         }
     }
 
-    private static void table(StringBuilder text, List<String> rows) {
-        text.append("| argument | meaning |\n|---|---|\n");
+    private static void append(StringBuilder text, List<String> rows) {
         rows.forEach(row -> text.append(row).append('\n'));
     }
 
@@ -96,8 +95,6 @@ final class CommandLineReference {
     }
 
     private static String row(String name, ArgSpec argument) {
-        return Stream.of("`" + name + "`", String.join(" ", argument.description()))
-                .map(cell -> cell.replace("|", "\\|"))
-                .collect(Collectors.joining(" | ", "| ", " |"));
+        return "- `" + name + "`: " + String.join(" ", argument.description());
     }
 }

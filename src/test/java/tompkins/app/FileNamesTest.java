@@ -9,7 +9,6 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.OnLinux;
 
@@ -86,24 +85,6 @@ class FileNamesTest {
         run = ProgramRun.of("render", FIG1B, "--size=4x3", "-o", folder.resolve("a\nb.png"));
         assertThat(run.out()).startsWith(folder.resolve("a b.png") + "  (");
         assertThat(run.out().lines()).hasSize(1);
-    }
-
-    /** The program looks for files in the folder where it was started, so that the file has to lie there. */
-    @ParameterizedTest
-    @CsvSource({"render -strange.json", "check -strange.json", "render scenes/fig1b.json -strange.json"})
-    void filesLikeOptionsAreNamedWithAWayToGiveThem(String line) throws IOException {
-        Path strange = Files.writeString(Path.of("-strange.json"), "{}");
-        try {
-            ProgramRun run = ProgramRun.of((Object[]) line.split(" "));
-
-            assertThat(run.code()).isEqualTo(Failures.MISTAKE);
-            assertThat(run.err().lines().findFirst().orElseThrow())
-                    .endsWith(": -strange.json: what begins with - is read as an option; to name the file, write "
-                            + Path.of(".").resolve(strange));
-            assertThat(ProgramRun.of("check", "./-strange.json").code()).isZero();
-        } finally {
-            Files.delete(strange);
-        }
     }
 
     @Test

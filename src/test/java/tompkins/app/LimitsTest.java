@@ -202,6 +202,12 @@ class LimitsTest {
                 scene("file of another kind", "# Notes\n\nA camera moves."),
                 scene("number as in other languages", "{ \"camera\": { \"apertureRadius\": .5 } }"),
                 scene("file that ends too early", "{ \"title\": \"a\""),
+                scene("comma that is missing", "{\n\"title\": \"a\"\n\"topic\": \"b\" }"),
+                scene("key without quotes", "{ title: \"a\" }"),
+                scene("quote that is missing", "{ \"title\": \"a\n}"),
+                scene("path of Windows", "{ \"title\": \"C:\\data\" }"),
+                scene("code for a terminal", "{ \"title\": \"\u001b[31mred\" }"),
+                new Case("scene in UTF-16", 2, "check", utf16()),
                 scene("nesting", "[".repeat(100_000)),
                 new Case("100 MB of nesting", 2, "check", large()),
                 new Case("photograph that is cut", 2, "check", cutPhotograph(good)),
@@ -324,6 +330,11 @@ class LimitsTest {
 
     private String write(String name, String text) throws IOException {
         return Files.writeString(folder.resolve(name), text).toString();
+    }
+
+    private String utf16() throws IOException {
+        return Files.write(folder.resolve("utf16.json"), "{}".getBytes(StandardCharsets.UTF_16))
+                .toString();
     }
 
     private String large() throws IOException {

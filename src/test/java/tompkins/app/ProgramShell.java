@@ -28,6 +28,6 @@ final class ProgramShell {
                 builder.directory(folder.toFile()).redirectError(err.toFile()).start();
         String out = new String(process.getInputStream().readAllBytes(), UTF_8);
         return new ProgramRun(
-                process.waitFor(), out, Files.readString(err).replace(WorkingLine.NOTE + System.lineSeparator(), ""));
+                process.waitFor(), out, Files.readString(err).replace(Main.SLOW + System.lineSeparator(), ""));
     }
 }

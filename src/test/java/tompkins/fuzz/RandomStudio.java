@@ -200,7 +200,8 @@ public final class RandomStudio {
                         16, 12, 1 + random.nextInt(2), 0, random.nextLong(), pick(10, 100, 1000), ToneCurve.LINEAR),
                 several(2, this::leg),
                 several(2, this::ride),
-                lesson));
+                lesson,
+                ""));
     }
 
     private Ride ride() {

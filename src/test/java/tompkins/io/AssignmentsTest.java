@@ -178,11 +178,12 @@ class AssignmentsTest {
             scene[1].centre.x=a  | --set: scene[1].centre.x: must be a number, was "a"
             scene[1].type=Spher  | --set: scene[1]: unknown type "Spher"; allowed are @OBJECTS@; did you mean "Sphere"?
             scene[1]={"type": "Sphere", "radius": 0} | --set: scene[1].radius: must be a finite number above 0, was 0
-            scene[1]={"type"     | --set: scene[1]: the text ends too early; the { of line 1 is not closed
-            scene[1]={"type" 1}  | --set: scene[1]: not valid JSON: a colon must stand between a key and its value, found 1
-            scene[1]=[1, 2       | --set: scene[1]: the text ends too early; the [ of line 1 is not closed
+            scene[1]={"type" 1}  | --set: scene[1]: not valid JSON: Unexpected character ('1'): was expecting a colon to \
+            separate property name and value
+            scene[1]=[1, 2       | --set: scene[1]: not valid JSON: Unexpected end-of-input: expected close marker for Array; the [ of \
+            line 1 is not closed
             scene[1]={} {}       | --set: scene[1]: the value ends before its last letters
-            title="a             | --set: title: the text ends too early
+            title="a             | --set: title: not valid JSON: Unexpected end-of-input: was expecting closing quote for a string value
             title=2020           | --set: title: must be a text in quotes, was 2020
             velocity.beta=1      | --set: velocity.beta: must be at least 0 and below 1 (the speed of light), was 1
             velocity.beta=.5  velocity.gamma=2 | --set: velocity: must have exactly one of beta, gamma, rapidity, \

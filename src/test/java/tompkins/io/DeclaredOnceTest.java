@@ -2,6 +2,7 @@ package tompkins.io;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.tuple;
 
 import java.awt.Container;
 import java.nio.file.Path;
@@ -114,10 +115,11 @@ class DeclaredOnceTest {
 
     @Test
     void theReferenceTellsOfIt() {
-        assertThat(SceneFileReference.keys(Vignetting.class))
-                .contains(
-                        "| `strength` | number | Part of the light that the corners lose, 0 to 1 |  | `0` |",
-                        "| `start` | number | Distance from the middle at which it begins | length | `1` |",
-                        "| `steps` | whole number | How many steps it has, 1 to 9 |  | `3` |");
+        assertThat(TypeReference.keysOf(Vignetting.class))
+                .extracting(TypeReference.Key::unit, TypeReference.Key::allowed, TypeReference.Key::standard)
+                .containsExactly(
+                        tuple("", "from 0 to 1", "0"),
+                        tuple("length", "above 0 and at most 1e50", "1"),
+                        tuple("", "a whole number from 1 to 9", "3"));
     }
 }

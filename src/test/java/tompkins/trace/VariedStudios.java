@@ -264,7 +264,8 @@ public final class VariedStudios {
                 Studio.DEFAULT.settings(),
                 List.of(),
                 List.of(),
-                NoLesson.DEFAULT);
+                NoLesson.DEFAULT,
+                "");
         return studio.withSettings(studio.settings().withSize(80, 60));
     }
 
