@@ -14,9 +14,6 @@ public final class Ray {
      */
     public static final double FAINTEST = 1.0 / 1024;
 
-    /** More than rounding leaves of the square of the length of a unit vector. */
-    private static final double LARGEST_ROUNDING = 1e-6;
-
     /** The number of the frame in which the ray is given: 0 unless several frames are searched. */
     public int frame;
 
@@ -174,7 +171,8 @@ public final class Ray {
 
     /** The ray that goes on from a hit in a new unit direction, with a share of this ray's light. */
     public Ray bent(Hit hit, double newDx, double newDy, double newDz, double share) {
-        assert isUnit(newDx, newDy, newDz) : mistake(hit, newDx, newDy, newDz);
+        assert Math.abs(newDx * newDx + newDy * newDy + newDz * newDz - 1) < 1e-6
+                : "direction (" + newDx + ", " + newDy + ", " + newDz + ") is no unit vector, at " + hit.boundary;
         Ray ray = copy();
         ray.startOn(hit);
         if (hit.contact != null) {
@@ -190,14 +188,6 @@ public final class Ray {
         ray.throughput *= share;
         ray.depth++;
         return ray;
-    }
-
-    private static boolean isUnit(double x, double y, double z) {
-        return Math.abs(x * x + y * y + z * z - 1) < LARGEST_ROUNDING;
-    }
-
-    private static String mistake(Hit hit, double x, double y, double z) {
-        return "direction (" + x + ", " + y + ", " + z + ") is no unit vector, at " + hit.boundary;
     }
 
     /** The slowness of this ray; if it measures, the slowness 1 of the light that goes on where a surface bends it. */

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
 import tompkins.math.Vectors;
-import tompkins.primitive.Bounds;
 import tompkins.primitive.Placement;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
@@ -151,23 +150,9 @@ final class TorusShape extends Primitive {
                 gradientV.z);
     }
 
-    /** Nothing can be ruled out: a ray may leave it outwards and meet it again beyond the hole. */
-    public boolean surelyMisses(Hit from, double dx, double dy, double dz) {
-        return false;
-    }
-
     @Override
     public double minimumAlong(double nx, double ny, double nz) {
         Vector3d normal = new Vector3d(nx, ny, nz);
         return normal.dot(centre) - ring * axis.cross(normal, new Vector3d()).length() - tube * normal.length();
-    }
-
-    @Override
-    public Bounds bounds() {
-        return Bounds.around(centre, reach(1, 0, 0), reach(0, 1, 0), reach(0, 0, 1));
-    }
-
-    private double reach(double nx, double ny, double nz) {
-        return centre.dot(nx, ny, nz) - minimumAlong(nx, ny, nz);
     }
 }
