@@ -56,6 +56,10 @@ class ExtensionTest {
                  "surface": {"type": "Clear"}},
                 {"type": "Plane", "point": [0, 0, 20], "normal": [0, 0, -1]}]}""";
 
+    /** The beginning of what turns about the axis of the torus beside the camera. */
+    private static final String TURNING = "{\"type\": \"Rotating\", \"centre\": [2, 0, 10], \"axis\": [0, 0, 1],"
+            + " \"angularSpeed\": 0.3, \"objects\": [{\"type\": \"Torus\"";
+
     @TempDir
     private static Path folder;
 
@@ -203,7 +207,8 @@ class ExtensionTest {
                 torus(0, "0, 0, 1"),
                 torus(2, "0, 0, -3"),
                 torus(0, "1, 0, 0"),
-                torus(0, Math.sin(tilt) + ", 0, " + Math.cos(tilt)));
+                torus(0, Math.sin(tilt) + ", 0, " + Math.cos(tilt)),
+                torus(2, "0, 0, 1").replace("{\"type\": \"Torus\"", TURNING).replace("\"Clear\"}}", "\"Clear\"}}]}"));
 
         // through the hole, through the tube along the axis, and across
         assertThat(depths(rows.get(0))).containsExactly(20);
@@ -217,6 +222,8 @@ class ExtensionTest {
                         new double[] {10 - middle - half, 10 - middle + half, 10 + middle - half, 10 + middle + half, 20
                         },
                         within(1e-12));
+        // what turns about its own axis is where it was
+        assertThat(depths(rows.get(8))).containsExactly(new double[] {9.5, 10.5, 20}, within(1e-9));
         // out of the tube, towards the camera
         assertThat(Arrays.copyOfRange(rows.get(2), 4, 7)).containsExactly(new double[] {0, 0, -1}, within(1e-12));
     }
