@@ -34,7 +34,7 @@ import tompkins.render.RenderListener;
 import tompkins.render.Renderer;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
-import tompkins.world.SeenFrame;
+import tompkins.world.FrameAppearance;
 
 /**
  * The program as a library. Studios are immutable: {@link #read} one, and make others {@link #with} other values.
@@ -135,7 +135,7 @@ public final class Lab implements AutoCloseable {
      */
     public static Optional<Vector2dc> pixel(Studio studio, Vector3dc point) {
         Projection projection = Projection.of(studio);
-        return Optional.ofNullable(projection.position(new SeenFrame(studio, null), point))
+        return Optional.ofNullable(projection.position(new FrameAppearance(studio, null), point))
                 .filter(projection::shows)
                 .map(position -> new Vector2d(position).sub(0.5, 0.5));
     }
@@ -148,7 +148,7 @@ public final class Lab implements AutoCloseable {
      */
     public static OptionalDouble angle(Studio studio, Vector3dc first, Vector3dc second) {
         Projection projection = Projection.of(studio);
-        SeenFrame scene = new SeenFrame(studio, null);
+        FrameAppearance scene = new FrameAppearance(studio, null);
         Vector2dc one = projection.position(scene, first);
         Vector2dc other = projection.position(scene, second);
         return one == null || other == null

@@ -3,8 +3,8 @@ package tompkins.lab;
 import java.nio.file.Path;
 import java.util.List;
 import org.joml.Vector3dc;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** A program of its own that follows the ray in the middle of some scenes, whose types another jar may have added. */
 final class ExtensionProbe {
@@ -21,16 +21,16 @@ final class ExtensionProbe {
             double x = plan.studio().settings().width() / 2.0;
             double y = plan.studio().settings().height() / 2.0;
             for (double[] lens : LENS) {
-                RayLife life = RayLife.of(plan, x, y, lens[0], lens[1]);
+                SampleHistory life = SampleHistory.of(plan, x, y, lens[0], lens[1]);
                 System.out.println(life.cameraStart().time() + numbers(life.mainHits()));
             }
         }
     }
 
     /** Place and normal of each hit. */
-    private static String numbers(List<RayLife.Encounter> hits) {
+    private static String numbers(List<SampleHistory.Encounter> hits) {
         StringBuilder numbers = new StringBuilder();
-        for (RayLife.Encounter hit : hits) {
+        for (SampleHistory.Encounter hit : hits) {
             for (Vector3dc each : List.of(hit.event().position(), hit.rest().normal())) {
                 numbers.append(' ')
                         .append(each.x())
