@@ -77,9 +77,7 @@ public final class Flashes {
 
     /** The flashes at all hits of rays that are spread over the picture. */
     private Stream<FlashSight> tried() {
-        return plan.hasFlashes()
-                ? SampleHistory.hits(plan, TRIED).flatMap(hit -> hit.flashes().stream())
-                : Stream.empty();
+        return SampleHistory.hits(plan, TRIED).flatMap(hit -> hit.flashes().stream());
     }
 
     private boolean isLit(FlashSight sight) {

@@ -96,15 +96,14 @@ final class Omissions {
 
     private void addLight(List<String> sentences) {
         boolean isLit = !inScene.isEmpty() || !beforeLens.isEmpty();
-        boolean hasLamps = studio.lights().stream().anyMatch(PointLight.class::isInstance);
-        if (isLit && hasLamps) {
+        if (isLit && studio.lights().stream().anyMatch(PointLight.class::isInstance)) {
             sentences.add("Lamps do not get fainter with distance.");
             if (has(part -> part.shadow() == Shadow.NEVER && !(part instanceof Clear))) {
                 sentences.add("Filters, glass and windows throw no shadow and do not tint the light of lamps.");
             }
         }
-        boolean hasAmbientLight = studio.lights().stream().anyMatch(AmbientLight.class::isInstance);
-        if (isLit && hasAmbientLight && studio.shiftsColours() && studio.hasMotion()) {
+        boolean shifts = isLit && studio.shiftsColours() && studio.hasMotion();
+        if (shifts && studio.lights().stream().anyMatch(AmbientLight.class::isInstance)) {
             sentences.add(
                     "Ambient light is the same in every frame, as if moving objects brought their surroundings along.");
         }
