@@ -107,8 +107,6 @@ class MeasureCommandTest {
         assertThat(cell(csv, 1, "hit_scene_z [scene units]")).isEqualTo("10");
         assertThat(cell(csv, 5, "pixel_x [pixels]")).isEqualTo("54");
         assertThat(csv.get(1)).contains("\"wall, \"\"white\"\"\"");
-        assertThat(ProgramRun.of(with(profile, "--count", "3", "--csv")).out().lines())
-                .hasSize(4);
         assertThat(ProgramRun.of(with(profile, "--json")).out()).contains("\"hit_scene_z\" : 10");
         List<String> text = ProgramRun.of(profile).out().lines().toList();
         assertThat(text.get(0)).matches("column +row +Doppler factor +object +time \\(scene\\) +red +green +blue");
@@ -161,11 +159,9 @@ class MeasureCommandTest {
                 "measure circle S --pixel 1,1 --pixel 2,2 | circle needs 3 or more --pixel, was 2",
                 "measure circle S --pixel 1,1 --pixel 1,1 --pixel 1,1 | --pixel: the points of a circle must not coincide",
                 "measure line S --pixel 1,1 --pixel 101,2 | --pixel must lie in the picture, from -0.5,-0.5 to 100.5,100.5, was 101,2",
-                "measure profile S --pixel 1,1 --pixel 2,2 --count 1 | --count must be from 2 to 10000, was 1",
                 "measure lesson S | wall.json: the scene must have a lesson",
                 "measure lesson S --pixel 1,1 | --pixel is for what is measured between pixels; leave it out of lesson",
-                "measure line S | line needs 2 or more --pixel, was 0",
-                "measure line S --pixel 1,1 --pixel 2,2 --count 5 | --count is for a profile; leave it out of line",
+                "measure line S | line needs 2 or more --pixel, was 0"
             })
     void whatCannotBeMeasuredIsNamed(String line, String said) {
         Object[] words = Arrays.stream(line.trim().split(" "))

@@ -384,36 +384,6 @@ class TraceCommandTest {
         ProgramRun again = ProgramRun.of("trace", scene, "--pixel", "11,8", "--draw", drawn);
         assertThat(again.code()).isEqualTo(2);
         assertThat(again.err()).contains("there is a file of this name already; --force replaces it");
-        assertThat(ProgramRun.of("trace", scene, "--pixel", "11,8", "--draw", drawn, "--cone", 6, "--force")
-                        .code())
-                .isZero();
-        assertThat(((Group) StudioReader.read(drawn).scene().get(2)).objects()).hasSize(6);
-    }
-
-    @Test
-    void conesNeedAFileAndANumber() {
-        ProgramRun without = ProgramRun.of("trace", ProgramRun.FIG1B, "--pixel", "1,1", "--cone", 6);
-        ProgramRun many = ProgramRun.of(
-                "trace", ProgramRun.FIG1B, "--pixel", "1,1", "--cone", 361, "--draw", folder.resolve("cone.json"));
-
-        assertThat(without.code()).isEqualTo(2);
-        ProgramRun aside = ProgramRun.of(
-                "trace",
-                ProgramRun.FIG1B,
-                "--pixel",
-                "1,1",
-                "--cone",
-                6,
-                "--pupil=0.5,0",
-                "--draw",
-                folder.resolve("cone.json"));
-        assertThat(aside.code()).isEqualTo(2);
-        assertThat(without.err()).contains("--cone needs --draw");
-        assertThat(many.code()).isEqualTo(2);
-        assertThat(many.err()).contains("--cone must be a whole number from 1 to 360, was 361");
-        assertThat(aside.err())
-                .contains("--cone takes rays through the edge of the lens: leave --pupil out, was 0.5,0");
-        assertThat(folder.resolve("cone.json")).doesNotExist();
     }
 
     /** The numbers behind the last of some keys, each searched behind the one before. */
