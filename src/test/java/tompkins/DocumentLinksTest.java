@@ -57,7 +57,9 @@ class DocumentLinksTest {
     /** The first page groups them as the list of all pages does, which the window shows. */
     @Test
     void everyPageIsInBothLists() throws IOException {
-        List<String> all = links(BASE.resolve("docs/README.md"));
+        List<String> list = links(BASE.resolve("docs/README.md"));
+        // before the list stand those with which one may begin
+        List<String> all = list.subList(list.lastIndexOf("tour.md"), list.size());
         assertThat(documents().map(page -> page.getFileName().toString()).filter(name -> !name.equals("README.md")))
                 .containsExactlyInAnyOrderElementsOf(all);
         List<String> first = links(BASE.resolve("README.md"));

@@ -1,20 +1,14 @@
 package tompkins.app;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import tompkins.file.PendingFile;
-import tompkins.image.PhotographFile;
-import tompkins.image.PhotographInfo;
-import tompkins.image.PictureFormat;
-import tompkins.image.ToneCurve;
 import tompkins.io.LessonSheet;
 import tompkins.io.StudioReader;
 import tompkins.measure.LessonResult;
@@ -25,25 +19,26 @@ import tompkins.studio.Studio;
 
 /** Makes sheets of lessons, to be printed. */
 @Command(
-        header = "Makes a sheet of a lesson, to be printed.",
+        header = "Makes a sheet of lessons, to be printed.",
         description =
-                "A browser prints it: the question with its picture, room to write and to measure, and on the last"
-                        + " page the answers.")
+                "A browser prints it: the questions with their pictures, and room to write and to measure. A second page"
+                        + " beside it, with -answers in its name, has the answers.")
 final class SheetCommand extends ProgramCommand {
 
     @Parameters(
             paramLabel = "SCENE",
-            description = "scene file with a lesson, or saved photograph; - is the standard input")
-    private Path scene;
+            arity = "1..*",
+            description = "scene files with lessons, or saved photographs; - is the standard input")
+    private List<Path> scenes;
 
     @Option(
             names = {"-o", "--output"},
             required = true,
             paramLabel = "FILE",
-            description = "the sheet, a page in HTML that holds its picture")
+            description = "the sheet, a page in HTML that holds its pictures")
     private Path output;
 
-    @Option(names = "--force", description = "replace a file of this name")
+    @Option(names = "--force", description = "replace files of these names")
     private boolean force;
 
     @Mixin
@@ -54,43 +49,35 @@ final class SheetCommand extends ProgramCommand {
 
     @Override
     public Integer call() throws IOException, InterruptedException {
-        Studio studio = options.read(scene, List.of());
         NamedFile.requireEnding(output, "sheet", ".html", ".htm");
-        ScenePlan.of(studio, scene);
-        Photographer.requirePlace(output, force, NamedFile.ofScene(studio, scene));
-        Photographer.requireMemory(studio.settings(), Quality.of(studio));
-        byte[] page = sheet(studio).html().getBytes(StandardCharsets.UTF_8);
-        Path place = PendingFile.save(output, force, out -> out.write(page));
-        out().println(place.toRealPath(LinkOption.NOFOLLOW_LINKS));
+        List<LessonStudio> lessons = new ArrayList<>();
+        for (Path scene : scenes) {
+            Studio studio = options.read(scene, List.of());
+            ScenePlan.of(studio, scene);
+            for (Path page : List.of(output, LessonSheet.answersOf(output))) {
+                Photographer.requirePlace(page, force, NamedFile.ofScene(studio, scene));
+            }
+            Photographer.requireMemory(studio.settings(), Quality.of(studio));
+            lessons.add(ScenePlan.lesson(studio, scene));
+        }
+        for (Path page : LessonSheet.save(sheets(lessons), output, force)) {
+            out().println(page.toRealPath(LinkOption.NOFOLLOW_LINKS));
+        }
         return 0;
     }
 
-    private LessonSheet sheet(Studio studio) throws IOException, InterruptedException {
-        LessonStudio lesson = ScenePlan.lesson(studio, scene);
-        List<LessonResult> results = StudioReader.used(scene, lesson::results);
-        return new LessonSheet(
-                studio.title(),
-                studio.remarks(),
-                lesson.lesson(),
-                picture(studio),
-                picture(lesson.measured()),
-                results);
-    }
-
-    /** The picture alone: the scene in it would hold the answers. */
-    private byte[] picture(Studio studio) throws IOException, InterruptedException {
-        ByteArrayOutputStream png = new ByteArrayOutputStream();
+    private List<LessonSheet> sheets(List<LessonStudio> lessons) throws IOException, InterruptedException {
+        List<LessonSheet> sheets = new ArrayList<>();
         ProgressLine progress = new ProgressLine(err());
         try (PhotographTaker taker = new PhotographTaker(threads.number())) {
-            PhotographFile.encode(
-                    png,
-                    taker.take(studio, progress, 0, 1).image(),
-                    PictureFormat.PNG,
-                    ToneCurve.SRGB,
-                    PhotographInfo.NONE);
+            for (int i = 0; i < lessons.size(); i++) {
+                LessonStudio lesson = lessons.get(i);
+                List<LessonResult> results = StudioReader.used(scenes.get(i), lesson::results);
+                sheets.add(LessonSheet.of(lesson, results, taker, progress));
+            }
         } finally {
             progress.clear();
         }
-        return png.toByteArray();
+        return sheets;
     }
 }

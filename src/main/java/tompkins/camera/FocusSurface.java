@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.joml.Vector3dc;
 import tompkins.primitive.Placement;
+import tompkins.primitive.PlanePrimitive;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
@@ -19,10 +20,10 @@ final class FocusSurface {
     /** All objects of usable size are nearer; from farther away no time can be worked out. */
     private static final double INFINITE = 1e60;
 
-    /** Planes and other things without an end, which no tree holds. */
-    private final List<Primitive> endless;
+    /** Planes, which are met at infinity, too. */
+    private final List<PlanePrimitive> planes;
 
-    private final ObjectTree bounded;
+    private final ObjectTree others;
 
     /** Memory of each thread for a search. */
     private final ThreadLocal<NearestHit> nearest = ThreadLocal.withInitial(() -> new NearestHit(new RayCounts()));
@@ -33,10 +34,10 @@ final class FocusSurface {
      * @throws tompkins.property.InvalidPropertyException if it is too large or too small to work with
      */
     FocusSurface(SceneObject object) {
-        Map<Boolean, List<Primitive>> byBounds =
-                primitives(object).stream().collect(Collectors.partitioningBy(primitive -> primitive.bounds() != null));
-        endless = byBounds.get(false);
-        bounded = new ObjectTree(byBounds.get(true));
+        Map<Boolean, List<Primitive>> byPlane =
+                primitives(object).stream().collect(Collectors.partitioningBy(PlanePrimitive.class::isInstance));
+        planes = byPlane.get(true).stream().map(PlanePrimitive.class::cast).toList();
+        others = new ObjectTree(byPlane.get(false));
     }
 
     /**
@@ -57,9 +58,9 @@ final class FocusSurface {
      */
     double inverseDistance(Vector3dc centre, Vector3dc direction) {
         Ray line = Ray.from(centre.x(), centre.y(), centre.z(), direction.x(), direction.y(), direction.z(), 0);
-        double found = bounded.size() == 0 ? Double.NaN : inverseDistanceOfBounded(line);
-        for (Primitive primitive : endless) {
-            double inverse = primitive.inverseDistance(line);
+        double found = others.size() == 0 ? Double.NaN : inverseDistanceOfOthers(line);
+        for (PlanePrimitive plane : planes) {
+            double inverse = plane.inverseDistance(line);
             boolean nearer = inverse > 0 ? !(found >= inverse) : !(found > 0 || found <= inverse);
             if (Double.isFinite(inverse) && nearer) {
                 found = inverse;
@@ -69,12 +70,12 @@ final class FocusSurface {
         return Math.abs(found) * INFINITE < 1 ? 0 * found : found;
     }
 
-    private double inverseDistanceOfBounded(Ray line) {
+    private double inverseDistanceOfOthers(Ray line) {
         NearestHit hit = nearest.get();
-        if (bounded.nearest(line, hit)) {
+        if (others.nearest(line, hit)) {
             return 1 / hit.distance();
         }
         Ray backwards = Ray.from(line.x, line.y, line.z, -line.dx, -line.dy, -line.dz, 0);
-        return bounded.nearest(backwards, hit) ? -1 / hit.distance() : Double.NaN;
+        return others.nearest(backwards, hit) ? -1 / hit.distance() : Double.NaN;
     }
 }

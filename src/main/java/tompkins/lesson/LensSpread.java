@@ -3,9 +3,9 @@ package tompkins.lesson;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 
-/** How sharp a shutter is: how far apart in the scene the rays of one pixel pass the point in focus. */
-@Meaning("How far apart in the scene the rays of one pixel, from all round the rim of the lens, pass"
-        + " the point in focus; 0 is sharp")
+/** How sharp a shutter is: the blur of what is in focus. */
+@Meaning("The blur, in pixels, of what is in focus at a point: how far apart the places look that rays from all round"
+        + " the rim of the lens pass; 0 is sharp")
 public record LensSpread(
         @Meaning("Where in the picture, as a fraction of its width from the left, 0 to 1")
         double across,

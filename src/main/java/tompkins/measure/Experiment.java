@@ -94,7 +94,12 @@ public final class Experiment {
         if (measurement instanceof WithNumber other) {
             Studio changed = at(path, () -> studio(other));
             Experiment there = changed.equals(studio()) ? this : with(changed);
-            return there.measure(other.measurement(), path + ".measurement");
+            double value = there.measure(other.measurement(), path + ".measurement");
+            if (there != this && isOneView(changed)) {
+                // another moment of the same view
+                add(there.sketch());
+            }
+            return value;
         }
         if (measurement instanceof WithShutter other) {
             Studio changed = studio().withCamera(studio().camera().withShutter(other.shutter()));
@@ -173,7 +178,21 @@ public final class Experiment {
         return pixel;
     }
 
-    /** Where it measured in its own picture since it was last asked; what was measured in others is left out. */
+    /** Whether another studio shows the same scene from the same camera, at another time perhaps. */
+    private boolean isOneView(Studio other) {
+        return other.withCamera(other.camera().withShutter(studio().camera().shutter()))
+                .equals(studio());
+    }
+
+    private void add(Sketch other) {
+        points.addAll(other.points());
+        lines.addAll(other.lines());
+    }
+
+    /**
+     * Where it measured since it was last asked: in its own picture, and in those that the camera takes with the same
+     * velocity of the same scene, such as later ones. What was measured in others is left out.
+     */
     Sketch sketch() {
         Sketch sketch = new Sketch(points, lines);
         points.clear();

@@ -10,6 +10,7 @@ import tompkins.spacetime.Event;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.world.SeenFrame;
 
 /** The ways of one pixel's light through the rim of the lens, and where in the scene they pass the point in focus. */
 final class LensWays {
@@ -22,15 +23,18 @@ final class LensWays {
     private LensWays() {}
 
     /**
-     * The largest distance, in scene units, between the positions in the scene at which the rays of a pixel pass the
-     * point where they all meet in the camera frame.
+     * The blur of what is in focus at a pixel, in pixels: the rays of the pixel pass the point where they all meet in
+     * the camera frame at different places in the scene, and this is the largest distance between those as the middle
+     * of the lens sees them.
      *
-     * @throws InvalidPropertyException if they do not meet
+     * @throws InvalidPropertyException if they do not meet, or pass what the middle of the lens does not see
      */
     static double spread(RenderPlan plan, Vector2dc pixel) {
         Vector3dc focus = meeting(life(plan, pixel, 0, 0), life(plan, pixel, 1, 0));
         SpaceTimeTransformation sceneFromCamera = plan.studio().sceneFromCamera();
-        List<Vector3d> passed = new ArrayList<>();
+        SeenFrame scene = new SeenFrame(plan.studio(), null);
+        Projection projection = Projection.at(plan.studio(), pixel);
+        List<Vector2dc> passed = new ArrayList<>();
         for (int i = 0; i < RIM_POINTS; i++) {
             double angle = 2 * Math.PI * i / RIM_POINTS;
             RayLife life = life(plan, pixel, Math.cos(angle), Math.sin(angle));
@@ -38,7 +42,13 @@ final class LensWays {
             double way = fromLens.dot(life.cameraDirection());
             Event passing = new Event(
                     focus.x(), focus.y(), focus.z(), life.cameraStart().time() - way);
-            passed.add(sceneFromCamera.transform(passing).position());
+            Vector2dc seen = projection.position(
+                    scene, sceneFromCamera.transform(passing).position());
+            if (seen == null) {
+                throw new InvalidPropertyException(
+                        "point", "where the middle of the lens sees it", "one that it does not");
+            }
+            passed.add(seen);
         }
         return passed.stream()
                 .flatMapToDouble(one -> passed.stream().mapToDouble(one::distance))

@@ -109,14 +109,6 @@ public final class BoxPrimitive extends Primitive {
                 face = 2 * axis + (position > 0 ? 1 : 0);
             }
         }
-        return hitOn(face, ray, distance, memory);
-    }
-
-    @Override
-    Hit hitOn(int face, Ray ray, double distance, Hit memory) {
-        double x = ray.x + distance * ray.dx - centre.x;
-        double y = ray.y + distance * ray.dy - centre.y;
-        double z = ray.z + distance * ray.dz - centre.z;
         Vector3d normal = axes[face / 2];
         double side = face % 2 == 0 ? -1 : 1;
         return memory.set(
@@ -128,26 +120,6 @@ public final class BoxPrimitive extends Primitive {
                 this,
                 face,
                 faces == null ? null : faces[face].at(x, y, z));
-    }
-
-    @Override
-    public List<Face> faces(Vector3dc from) {
-        List<Face> all = new ArrayList<>();
-        for (int face = 0; face < 6; face++) {
-            int axis = face / 2;
-            Vector3d corner = new Vector3d(face % 2 == 0 ? lowest : highest).sub(from);
-            // from the lower corner both sides run upwards, from the upper one downwards
-            double way = face % 2 == 0 ? 2 : -2;
-            Vector3d right = axes[(axis + 1) % 3].mul(way * half[(axis + 1) % 3], new Vector3d());
-            Vector3d up = axes[(axis + 2) % 3].mul(way * half[(axis + 2) % 3], new Vector3d());
-            all.add(new FlatFace(face, FlatPrimitive.Outline.PARALLELOGRAM, corner, right, up));
-        }
-        return all;
-    }
-
-    @Override
-    double reachFrom(Vector3dc from, Vector3dc axis) {
-        return Rotation.reachOfPoints(corners(), from, axis);
     }
 
     /** Its eight corners: bit k of the number of a corner is 1 at the upper end of axis k. */
@@ -164,22 +136,16 @@ public final class BoxPrimitive extends Primitive {
     }
 
     @Override
+    protected boolean isConvex() {
+        return true;
+    }
+
+    @Override
     public double minimumAlong(double nx, double ny, double nz) {
         double least = nx * centre.x + ny * centre.y + nz * centre.z;
         for (int axis = 0; axis < 3; axis++) {
             least -= Math.abs(along(axis, nx, ny, nz)) * half[axis];
         }
         return least;
-    }
-
-    @Override
-    public Bounds bounds() {
-        double[] reach = new double[3];
-        for (int component = 0; component < 3; component++) {
-            for (int axis = 0; axis < 3; axis++) {
-                reach[component] += Math.abs(axes[axis].get(component)) * half[axis];
-            }
-        }
-        return Bounds.around(centre, reach[0], reach[1], reach[2]);
     }
 }

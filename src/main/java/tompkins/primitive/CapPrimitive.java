@@ -154,40 +154,8 @@ public final class CapPrimitive extends Primitive {
 
     /** What is hollow can be met again by what leaves it. */
     @Override
-    public boolean surelyMisses(Hit from, double dx, double dy, double dz) {
-        return curvature >= 0 && super.surelyMisses(from, dx, dy, dz);
-    }
-
-    @Override
-    public List<Face> faces(Vector3dc from) {
-        return List.of(new CapFace(vertex.sub(from, new Vector3d()), axis, radius, curvature));
-    }
-
-    @Override
-    public boolean isRoundAbout(Vector3dc from, Vector3dc turningAxis) {
-        return Rotation.isOnAxis(vertex, from, turningAxis) && Rotation.isAlong(axis, turningAxis);
-    }
-
-    /** That of its edge, or that of the whole sphere if the cap holds the point of it that is farthest. */
-    @Override
-    double reachFrom(Vector3dc from, Vector3dc turningAxis) {
-        double ofEdge = Rotation.reachOfCircle(edge.sub(from, new Vector3d()), axis, radius, turningAxis);
-        if (curvature == 0) {
-            return ofEdge;
-        }
-        Vector3d centre = new Vector3d(vertex).fma(-1 / curvature, axis).sub(from);
-        Vector3d away = Rotation.acrossAxis(centre, turningAxis);
-        double distance = away.length();
-        // around an axis through its centre all sides of a sphere are equal
-        Vector3d side =
-                distance > 0 ? away : Rotation.acrossAxis(axis, turningAxis).mul(curvature);
-        if (side.length() == 0) {
-            return ofEdge;
-        }
-        double sphereRadius = Math.abs(1 / curvature);
-        // seen from the vertex, behind which the centre lies
-        Vector3d farthest = Vectors.unit(side).mul(sphereRadius).fma(-1 / curvature, axis);
-        return holds(farthest.x, farthest.y, farthest.z, axis, radius, curvature) ? distance + sphereRadius : ofEdge;
+    protected boolean isConvex() {
+        return curvature >= 0;
     }
 
     @Override
@@ -207,12 +175,5 @@ public final class CapPrimitive extends Primitive {
         return curvature != 0 && holds(x, y, z, axis, radius, curvature)
                 ? nx * (vertex.x + x) + ny * (vertex.y + y) + nz * (vertex.z + z)
                 : nx * edge.x + ny * edge.y + nz * edge.z - radius * lengthOfCross(nx, ny, nz, axis.x, axis.y, axis.z);
-    }
-
-    @Override
-    public Bounds bounds() {
-        Vector3d least = new Vector3d(minimumAlong(1, 0, 0), minimumAlong(0, 1, 0), minimumAlong(0, 0, 1));
-        Vector3d most = new Vector3d(-minimumAlong(-1, 0, 0), -minimumAlong(0, -1, 0), -minimumAlong(0, 0, -1));
-        return Bounds.around(least, most);
     }
 }

@@ -139,26 +139,13 @@ public final class ConePrimitive extends Primitive {
     }
 
     @Override
-    public List<Face> faces(Vector3dc from) {
-        return List.of(new RoundFace(0, tip.sub(from, new Vector3d()), axis, 0, slope, height));
-    }
-
-    @Override
-    public boolean isRoundAbout(Vector3dc from, Vector3dc turningAxis) {
-        return Rotation.isOnAxis(tip, from, turningAxis) && Rotation.isAlong(axis, turningAxis);
-    }
-
-    @Override
-    double reachFrom(Vector3dc from, Vector3dc turningAxis) {
-        Vector3d base = new Vector3d(tip).fma(height, axis).sub(from);
-        return Math.max(
-                Rotation.reachOfPoints(List.of(tip), from, turningAxis),
-                Rotation.reachOfCircle(base, axis, baseRadius, turningAxis));
-    }
-
-    @Override
     public List<Vector3d> rim() {
         return rim(new Vector3d(tip).fma(height, axis), axis, baseRadius);
+    }
+
+    @Override
+    protected boolean isConvex() {
+        return true;
     }
 
     @Override
@@ -167,16 +154,5 @@ public final class ConePrimitive extends Primitive {
         double rise = nx * axis.x + ny * axis.y + nz * axis.z;
         double across = lengthOfCross(nx, ny, nz, axis.x, axis.y, axis.z);
         return Math.min(top, top + rise * height - baseRadius * across);
-    }
-
-    @Override
-    public Bounds bounds() {
-        Vector3d centre = new Vector3d(axis).mul(height).add(tip);
-        return Bounds.around(
-                        centre,
-                        baseRadius * Math.hypot(axis.y, axis.z),
-                        baseRadius * Math.hypot(axis.z, axis.x),
-                        baseRadius * Math.hypot(axis.x, axis.y))
-                .with(Bounds.around(tip));
     }
 }

@@ -1,6 +1,5 @@
 package tompkins.primitive;
 
-import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Precise;
@@ -245,19 +244,9 @@ public final class CylinderPrimitive extends Primitive {
         double alongStart = alongAxis(wx, wy, wz);
         double slope = alongAxis(ray.dx, ray.dy, ray.dz);
         int part = caps ? part(ray, distance, wx, wy, wz, alongStart, slope) : MANTLE;
-        return hitOn(part, ray, distance, memory);
-    }
-
-    @Override
-    Hit hitOn(int part, Ray ray, double distance, Hit memory) {
         if (part != MANTLE) {
             return capHit(ray, distance, part, memory);
         }
-        double wx = ray.x - startX;
-        double wy = ray.y - startY;
-        double wz = ray.z - startZ;
-        double alongStart = alongAxis(wx, wy, wz);
-        double slope = alongAxis(ray.dx, ray.dy, ray.dz);
         double along = (alongStart + distance * slope) / squaredLength;
         Vector3d normal = new Vector3d(
                 wx + distance * ray.dx - along * axisX,
@@ -309,29 +298,8 @@ public final class CylinderPrimitive extends Primitive {
     }
 
     @Override
-    public List<Face> faces(Vector3dc from) {
-        Vector3d along = Vectors.unit(new Vector3d(axisX, axisY, axisZ));
-        Vector3d start = start().sub(from);
-        Face mantle = new RoundFace(MANTLE, start, along, radius, 0, length);
-        return caps
-                ? List.of(
-                        mantle,
-                        FlatFace.disc(START_CAP, start, along, radius),
-                        FlatFace.disc(END_CAP, end().sub(from), along, radius))
-                : List.of(mantle);
-    }
-
-    @Override
-    public boolean isRoundAbout(Vector3dc from, Vector3dc axis) {
-        return Rotation.isOnAxis(start(), from, axis) && Rotation.isAlong(new Vector3d(axisX, axisY, axisZ), axis);
-    }
-
-    @Override
-    double reachFrom(Vector3dc from, Vector3dc axis) {
-        Vector3d along = Vectors.unit(new Vector3d(axisX, axisY, axisZ));
-        return Math.max(
-                Rotation.reachOfCircle(start().sub(from), along, radius, axis),
-                Rotation.reachOfCircle(end().sub(from), along, radius, axis));
+    protected boolean isConvex() {
+        return true;
     }
 
     @Override
@@ -341,18 +309,8 @@ public final class CylinderPrimitive extends Primitive {
         return Math.min(start, start + rise) - radius * lengthOfCross(nx, ny, nz, axisX, axisY, axisZ) / length;
     }
 
-    @Override
+    /** Its axis if it is a rod, much longer than wide; else null. */
     public Vector3d longAxis() {
         return length > 4 * radius ? new Vector3d(axisX, axisY, axisZ) : null;
-    }
-
-    @Override
-    public Bounds bounds() {
-        Vector3d start = new Vector3d(startX, startY, startZ);
-        Vector3d end = new Vector3d(axisX, axisY, axisZ).add(start);
-        double reachX = radius * Math.hypot(axisY, axisZ) / length;
-        double reachY = radius * Math.hypot(axisZ, axisX) / length;
-        double reachZ = radius * Math.hypot(axisX, axisY) / length;
-        return Bounds.around(start, reachX, reachY, reachZ).with(Bounds.around(end, reachX, reachY, reachZ));
     }
 }

@@ -5,4 +5,9 @@ public interface Described {
 
     /** What the user calls it. */
     String description();
+
+    /** Whether flat pieces of it bound a body, and are no sheets. */
+    default boolean isBody() {
+        return false;
+    }
 }

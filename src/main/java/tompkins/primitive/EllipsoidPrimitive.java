@@ -1,9 +1,7 @@
 package tompkins.primitive;
 
-import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import tompkins.math.Vectors;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
@@ -116,34 +114,8 @@ public final class EllipsoidPrimitive extends Primitive {
     }
 
     @Override
-    public List<Face> faces(Vector3dc from) {
-        return List.of(new EllipsoidFace(centre.sub(from, new Vector3d()), first, second, third));
-    }
-
-    /** Along the axis it looks like an ellipse, whose half diameters are those of the largest and least extent. */
-    @Override
-    double reachFrom(Vector3dc from, Vector3dc axis) {
-        Vector3d right = Vectors.firstAxis(axis);
-        Vector3d up = axis.cross(right, new Vector3d());
-        double mixed = 0;
-        double difference = 0;
-        for (Vector3d semiAxis : axes) {
-            mixed += 2 * semiAxis.dot(right) * semiAxis.dot(up);
-            difference += semiAxis.dot(right) * semiAxis.dot(right) - semiAxis.dot(up) * semiAxis.dot(up);
-        }
-        double angle = Math.atan2(mixed, difference) / 2;
-        Vector3d half = new Vector3d(right).mul(Math.cos(angle)).fma(Math.sin(angle), up);
-        Vector3d otherHalf = axis.cross(half, new Vector3d());
-        return Rotation.reachOfEllipse(
-                centre.sub(from, new Vector3d()), half.mul(extent(half)), otherHalf.mul(extent(otherHalf)), axis);
-    }
-
-    /** Half the extent along a unit vector. */
-    private double extent(Vector3dc along) {
-        double x = axes[0].dot(along);
-        double y = axes[1].dot(along);
-        double z = axes[2].dot(along);
-        return Math.sqrt(x * x + y * y + z * z);
+    protected boolean isConvex() {
+        return true;
     }
 
     @Override
@@ -152,18 +124,5 @@ public final class EllipsoidPrimitive extends Primitive {
         double y = dot(axes[1], nx, ny, nz);
         double z = dot(axes[2], nx, ny, nz);
         return dot(centre, nx, ny, nz) - Math.sqrt(x * x + y * y + z * z);
-    }
-
-    @Override
-    public Bounds bounds() {
-        return Bounds.around(centre, half(0), half(1), half(2));
-    }
-
-    /** Half the extent along x, y or z. */
-    private double half(int component) {
-        double x = axes[0].get(component);
-        double y = axes[1].get(component);
-        double z = axes[2].get(component);
-        return Math.sqrt(x * x + y * y + z * z);
     }
 }

@@ -187,42 +187,6 @@ public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
                 && outline.holds(at.u() + EDGE, at.v() + EDGE));
     }
 
-    @Override
-    public List<Face> faces(Vector3dc centre) {
-        Vector3d corner = new Vector3d(cornerX, cornerY, cornerZ).sub(centre);
-        return List.of(new FlatFace(
-                0, outline, corner, new Vector3d(spanUX, spanUY, spanUZ), new Vector3d(spanVX, spanVY, spanVZ)));
-    }
-
-    private Vector3d middle() {
-        return new Vector3d(
-                cornerX + 0.5 * (spanUX + spanVX),
-                cornerY + 0.5 * (spanUY + spanVY),
-                cornerZ + 0.5 * (spanUZ + spanVZ));
-    }
-
-    @Override
-    public boolean isRoundAbout(Vector3dc centre, Vector3dc axis) {
-        double lengths = squared(spanUX, spanUY, spanUZ) / squared(spanVX, spanVY, spanVZ) - 1;
-        double cosine = spanUX * spanVX + spanUY * spanVY + spanUZ * spanVZ;
-        return outline == Outline.ELLIPSE
-                && Math.abs(lengths) < SLACK
-                && Math.abs(cosine) < SLACK * squared(spanUX, spanUY, spanUZ)
-                && Rotation.isOnAxis(middle(), centre, axis)
-                && Rotation.isAlong(new Vector3d(normalX, normalY, normalZ), axis);
-    }
-
-    @Override
-    double reachFrom(Vector3dc centre, Vector3dc axis) {
-        return outline == Outline.ELLIPSE
-                ? Rotation.reachOfEllipse(
-                        middle().sub(centre),
-                        new Vector3d(spanUX, spanUY, spanUZ).mul(0.5),
-                        new Vector3d(spanVX, spanVY, spanVZ).mul(0.5),
-                        axis)
-                : Rotation.reachOfPoints(corners(), centre, axis);
-    }
-
     /** Its corners, around the piece; none of an ellipse. */
     public List<Vector3d> corners() {
         Vector3d corner = new Vector3d(cornerX, cornerY, cornerZ);
@@ -245,14 +209,23 @@ public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
     }
 
     @Override
+    protected boolean isConvex() {
+        return true;
+    }
+
+    @Override
     public double minimumAlong(double nx, double ny, double nz) {
         double corner = nx * cornerX + ny * cornerY + nz * cornerZ;
         double alongU = nx * spanUX + ny * spanUY + nz * spanUZ;
         double alongV = nx * spanVX + ny * spanVY + nz * spanVZ;
+        if (outline == Outline.ELLIPSE) {
+            return corner + (alongU + alongV - Math.sqrt(alongU * alongU + alongV * alongV)) / 2;
+        }
         double least = Math.min(0, Math.min(alongU, alongV));
         return corner + (outline == Outline.TRIANGLE ? least : Math.min(least, alongU + alongV));
     }
 
+    /** Exact, and without roots: a mesh has millions. */
     @Override
     public Bounds bounds() {
         return new Bounds(
@@ -264,7 +237,7 @@ public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
                 -least(-cornerZ, -spanUZ, -spanVZ));
     }
 
-    /** The least coordinate of the corners, without an object for each: a mesh has millions. */
+    /** The least coordinate of the corners. */
     private double least(double corner, double spanU, double spanV) {
         double endU = corner + spanU;
         double least = Math.min(corner, Math.min(endU, corner + spanV));

@@ -66,8 +66,9 @@ public final class PlanePrimitive extends Primitive {
         return true;
     }
 
+    /** Also of rays that start beside it. */
     @Override
-    public boolean surelyMisses(Hit from, double dx, double dy, double dz) {
+    public boolean leavesConvexShape(Hit from, double dx, double dy, double dz) {
         return from.boundary == this || heightBelow(from.x, from.y, from.z) * slope(dx, dy, dz) < 0;
     }
 
@@ -80,7 +81,10 @@ public final class PlanePrimitive extends Primitive {
         return normal.x * dx + normal.y * dy + normal.z * dz;
     }
 
-    @Override
+    /**
+     * The inverse of the signed distance along a line: positive in front of the start, negative behind it, 0 at
+     * infinity.
+     */
     public double inverseDistance(Ray line) {
         return slope(line.dx, line.dy, line.dz) / heightBelow(line.x, line.y, line.z);
     }
@@ -109,11 +113,5 @@ public final class PlanePrimitive extends Primitive {
     @Override
     public double minimumAlong(double nx, double ny, double nz) {
         return Double.NEGATIVE_INFINITY;
-    }
-
-    /** Null: a plane has no end. */
-    @Override
-    public Bounds bounds() {
-        return null;
     }
 }

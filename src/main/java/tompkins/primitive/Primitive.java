@@ -160,16 +160,16 @@ public abstract class Primitive implements Boundary, Cloneable {
     }
 
     /**
-     * Whether a ray from a hit surely misses this primitive, if that can be decided quickly without making the ray. The
-     * default: it leaves this primitive outwards, because a convex primitive is then never met again.
+     * Whether this is convex, or part of the surface of something convex: a ray that leaves it outwards does not meet
+     * it again. A shape that does not say so is tried again.
      */
-    public boolean surelyMisses(Hit from, double dx, double dy, double dz) {
-        return from.boundary == this && dx * from.normalX + dy * from.normalY + dz * from.normalZ > 0;
+    protected boolean isConvex() {
+        return false;
     }
 
-    /** The direction in which the primitive is much longer than in others, of any length, or null. */
-    public Vector3d longAxis() {
-        return null;
+    /** Whether a ray from a hit surely misses this, because it leaves a convex shape outwards. */
+    public boolean leavesConvexShape(Hit from, double dx, double dy, double dz) {
+        return from.boundary == this && dx * from.normalX + dy * from.normalY + dz * from.normalZ > 0 && isConvex();
     }
 
     /** The hit at a distance that {@link #distance} returned. */
@@ -181,11 +181,22 @@ public abstract class Primitive implements Boundary, Cloneable {
     public abstract Hit hit(Ray ray, double distance, Hit memory);
 
     /** A box that holds the primitive, or null if none does. */
-    public abstract Bounds bounds();
+    public Bounds bounds() {
+        double minX = minimumAlong(1, 0, 0);
+        return minX == Double.NEGATIVE_INFINITY
+                ? null
+                : new Bounds(
+                        minX,
+                        minimumAlong(0, 1, 0),
+                        minimumAlong(0, 0, 1),
+                        -minimumAlong(-1, 0, 0),
+                        -minimumAlong(0, -1, 0),
+                        -minimumAlong(0, 0, -1));
+    }
 
     /**
-     * The least value of n.x over the primitive, or a smaller one: it decides whether the primitive lies beyond a plane
-     * with the normal n (of any length).
+     * The least value of n.x over the primitive, or a smaller one, for a normal n of any length: it decides whether the
+     * primitive lies beyond a plane, and makes the box and the cylinder around it. Minus infinity if it is endless.
      */
     public abstract double minimumAlong(double nx, double ny, double nz);
 
@@ -199,29 +210,6 @@ public abstract class Primitive implements Boundary, Cloneable {
         return minimumAlong(nx, ny, nz) - slack * (Math.abs(nx) + Math.abs(ny) + Math.abs(nz));
     }
 
-    /**
-     * The inverse of the signed distance to this primitive along a line: positive in front of the ray's start, negative
-     * behind it, 0 at infinity; NaN if the line misses it.
-     */
-    public double inverseDistance(Ray line) {
-        double ahead = distance(line, NO_HIT);
-        if (ahead < NO_HIT) {
-            return 1 / ahead;
-        }
-        Ray backwards = Ray.from(line.x, line.y, line.z, -line.dx, -line.dy, -line.dz, 0);
-        double behind = distance(backwards, NO_HIT);
-        return behind < NO_HIT ? -1 / behind : Double.NaN;
-    }
-
-    /**
-     * Its faces, by their functions of place relative to a centre.
-     *
-     * @throws IllegalStateException if it has none because it is endless
-     */
-    public List<Face> faces(Vector3dc centre) {
-        throw new IllegalStateException("endless: " + description());
-    }
-
     /** The circle or ellipse at its edge: the centre, and two conjugate radii from there; empty if it has none. */
     public List<Vector3d> rim() {
         return List.of();
@@ -231,21 +219,6 @@ public abstract class Primitive implements Boundary, Cloneable {
     static List<Vector3d> rim(Vector3d centre, Vector3dc axis, double radius) {
         Vector3d first = Vectors.firstAxis(axis).mul(radius);
         return List.of(centre, first, axis.cross(first, new Vector3d()));
-    }
-
-    /** Whether it stays the same when it is turned about an axis, a unit vector through a centre. */
-    public boolean isRoundAbout(Vector3dc centre, Vector3dc axis) {
-        return false;
-    }
-
-    /** The largest distance of one of its points from such an axis. */
-    double reachFrom(Vector3dc centre, Vector3dc axis) {
-        throw new IllegalStateException("endless: " + description());
-    }
-
-    /** The hit on a part at a distance, even where another part is as near. */
-    Hit hitOn(int part, Ray ray, double distance, Hit memory) {
-        return hit(ray, distance, memory);
     }
 
     /** Whether this primitive throws a shadow on the start of a ray, from a distance of at most {@code limit}. */
@@ -330,7 +303,8 @@ public abstract class Primitive implements Boundary, Cloneable {
         return hit.runs
                 ? restFrame.clockOffset()
                         + restFrame.rotation().ownTime(hit.time, hit.velocityX, hit.velocityY, hit.velocityZ)
-                : hit.time + (restFrame.clockOffset() - restFrame.zero().time());
+                : hit.time
+                        + (restFrame.clockOffset() - restFrame.properTimeZero().time());
     }
 
     /** A box that holds the primitive at all times; null if none does. */

@@ -1,6 +1,7 @@
 package tompkins.primitive;
 
 import java.util.List;
+import java.util.function.DoubleUnaryOperator;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Precise;
@@ -23,8 +24,11 @@ public final class Rotation {
     /** What the rounding of a place or of a unit vector leaves of it. */
     private static final double ROUNDING = 0x1p-50;
 
-    /** Places on an ellipse from which its farthest is looked for. */
-    private static final int STARTS = 8;
+    /** Directions in which what is round is looked at, a radian apart. */
+    private static final int DIRECTIONS = 6;
+
+    /** Extents are looked for in wedges of at least this angle: what is round is taken for 5e-9 wider. */
+    private static final double NARROWEST = 2e-4;
 
     private final Vector3dc centre;
     private final Vector3dc axis;
@@ -134,75 +138,79 @@ public final class Rotation {
 
     /** Whether a point stays where it is, but for rounding. */
     public boolean isOnAxis(Vector3dc point) {
-        return isOnAxis(point, centre, axis);
-    }
-
-    /** Whether a point lies on an axis through a centre, but for rounding. */
-    static boolean isOnAxis(Vector3dc point, Vector3dc centre, Vector3dc axis) {
         double size = point.length() + centre.length();
         return acrossAxis(point.sub(centre, new Vector3d()), axis).length() <= ROUNDING * size;
     }
 
-    /** Whether a line, of any length, runs along an axis, but for rounding. */
-    static boolean isAlong(Vector3dc line, Vector3dc axis) {
-        return acrossAxis(line, axis).length() <= ROUNDING * line.length();
-    }
-
-    /** The largest distance from an axis of the points of a circle: its middle as below, and a unit normal. */
-    static double reachOfCircle(Vector3dc middle, Vector3dc normal, double radius, Vector3dc axis) {
-        Vector3d right = Vectors.firstAxis(normal);
-        Vector3d up = normal.cross(right, new Vector3d()).mul(radius);
-        return reachOfEllipse(middle, right.mul(radius), up, axis);
+    /**
+     * The largest distance of a point of a primitive from the axis, never less than it is: the largest of its extents
+     * across the axis, all around.
+     */
+    public double reach(Primitive primitive) {
+        Vector3d right = Vectors.firstAxis(axis);
+        Vector3d up = axis.cross(right, new Vector3d());
+        DoubleUnaryOperator extent = angle -> {
+            double x = Math.cos(angle) * right.x + Math.sin(angle) * up.x;
+            double y = Math.cos(angle) * right.y + Math.sin(angle) * up.y;
+            double z = Math.cos(angle) * right.z + Math.sin(angle) * up.z;
+            return -primitive.minimumAlong(-x, -y, -z) - centre.dot(x, y, z);
+        };
+        double quarter = Math.PI / 2;
+        double most = 0;
+        for (int i = 0; i < 4; i++) {
+            double first = extent.applyAsDouble(i * quarter);
+            double last = extent.applyAsDouble((i + 1) * quarter);
+            most = reach(extent, i * quarter, first, quarter, last, Math.max(most, Math.max(first, last)));
+        }
+        return most * (1 + MARGIN);
     }
 
     /**
-     * The largest distance from an axis of the points of an ellipse: its middle, relative to a point of the axis, and
-     * two conjugate half diameters. The square of it is a wave of the first and the second order of the angle around
-     * the ellipse, which has two tops at most.
+     * The same of what lies in the directions of a wedge, if that is farther than what is known. Nothing there lies
+     * beyond the two planes that bound the primitive on both sides of the wedge.
      */
-    static double reachOfEllipse(Vector3dc middle, Vector3dc half, Vector3dc otherHalf, Vector3dc axis) {
-        Vector3d m = acrossAxis(middle, axis);
-        Vector3d a = acrossAxis(half, axis);
-        Vector3d b = acrossAxis(otherHalf, axis);
-        double most = 0;
-        for (int start = 0; start < STARTS; start++) {
-            double angle = 2 * Math.PI * start / STARTS;
-            double step = 2 * Math.PI / STARTS;
-            double best = distance(m, a, b, angle);
-            while (step > 1e-9) {
-                double less = distance(m, a, b, angle - step);
-                double more = distance(m, a, b, angle + step);
-                if (Math.max(less, more) > best) {
-                    angle += more > less ? step : -step;
-                    best = Math.max(less, more);
-                } else {
-                    step /= 2;
-                }
-            }
-            most = Math.max(most, best);
+    private static double reach(
+            DoubleUnaryOperator extent, double angle, double first, double width, double last, double known) {
+        double cosine = Math.cos(width);
+        double sine = Math.sin(width);
+        if (!(first > last * cosine && last > first * cosine)) {
+            return known;
         }
-        return most;
+        // where the planes meet
+        double across = (last - first * cosine) / sine;
+        double farthest = Math.sqrt(first * first + across * across);
+        if (farthest <= known * (1 + MARGIN) || width < NARROWEST) {
+            return Math.max(farthest, known);
+        }
+        // not at the edge, so that both parts get narrower
+        double part = Math.max(width / 8, Math.min(Math.atan2(across, first), width * 7 / 8));
+        double there = extent.applyAsDouble(angle + part);
+        double inFirst = reach(extent, angle, first, part, there, Math.max(known, there));
+        return reach(extent, angle + part, there, width - part, last, inFirst);
     }
 
-    private static double distance(Vector3dc middle, Vector3dc half, Vector3dc otherHalf, double angle) {
-        return new Vector3d(middle)
-                .fma(Math.cos(angle), half)
-                .fma(Math.sin(angle), otherHalf)
-                .length();
+    /**
+     * Whether a convex primitive stays the same when it turns, but for rounding: it reaches equally far in directions
+     * all around that have nothing to do with each other, level and slanted ones.
+     */
+    public boolean turnsIntoItself(Primitive primitive) {
+        Bounds bounds = primitive.bounds();
+        double rounding = Primitive.SLACK * (bounds.farthest() + bounds.halfDiagonal());
+        Vector3d level = Vectors.firstAxis(axis);
+        boolean isRound = primitive.isConvex();
+        for (double slant = -1; slant <= 1; slant++) {
+            Vector3d first = new Vector3d(level).fma(slant, axis);
+            double reach = extent(primitive, first);
+            for (int angle = 1; angle <= DIRECTIONS && isRound; angle++) {
+                isRound = Math.abs(extent(primitive, turned(first, angle)) - reach) <= rounding;
+            }
+        }
+        return isRound;
     }
 
-    /** The largest distance of some points from an axis. */
-    static double reachOfPoints(List<Vector3d> points, Vector3dc centre, Vector3dc axis) {
-        return points.stream()
-                .mapToDouble(point ->
-                        acrossAxis(point.sub(centre, new Vector3d()), axis).length())
-                .max()
-                .orElse(0);
-    }
-
-    /** The largest distance of a point of a primitive from the axis, never less than it is. */
-    public double reach(Primitive primitive) {
-        return primitive.reachFrom(centre, axis) * (1 + MARGIN);
+    /** How far a primitive reaches from the centre in a direction. */
+    private double extent(Primitive primitive, Vector3dc out) {
+        return -primitive.minimumAlong(-out.x(), -out.y(), -out.z()) - centre.dot(out);
     }
 
     /** A distance from the axis below which no point of a primitive with bounds is. */

@@ -1,6 +1,5 @@
 package tompkins.primitive;
 
-import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Hit;
@@ -118,27 +117,12 @@ public final class SpherePrimitive extends Primitive {
     }
 
     @Override
-    public List<Face> faces(Vector3dc from) {
-        return List.of(new RoundFace(0, centre().sub(from), new Vector3d(), radius, 0, 0));
-    }
-
-    @Override
-    public boolean isRoundAbout(Vector3dc from, Vector3dc axis) {
-        return Rotation.isOnAxis(centre(), from, axis);
-    }
-
-    @Override
-    double reachFrom(Vector3dc from, Vector3dc axis) {
-        return Rotation.acrossAxis(centre().sub(from), axis).length() + radius;
+    protected boolean isConvex() {
+        return true;
     }
 
     @Override
     public double minimumAlong(double nx, double ny, double nz) {
         return nx * x + ny * y + nz * z - radius * Math.sqrt(nx * nx + ny * ny + nz * nz);
-    }
-
-    @Override
-    public Bounds bounds() {
-        return Bounds.around(new Vector3d(x, y, z), radius, radius, radius);
     }
 }

@@ -1,37 +1,32 @@
 package tompkins.primitive;
 
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
 /**
- * A straight ray as it runs past objects that turn, in coordinates that turn with them and begin at the centre: a
- * curve. It knows where it is at a distance along the ray, how fast it runs there, and how strongly it bends at most on
- * the piece in question; and it notes what was found on it. Memory of one thread, used again for every ray.
+ * A straight ray as it runs past objects that turn, in coordinates that turn with them. It knows where it comes near to
+ * what turns, and what a hit on it is like. Memory of one thread, used again for every ray.
  */
-public final class TurningPath {
-
-    /** The part of a primitive that turns into itself, and is met as if it rested. */
-    public static final int ROUND = -1;
+public final class TurningPath implements CurvedPath {
 
     private static final double ROUNDING = 0x1p-50;
 
-    /** More than rounding leaves of a distance along the path, relative to it. */
-    private static final double SAME = 1e-9;
-
-    /** At how many places a ray is looked at: some ten thousand turns while it passes. */
-    private static final int MOST_PLACES = 1 << 18;
-
     /** The largest speed of a point that is still below 1, whatever rounding does to its components. */
     private static final double FASTEST = 1 - 0x1p-50;
+
+    /** How far before a hit its surface is asked for the normal, relative to the coordinates. */
+    private static final double BEFORE = 0x1p-26;
 
     private final Rotation rotation;
     private final double axisX;
     private final double axisY;
     private final double axisZ;
+    private final double centreX;
+    private final double centreY;
+    private final double centreZ;
 
-    // the ray
+    // the ray, from the centre
     private double startX;
     private double startY;
     private double startZ;
@@ -42,37 +37,23 @@ public final class TurningPath {
     private double rate;
     private double size;
 
-    // the present place and the change of it with the distance
-    double x;
-    double y;
-    double z;
-    double vx;
-    double vy;
-    double vz;
+    // the present place, from the centre, and the change of it with the distance
     private double distance;
-    private int places;
+    private double x;
+    private double y;
+    private double z;
+    private double vx;
+    private double vy;
+    private double vz;
 
     private double entry;
     private double exit;
     private double hollowFrom;
     private double hollowTo;
+    private double bend;
 
-    // the length of the present piece, and bounds on it
-    double length;
-    double farthest;
-    double speed;
-    double bend;
-    double rounding;
-
-    /** The ray where it meets that, as the object sees it that does not turn. */
+    /** The ray where it meets something, as the object sees it that does not turn. */
     private final Ray turned = Ray.blank();
-
-    /** The nearest primitive that was found, or null; its part; and its distance. */
-    private Primitive found;
-
-    private int part;
-    private double foundDistance;
-    private boolean shared;
 
     /** Memory for paths past what turns. */
     public TurningPath(Rotation rotation) {
@@ -80,33 +61,23 @@ public final class TurningPath {
         axisX = rotation.axis().x();
         axisY = rotation.axis().y();
         axisZ = rotation.axis().z();
+        centreX = rotation.centre().x();
+        centreY = rotation.centre().y();
+        centreZ = rotation.centre().z();
     }
 
-    /** Makes this the path of a ray, on which nothing was found yet. */
+    /** Makes this the path of a ray. */
     public void begin(Ray ray) {
-        startX = ray.x - rotation.centre().x();
-        startY = ray.y - rotation.centre().y();
-        startZ = ray.z - rotation.centre().z();
+        startX = ray.x - centreX;
+        startY = ray.y - centreY;
+        startZ = ray.z - centreZ;
         dx = ray.dx;
         dy = ray.dy;
         dz = ray.dz;
         startAngle = rotation.angle(ray.time);
         rate = -rotation.angularSpeed() * ray.slowness;
-        size = largest(ray.x, ray.y, ray.z)
-                + largest(
-                        rotation.centre().x(),
-                        rotation.centre().y(),
-                        rotation.centre().z());
+        size = largest(ray.x, ray.y, ray.z) + largest(centreX, centreY, centreZ);
         distance = Double.NaN;
-        places = 0;
-        forget();
-    }
-
-    /** Forgets what was found. */
-    public void forget() {
-        found = null;
-        foundDistance = Primitive.NO_HIT;
-        shared = false;
     }
 
     private static double largest(double x, double y, double z) {
@@ -118,13 +89,17 @@ public final class TurningPath {
         return Math.abs(rate);
     }
 
-    /** Goes to a distance along the ray. */
+    /** A sum of the sizes of coordinates, with which rounding is compared. */
+    public double size() {
+        return size;
+    }
+
+    @Override
     public void go(double newDistance) {
         if (newDistance == distance) {
             return;
         }
         distance = newDistance;
-        places++;
         double px = startX + distance * dx;
         double py = startY + distance * dy;
         double pz = startZ + distance * dz;
@@ -143,11 +118,6 @@ public final class TurningPath {
         vx = qx * cosine + (axisY * qz - axisZ * qy) * sine + axisX * vAlong;
         vy = qy * cosine + (axisZ * qx - axisX * qz) * sine + axisY * vAlong;
         vz = qz * cosine + (axisX * qy - axisY * qx) * sine + axisZ * vAlong;
-    }
-
-    /** Whether it was looked at so often that what it meets from here on is left open. */
-    boolean isGivenUp() {
-        return places > MOST_PLACES;
     }
 
     /**
@@ -174,6 +144,7 @@ public final class TurningPath {
         double nearY = outY + middle * acrossY;
         double nearZ = outZ + middle * acrossZ;
         double wide = radius + ROUNDING * size;
+        bend = turning() * (2 + turning() * radius);
         double squaredNear = nearX * nearX + nearY * nearY + nearZ * nearZ;
         double squaredChord = wide * wide - squaredNear;
         if (squaredChord < 0) {
@@ -213,134 +184,75 @@ public final class TurningPath {
         return exit;
     }
 
-    /**
-     * Takes a piece of the path for the next questions.
-     *
-     * @param reach largest distance from the axis on it
-     */
-    public void take(double from, double to, double reach) {
-        length = to - from;
-        farthest = Math.sqrt(Math.max(squaredSize(from), squaredSize(to)));
-        double turning = turning();
-        speed = 1 + turning * reach;
-        bend = turning * (2 + turning * reach);
-        rounding = ROUNDING * (size + to + farthest);
-    }
-
-    /** By how much the speed along a unit vector changes at most: along the axis it is that of the ray. */
-    double bendAlong(Vector3dc direction) {
-        double acrossX = direction.y() * axisZ - direction.z() * axisY;
-        double acrossY = direction.z() * axisX - direction.x() * axisZ;
-        double acrossZ = direction.x() * axisY - direction.y() * axisX;
-        return bend * Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ);
-    }
-
-    private double squaredSize(double at) {
-        double px = startX + at * dx;
-        double py = startY + at * dy;
-        double pz = startZ + at * dz;
-        return px * px + py * py + pz * pz;
-    }
-
-    /** The present place, in the coordinates of the tracer. */
+    @Override
     public double x() {
-        return x + rotation.centre().x();
+        return x + centreX;
     }
 
-    /** As {@link #x()}. */
+    @Override
     public double y() {
-        return y + rotation.centre().y();
+        return y + centreY;
     }
 
-    /** As {@link #x()}. */
+    @Override
     public double z() {
-        return z + rotation.centre().z();
+        return z + centreZ;
     }
 
-    /** How far the present piece, of a length along the ray, may lie from its chord. */
-    public double sag(double length) {
-        return bend * length * length / 8 + rounding;
+    @Override
+    public double vx() {
+        return vx;
     }
 
-    /** Notes a hit if it is nearer than what was found before; of equally near ones the one listed first stays. */
-    public void find(Primitive primitive, int newPart, double newDistance) {
-        boolean first = newDistance < foundDistance
-                || newDistance == foundDistance && found != null && primitive.order() < found.order();
-        boolean isNear = Math.min(newDistance, foundDistance) + SAME * (newDistance + size)
-                >= Math.max(newDistance, foundDistance);
-        shared = isNear || shared && !first;
-        if (first) {
-            found = primitive;
-            part = newPart;
-            foundDistance = newDistance;
-        }
+    @Override
+    public double vy() {
+        return vy;
     }
 
-    /** The distance up to which something at its place may lie. */
-    public double reach() {
-        return foundDistance + SAME * (foundDistance + size);
+    @Override
+    public double vz() {
+        return vz;
     }
 
-    /** Whether something else may lie at its place. */
-    public boolean isShared() {
-        return shared;
+    /** Inside the cylinder that it enters. */
+    @Override
+    public double bend() {
+        return bend;
     }
 
-    /** The nearest primitive, or null. */
-    public Primitive found() {
-        return found;
+    @Override
+    public double rounding(double at) {
+        return ROUNDING * (size + at);
     }
 
-    /** Its distance, or {@link Primitive#NO_HIT}. */
-    public double foundDistance() {
-        return foundDistance;
-    }
-
-    /** The hit on what was found, where it is when the ray meets it, with its velocity there. */
-    public Hit hit(Ray ray, Hit memory) {
-        if (part == ROUND) {
-            found.hit(ray, foundDistance, memory);
-        } else {
-            memory.set(ray, foundDistance, 0, 0, 0, found, part, null);
-        }
-        if (part != ROUND || memory.coordinates != null) {
-            setTurned(ray, memory);
-        }
+    /** The hit on a primitive at a distance, where that is when the ray meets it, with its velocity there. */
+    public Hit hit(Ray ray, Primitive met, double at, Hit memory) {
+        go(at);
+        double speed = Math.sqrt(vx * vx + vy * vy + vz * vz);
+        double before = BEFORE * (size + at) / speed;
+        turned.setInFrame(
+                ray,
+                x() - before * vx,
+                y() - before * vy,
+                z() - before * vz,
+                vx / speed,
+                vy / speed,
+                vz / speed,
+                ray.time,
+                1,
+                1,
+                1);
+        double onto = met.distance(turned, 2 * before * speed);
+        met.hit(turned, onto < Primitive.NO_HIT ? onto : before * speed, memory);
+        rotation.turn(memory, startAngle + rate * at);
+        memory.set(ray, at, memory.normalX, memory.normalY, memory.normalZ, met, memory.part, memory.coordinates);
         Vector3d velocity = rotation.velocity(memory.x, memory.y, memory.z);
         // far from the camera rounding moves the place
-        double speed = velocity.length();
-        if (speed > FASTEST) {
-            velocity.mul(FASTEST / speed);
+        double pace = velocity.length();
+        if (pace > FASTEST) {
+            velocity.mul(FASTEST / pace);
         }
         memory.run(velocity.x, velocity.y, velocity.z);
         return memory;
-    }
-
-    /** Asks the object, as it is described, for the normal and the coordinates, and turns them. */
-    private void setTurned(Ray ray, Hit memory) {
-        double placeX = memory.x;
-        double placeY = memory.y;
-        double placeZ = memory.z;
-        double normalX = memory.normalX;
-        double normalY = memory.normalY;
-        double normalZ = memory.normalZ;
-        go(foundDistance);
-        double length = Math.sqrt(vx * vx + vy * vy + vz * vz);
-        turned.setInFrame(ray, x(), y(), z(), vx / length, vy / length, vz / length, ray.time, 1, 1, 1);
-        found.hitOn(memory.part, turned, 0, memory);
-        rotation.turn(memory, startAngle + rate * foundDistance);
-        boolean isKnown = part == ROUND;
-        memory.set(
-                ray,
-                foundDistance,
-                placeX,
-                placeY,
-                placeZ,
-                isKnown ? normalX : memory.normalX,
-                isKnown ? normalY : memory.normalY,
-                isKnown ? normalZ : memory.normalZ,
-                found,
-                memory.part,
-                memory.coordinates);
     }
 }

@@ -156,6 +156,19 @@ public final class Ray {
         return this;
     }
 
+    /** Makes this a line from a place in a unit direction, which starts on a part of a boundary, or on none (null). */
+    public void setLine(
+            double newX, double newY, double newZ, double newDx, double newDy, double newDz, Boundary on, int onPart) {
+        x = newX;
+        y = newY;
+        z = newZ;
+        dx = newDx;
+        dy = newDy;
+        dz = newDz;
+        boundary = on;
+        part = onPart;
+    }
+
     /** The ray that goes on from a hit in a new unit direction, with a share of this ray's light. */
     public Ray bent(Hit hit, double newDx, double newDy, double newDz, double share) {
         return bent(hit, newDx, newDy, newDz, lightSlowness(), 1, share);

@@ -49,6 +49,11 @@ public record Cone(
     }
 
     @Override
+    public boolean isBody() {
+        return true;
+    }
+
+    @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
         collector.add(new ConePrimitive(this, surface, tip, baseCentre, baseRadius, placement));
         if (base) {

@@ -177,12 +177,14 @@ public final class PrimitiveCollector {
         int outerFrame = frame;
         RestFrame outerRest = rest;
         double clockOffset = rest.clockOffset() + offset;
-        double ownZero = rest.zero().plus(origin()).time();
+        double ownZero = rest.properTimeZero().plus(origin()).time();
         Velocity turned = placement.velocity(velocity);
         if (tree.law() == TransformationLaw.NONE || turned.isRest()) {
             Vector3dc shift = placement.vector(place);
             rest = new RestFrame(
-                    rest.motion(), rest.zero().plus(new Event(shift.x(), shift.y(), shift.z(), 0)), clockOffset);
+                    rest.motion(),
+                    rest.properTimeZero().plus(new Event(shift.x(), shift.y(), shift.z(), 0)),
+                    clockOffset);
             content.accept(placement.after(new Placement(1, new Matrix3d(), place)));
         } else {
             Vector3d at = placement.place(place);
@@ -212,7 +214,7 @@ public final class PrimitiveCollector {
 
     /** The time that is described as 0, in the coordinates in which the tracer works. */
     double zeroTime() {
-        return rest.zero().time();
+        return rest.properTimeZero().time();
     }
 
     private Event origin() {
@@ -251,7 +253,7 @@ public final class PrimitiveCollector {
      */
     Vector3dc imagePoint(Vector3dc point) {
         Event event = described.route(null, motions.get(frame)).transform(imagePoints.apply(point));
-        return event.minus(rest.zero().plus(origin())).position();
+        return event.minus(rest.properTimeZero().plus(origin())).position();
     }
 
     /** The number of the frame in which what is added now rests. */

@@ -54,6 +54,11 @@ public record TriangleMesh(
     }
 
     @Override
+    public boolean isBody() {
+        return mesh.isClosed();
+    }
+
+    @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
         MeshDetail detail = mesh.detail();
         List<MeshSurfaces> surfaces =

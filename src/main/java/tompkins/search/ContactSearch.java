@@ -11,8 +11,6 @@ import tompkins.primitive.Primitive;
 import tompkins.ray.Contact;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
-import tompkins.sceneobject.Cone;
-import tompkins.sceneobject.TriangleMesh;
 import tompkins.spacetime.PointFrame;
 import tompkins.surface.Refractive;
 import tompkins.surface.Shadow;
@@ -74,10 +72,7 @@ public final class ContactSearch {
         /** The number of its group in the order: what the ray leaves, thin sheets, what it enters. */
         int group() {
             boolean isFlat = primitive instanceof FlatPrimitive || primitive instanceof PlanePrimitive;
-            boolean isPart = primitive.object() instanceof Cone
-                    || primitive.object() instanceof TriangleMesh mesh
-                            && mesh.mesh().isClosed();
-            boolean isSheet = isFlat && !isPart && !(surface() instanceof Refractive);
+            boolean isSheet = isFlat && !primitive.object().isBody() && !(surface() instanceof Refractive);
             return isSheet ? 1 : cosine > 0 ? 0 : 2;
         }
 

@@ -71,7 +71,7 @@ public final class LampShadows {
      * The grid for the next shadow ray, or null if the tree is to answer. Among very many primitives it does until so
      * many rays have asked that another thread has filled the cells; the answers are the same.
      */
-    public LampShadows orTree() {
+    public LampShadows gridOrNull() {
         if (cells != null) {
             return this;
         }
@@ -102,14 +102,14 @@ public final class LampShadows {
         }
         int cell = LightBufferProjection.cell(part);
         int end = cells.end(cell);
-        int place = PackedEntry.place(part);
-        int distance = PackedEntry.distance(limit);
+        int place = BufferEntry.place(part);
+        int distance = BufferEntry.distance(limit);
         for (int i = cells.first(cell); i < end; i++) {
             long entry = cells.entry(i);
-            if (PackedEntry.isFarther(entry, distance)) {
+            if (BufferEntry.isFarther(entry, distance)) {
                 return false;
             }
-            if (PackedEntry.isSeen(entry, place) && shadows(cells.primitive(i), from, ray, limit, counts)) {
+            if (BufferEntry.isSeen(entry, place) && shadows(cells.primitive(i), from, ray, limit, counts)) {
                 return true;
             }
         }
@@ -117,7 +117,7 @@ public final class LampShadows {
     }
 
     private static boolean shadows(Primitive primitive, Hit from, Ray ray, double limit, RayCounts counts) {
-        if (primitive.surelyMisses(from, ray.dx, ray.dy, ray.dz)) {
+        if (primitive.leavesConvexShape(from, ray.dx, ray.dy, ray.dz)) {
             return false;
         }
         counts.tests++;

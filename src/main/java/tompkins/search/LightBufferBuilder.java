@@ -42,7 +42,7 @@ final class LightBufferBuilder {
                 for (int row = inColumn.firstCellRow(); row <= inColumn.lastCellRow(); row++) {
                     Rectangle inCell = sight.rectangle(view, column, row, 1);
                     if (!inCell.isEmpty()) {
-                        noteCell(number, column, row, PackedEntry.of(sight.leastDistance(), inCell, column, row));
+                        noteCell(number, column, row, BufferEntry.of(sight.leastDistance(), inCell, column, row));
                     }
                 }
             }

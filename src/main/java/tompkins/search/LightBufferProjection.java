@@ -5,6 +5,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
 import tompkins.primitive.Bounds;
+import tompkins.primitive.CylinderPrimitive;
 import tompkins.primitive.Primitive;
 
 /**
@@ -14,7 +15,7 @@ import tompkins.primitive.Primitive;
 final class LightBufferProjection {
 
     /** Widening of cells. */
-    private static final double MARGIN = LampPlace.MARGIN;
+    private static final double MARGIN = LampProjection.MARGIN;
 
     /** Least sine of an angle that counts as more than 0. */
     private static final double LEAST_SINE = 1e-3;
@@ -80,7 +81,7 @@ final class LightBufferProjection {
     record Strip(double perU, double perV, double least, double most) {}
 
     /** Where the lamp begins and ends its way; one place if it rests. */
-    private final LampPlace[] places;
+    private final LampProjection[] places;
 
     private final double length;
     private final Vector3d right;
@@ -98,7 +99,7 @@ final class LightBufferProjection {
     private final double shiftV;
     private final double approach;
 
-    private LightBufferProjection(LampPlace[] places, Vector3d forward, Bounds all) {
+    private LightBufferProjection(LampProjection[] places, Vector3d forward, Bounds all) {
         this.places = places;
         this.forward = forward;
         right = Vectors.firstAxis(forward);
@@ -111,7 +112,7 @@ final class LightBufferProjection {
         cellV = (slopesV.most() - slopesV.least()) / SIDE;
         partsPerU = PARTS / cellU;
         partsPerV = PARTS / cellV;
-        LampPlace last = places[places.length - 1];
+        LampProjection last = places[places.length - 1];
         length = last.place().distance(places[0].place());
         shiftU = last.offset().dot(right);
         shiftV = last.offset().dot(up);
@@ -130,11 +131,11 @@ final class LightBufferProjection {
             return null;
         }
         Vector3d forward = Vectors.unit(toCentre);
-        LampPlace first = LampPlace.first(from, forward);
-        LampPlace[] places = from.equals(to)
-                ? new LampPlace[] {first}
-                : new LampPlace[] {first, first.next(to, toCentre.dot(forward))};
-        for (LampPlace place : places) {
+        LampProjection first = LampProjection.first(from, forward);
+        LampProjection[] places = from.equals(to)
+                ? new LampProjection[] {first}
+                : new LampProjection[] {first, first.next(to, toCentre.dot(forward))};
+        for (LampProjection place : places) {
             if (!place.faces(all, from.distance(to))) {
                 return null;
             }
@@ -143,7 +144,7 @@ final class LightBufferProjection {
     }
 
     /** The range of slopes under which something is seen from all places. */
-    private Interval slopes(Function<LampPlace, Interval> from) {
+    private Interval slopes(Function<LampProjection, Interval> from) {
         Interval all = from.apply(places[0]);
         for (int i = 1; i < places.length; i++) {
             all = all.with(from.apply(places[i]));
@@ -154,7 +155,7 @@ final class LightBufferProjection {
     /** A lower bound of the distance of a box from the lamp, wherever on its way it is; 0 or more. */
     float leastDistance(Bounds box) {
         double least = Double.POSITIVE_INFINITY;
-        for (LampPlace place : places) {
+        for (LampProjection place : places) {
             double rounding = Primitive.SLACK * (box.farthest() + place.place().length());
             least = Math.min(least, box.distance(place.place()) - rounding);
         }
@@ -191,7 +192,7 @@ final class LightBufferProjection {
      * @param box its bounds, widened
      */
     Strip strip(Primitive primitive, Bounds box) {
-        Vector3d axis = primitive.longAxis();
+        Vector3d axis = primitive instanceof CylinderPrimitive rod ? rod.longAxis() : null;
         if (axis == null) {
             return null;
         }

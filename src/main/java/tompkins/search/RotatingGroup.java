@@ -6,14 +6,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import tompkins.primitive.Bounds;
+import java.util.stream.Stream;
 import tompkins.primitive.CylinderPrimitive;
-import tompkins.primitive.Face;
 import tompkins.primitive.Primitive;
 import tompkins.primitive.RayStarts;
 import tompkins.primitive.Rotation;
 import tompkins.primitive.TurningPath;
-import tompkins.ray.Contact;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
@@ -21,74 +19,65 @@ import tompkins.surface.Shadow;
 
 /**
  * All primitives that turn together, as one that fills the region through which they sweep. What turns into itself is
- * met as if it rested. For the others a ray is a curve: it is cut into pieces that turn by an eighth of a radian at
- * most, each of which lies near its chord; a tree finds what the chord may come near to, and the faces of that are met
- * on the curve itself.
+ * met as if it rested. For the others a ray is a curve: it is cut into pieces, a tree finds what the chord of each may
+ * come near to, and that is met on the curve itself.
  */
 final class RotatingGroup extends Primitive {
 
-    /** Chords in a radian. */
-    private static final int CHORDS = 8;
-
-    /** The most chords of a ray; beyond this they get longer, which is slower but misses no hit. */
-    private static final int MOST_CHORDS = 10_000;
+    /** The most pieces of a ray; beyond this they get longer, and more is missed. */
+    private static final int MOST_CHORDS = 1 << 12;
 
     /** The most surfaces with gaps for light that are examined one behind the other. */
     private static final int MOST_PASSED = 1000;
 
+    /** More than rounding leaves of a distance along the path, relative to it. */
+    private static final double SAME = 1e-9;
+
+    private final double chordsPerRadian;
     private final Rotation rotation;
     private final CylinderPrimitive swept;
-    private final Primitive[] round;
-    private final TreeNode tree;
 
-    /**
-     * What the tree holds, in the order of its leaves; a box around each, as leaves hold two; and the faces of each.
-     */
+    /** What turns into itself, and is met as if it rested. */
+    private final List<Primitive> round;
+
+    /** The others in the order of the leaves of the tree; and a box around each, as leaves hold two. */
     private final Primitive[] others;
 
+    private final TreeNode tree;
     private final TreeNode[] boxes;
-    private final Face[][] faces;
 
-    // the cylinder through which the others sweep
+    // the ends of the region, over the centre of the rotation
     private final double low;
     private final double high;
-    private final double radius;
 
-    /** No point of the others comes nearer to the axis. */
+    /** No point comes nearer to the axis. */
     private final double hollow;
 
     /** The memory of each thread. */
     private final ThreadLocal<Search> searches = ThreadLocal.withInitial(Search::new);
 
-    private RotatingGroup(List<Primitive> members) {
-        super(members.get(0).object(), members.get(0).surface());
-        rotation = members.get(0).restFrame().rotation();
-        swept = rotation.swept(members);
-        Map<Boolean, List<Primitive>> byRoundness = members.stream()
-                .collect(Collectors.partitioningBy(member -> member.isRoundAbout(rotation.centre(), rotation.axis())));
-        round = byRoundness.get(true).toArray(Primitive[]::new);
+    private RotatingGroup(List<Primitive> turning, double chordsPerRadian) {
+        super(turning.get(0).object(), turning.get(0).surface());
+        this.chordsPerRadian = chordsPerRadian;
+        setRestFrame(turning.get(0).restFrame());
+        rotation = restFrame().rotation();
+        swept = rotation.swept(turning);
+        low = swept.start().sub(rotation.centre()).dot(rotation.axis());
+        high = swept.end().sub(rotation.centre()).dot(rotation.axis());
+        Map<Boolean, List<Primitive>> byRoundness =
+                turning.stream().collect(Collectors.partitioningBy(rotation::turnsIntoItself));
+        round = byRoundness.get(true);
         others = byRoundness.get(false).toArray(Primitive[]::new);
-        CylinderPrimitive others = this.others.length == 0 ? swept : rotation.swept(List.of(this.others));
-        low = others.start().sub(rotation.centre()).dot(rotation.axis());
-        high = others.end().sub(rotation.centre()).dot(rotation.axis());
-        radius = others.radius();
-        hollow = Arrays.stream(this.others)
-                .mapToDouble(rotation::leastReach)
-                .min()
-                .orElse(0);
-        tree = this.others.length == 0 ? null : TreeBuilder.build(this.others, 1);
-        boxes = IntStream.range(0, this.others.length)
-                .mapToObj(i -> new TreeNode(this.others[i].bounds(), this.others, i, i + 1))
+        hollow = Arrays.stream(others).mapToDouble(rotation::leastReach).min().orElse(0);
+        tree = others.length == 0 ? null : TreeBuilder.build(others, 1);
+        boxes = IntStream.range(0, others.length)
+                .mapToObj(i -> new TreeNode(others[i].bounds(), others, i, i + 1))
                 .toArray(TreeNode[]::new);
-        faces = Arrays.stream(this.others)
-                .map(member -> member.faces(rotation.centre()).toArray(Face[]::new))
-                .toArray(Face[][]::new);
-        setRestFrame(members.get(0).restFrame());
-        setOrder(members.get(0).order());
+        setOrder(turning.get(0).order());
     }
 
-    /** The same primitives, those that turn together as one. */
-    static List<Primitive> gather(List<Primitive> primitives) {
+    /** The same primitives, those that turn together as one, which is met on so many chords for each radian. */
+    static List<Primitive> gather(List<Primitive> primitives, double chordsPerRadian) {
         List<Primitive> all = new ArrayList<>(primitives.size());
         for (int i = 0; i < primitives.size(); i++) {
             Rotation own = primitives.get(i).restFrame().rotation();
@@ -98,7 +87,7 @@ final class RotatingGroup extends Primitive {
                     && primitives.get(end).restFrame().rotation() == own) {
                 end++;
             }
-            all.add(own == null ? primitives.get(i) : new RotatingGroup(primitives.subList(i, end)));
+            all.add(own == null ? primitives.get(i) : new RotatingGroup(primitives.subList(i, end), chordsPerRadian));
             i = end - 1;
         }
         return all;
@@ -112,19 +101,17 @@ final class RotatingGroup extends Primitive {
 
     /** The primitives themselves. */
     List<Primitive> members() {
-        List<Primitive> all = new ArrayList<>(List.of(round));
-        all.addAll(List.of(others));
-        return all;
+        return Stream.concat(round.stream(), Arrays.stream(others)).toList();
     }
 
     @Override
     public double distance(Ray ray, double limit) {
-        return search(ray, limit, 0).foundDistance();
+        return search(ray, limit, 0).foundDistance;
     }
 
     /** Whether something else may lie at the place of the hit that was found last. */
     boolean isShared() {
-        return searches.get().path.isShared();
+        return searches.get().shared;
     }
 
     /** All hits of a ray up to a limit. */
@@ -136,70 +123,75 @@ final class RotatingGroup extends Primitive {
     }
 
     /** Looks for the nearest hit up to a limit, beyond what is known to be empty; the next search forgets it. */
-    private TurningPath search(Ray ray, double limit, double known) {
+    private Search search(Ray ray, double limit, double known) {
         Search search = searches.get();
         // the hit that was found last is often asked for
-        if (known == 0 || known != search.path.foundDistance() || !search.isOf(ray)) {
+        if (known == 0 || known != search.foundDistance || !search.isOf(ray)) {
             search.of(ray, limit, known);
         }
-        return search.path;
+        return search;
     }
 
     /** The search of a thread for what a ray meets, on one chord of its path after the other. */
     private final class Search {
 
-        final TurningPath path = new TurningPath(rotation);
+        private final TurningPath path = new TurningPath(rotation);
+        private final Chord chord = new Chord(path);
         private final Ray ray = Ray.blank();
         private double limit;
+
+        /** The nearest primitive, or null, and its distance; and whether something else may lie at its place. */
+        private Primitive found;
+
+        private double foundDistance;
+        private boolean shared;
 
         /** All hits, if somebody wants them; else null. */
         private List<Hit> all;
 
-        // the present piece of the path, and the straight line between its ends
-        private double from;
-        private double to;
-        private double sag;
-        private double x;
-        private double y;
-        private double z;
-        private double inverseX;
-        private double inverseY;
-        private double inverseZ;
-
         void of(Ray newRay, double newLimit, double known) {
             ray.set(newRay);
             limit = newLimit;
+            forget();
             path.begin(ray);
             for (Primitive each : round) {
-                double distance = each.distanceOff(ray, nearest());
+                double distance = each.distanceOff(ray, Math.min(limit, reach()));
                 if (distance < NO_HIT) {
-                    find(each, TurningPath.ROUND, distance);
+                    find(each, distance);
                 }
             }
-            if (tree == null || !path.enters(low, high, radius, hollow)) {
+            if (tree == null || !path.enters(low, high, swept.radius(), hollow)) {
                 return;
             }
             double entry = path.entry();
             double exit = path.exit();
-            int chords = 1 + (int) Math.min(MOST_CHORDS, CHORDS * path.turning() * (exit - entry));
+            int chords =
+                    1 + (int) Math.min(MOST_CHORDS, chordsPerRadian / Chord.PARTS * path.turning() * (exit - entry));
             double step = (exit - entry) / chords;
             int first = known > entry ? Math.max(0, (int) ((known - entry) / step) - 1) : 0;
             for (int i = first; i < chords && entry + i * step <= nearest(); i++) {
                 double start = entry + i * step;
                 double end = i + 1 == chords ? exit : entry + (i + 1) * step;
                 if (!path.isInHollow(start, end)) {
-                    take(start, end);
+                    chord.take(start, end);
                     search(tree);
                 }
             }
         }
 
-        private void find(Primitive primitive, int part, double distance) {
-            path.find(primitive, part, distance);
-            if (all != null) {
-                all.add(path.hit(ray, Hit.blank()));
-                path.forget();
-            }
+        private double nearest() {
+            return Math.min(limit, reach());
+        }
+
+        private void forget() {
+            found = null;
+            foundDistance = NO_HIT;
+            shared = false;
+        }
+
+        /** The distance up to which something at the place of what was found may lie. */
+        private double reach() {
+            return foundDistance + SAME * (foundDistance + path.size());
         }
 
         /** Whether the last search was for the same ray. */
@@ -217,27 +209,8 @@ final class RotatingGroup extends Primitive {
                     && ray.contact == other.contact;
         }
 
-        private double nearest() {
-            return Math.min(limit, path.reach());
-        }
-
-        private void take(double newFrom, double newTo) {
-            from = newFrom;
-            to = newTo;
-            path.take(from, to, radius);
-            sag = path.sag(to - from);
-            path.go(from);
-            x = path.x();
-            y = path.y();
-            z = path.z();
-            path.go(to);
-            inverseX = 1 / (path.x() - x);
-            inverseY = 1 / (path.y() - y);
-            inverseZ = 1 / (path.z() - z);
-        }
-
         private void search(TreeNode node) {
-            if (!node.isNear(x, y, z, inverseX, inverseY, inverseZ, sag)) {
+            if (!chord.isNear(node)) {
                 return;
             }
             if (node.primitives == null) {
@@ -246,18 +219,32 @@ final class RotatingGroup extends Primitive {
                 return;
             }
             for (int i = node.from; i < node.to; i++) {
-                if (!boxes[i].isNear(x, y, z, inverseX, inverseY, inverseZ, sag)) {
-                    continue;
-                }
-                int startPart = from == 0 ? ray.partOf(others[i]) : Contact.NOWHERE;
-                for (Face face : faces[i]) {
-                    double start = startPart == face.part() ? face.leaving(path) : from;
-                    double distance = face.first(path, start, to);
-                    if (distance <= limit && distance < NO_HIT) {
-                        find(others[i], face.part(), distance);
-                    }
+                double distance = chord.first(others[i], boxes[i], ray, nearest());
+                if (distance > 0 && distance <= limit && distance < NO_HIT) {
+                    find(others[i], distance);
                 }
             }
+        }
+
+        /** Notes a hit if it is nearer than what was found before; of equally near ones the one listed first stays. */
+        private void find(Primitive primitive, double distance) {
+            if (all != null) {
+                all.add(path.hit(ray, primitive, distance, Hit.blank()));
+                return;
+            }
+            boolean first = distance < foundDistance
+                    || distance == foundDistance && found != null && primitive.order() < found.order();
+            boolean isNear = Math.min(distance, foundDistance) + SAME * (distance + path.size())
+                    >= Math.max(distance, foundDistance);
+            shared = isNear || shared && !first;
+            if (first) {
+                found = primitive;
+                foundDistance = distance;
+            }
+        }
+
+        private Hit hit(Ray of, Hit memory) {
+            return path.hit(of, found, foundDistance, memory);
         }
     }
 
@@ -271,15 +258,15 @@ final class RotatingGroup extends Primitive {
         Ray rest = ray;
         double left = limit;
         for (int meeting = 0; meeting < MOST_PASSED; meeting++) {
-            TurningPath path = search(rest, left, 0);
-            if (path.found() == null) {
+            Search search = search(rest, left, 0);
+            if (search.found == null) {
                 return false;
             }
-            if (path.found().surface().shadow() == Shadow.ALWAYS) {
+            if (search.found.surface().shadow() == Shadow.ALWAYS) {
                 return true;
             }
-            Hit hit = path.hit(rest, Hit.blank());
-            List<Hit> here = path.isShared() ? hits(rest, path.reach()) : List.of(hit.copy());
+            Hit hit = search.hit(rest, Hit.blank());
+            List<Hit> here = search.shared ? hits(rest, search.reach()) : List.of(hit.copy());
             Ray met = rest;
             if (here.stream().anyMatch(each -> ((Primitive) each.boundary).throwsShadowAt(met, each))) {
                 return true;
@@ -293,11 +280,6 @@ final class RotatingGroup extends Primitive {
     @Override
     public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
         return swept.overlaps(rays, starts, overlaps);
-    }
-
-    @Override
-    public Bounds bounds() {
-        return swept.bounds();
     }
 
     @Override

@@ -84,20 +84,24 @@ final class TreeNode {
     }
 
     /**
-     * Whether a straight line, from a start to another place at most, comes nearer to the box than a distance.
+     * Where a straight line comes nearer to the box than a distance, in units of the way to another place; above
+     * {@link #leaving} if it does not.
      *
-     * @param inverseX the inverse of the way to that other place
+     * @param inverseX the inverse of that way
      */
-    boolean isNear(double x, double y, double z, double inverseX, double inverseY, double inverseZ, double distance) {
+    double coming(double x, double y, double z, double inverseX, double inverseY, double inverseZ, double distance) {
         double enterX = ((inverseX > 0 ? minX - distance : maxX + distance) - x) * inverseX;
-        double leaveX = ((inverseX > 0 ? maxX + distance : minX - distance) - x) * inverseX;
         double enterY = ((inverseY > 0 ? minY - distance : maxY + distance) - y) * inverseY;
-        double leaveY = ((inverseY > 0 ? maxY + distance : minY - distance) - y) * inverseY;
         double enterZ = ((inverseZ > 0 ? minZ - distance : maxZ + distance) - z) * inverseZ;
+        return Math.max(Math.max(enterX, enterY), enterZ);
+    }
+
+    /** Where it leaves again; see {@link #coming}. */
+    double leaving(double x, double y, double z, double inverseX, double inverseY, double inverseZ, double distance) {
+        double leaveX = ((inverseX > 0 ? maxX + distance : minX - distance) - x) * inverseX;
+        double leaveY = ((inverseY > 0 ? maxY + distance : minY - distance) - y) * inverseY;
         double leaveZ = ((inverseZ > 0 ? maxZ + distance : minZ - distance) - z) * inverseZ;
-        double enter = Math.max(Math.max(enterX, enterY), enterZ);
-        double leave = Math.min(Math.min(leaveX, leaveY), leaveZ);
-        return !(enter > leave || leave < 0 || enter > 1);
+        return Math.min(Math.min(leaveX, leaveY), leaveZ);
     }
 
     /** The least value of n.x over the box. */

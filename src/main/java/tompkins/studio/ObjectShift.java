@@ -109,16 +109,6 @@ public final class ObjectShift {
                 moves(new Vector3d(0, 0, 1)).position());
     }
 
-    /** The longest way by which a shift of 1 along an axis moves a point. */
-    public double longestWay() {
-        Matrix3d columns = columns();
-        double longest = 0;
-        for (int i = 0; i < 3; i++) {
-            longest = Math.max(longest, columns.getColumn(i, new Vector3d()).length());
-        }
-        return longest;
-    }
-
     /**
      * The shift that brings a point to an event, all in the frame in which it rests or in which its axis does.
      *

@@ -21,8 +21,9 @@ public enum StudyKind {
     /** See {@link AntialiasingStudy}. */
     ANTIALIASING(AntialiasingStudy::of),
 
-    /** Digits that formulas keep; see {@link PrecisionStudy} and {@link StabilityStudy}. */
-    PRECISION(seed -> new JointStudy(List.of(new PrecisionStudy(seed), new StabilityStudy(seed)))),
+    /** Digits that formulas keep, and hits; see {@link PrecisionStudy}, {@link StabilityStudy}, {@link ChordStudy}. */
+    PRECISION(seed ->
+            new JointStudy(List.of(new PrecisionStudy(seed), new StabilityStudy(seed), new ChordStudy(seed, 200_000)))),
 
     /** See {@link TreeStudy}. */
     TREE(seed -> new TreeStudy(seed, 1_000_000, 25)),

@@ -49,6 +49,7 @@ public final class StudyPage {
                     signatures.get(0),
                     Quality.TargetError.DEFAULT.rootMeanSquare(),
                     ObjectTree.SMALLEST_TREE,
+                    ObjectTree.CHORDS_PER_RADIAN,
                     1 / Ray.FAINTEST);
         } catch (IOException impossible) {
             throw new UncheckedIOException(impossible);

@@ -19,7 +19,7 @@ final class FullScreen {
 
     private final JFrame frame;
     private final List<JComponent> hidden;
-    private final FoldingPanel side;
+    private final JComponent side;
 
     /** Whether the panel comes back with the window. */
     private boolean withPanel;
@@ -39,7 +39,7 @@ final class FullScreen {
      * @param side the panel, which is hidden unless the user asks for it
      * @param hidden what is always hidden
      */
-    FullScreen(JFrame frame, FoldingPanel side, List<JComponent> hidden) {
+    FullScreen(JFrame frame, JComponent side, List<JComponent> hidden) {
         this.frame = frame;
         this.side = side;
         this.hidden = hidden;
@@ -56,8 +56,8 @@ final class FullScreen {
         if (isOn()) {
             leave();
         } else {
-            withPanel = side.isWanted();
-            side.setShown(false);
+            withPanel = side.isVisible();
+            side.setVisible(false);
             hidden.forEach(component -> component.setVisible(false));
             if (!settling.isRunning()) {
                 place = frame.getLocation();
@@ -79,7 +79,7 @@ final class FullScreen {
         settling.restart();
         hidden.forEach(component -> component.setVisible(true));
         if (withPanel) {
-            side.setShown(true);
+            side.setVisible(true);
         }
         frame.revalidate();
         return true;

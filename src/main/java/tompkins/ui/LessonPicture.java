@@ -6,12 +6,9 @@ import tompkins.measure.OverlayKind;
 import tompkins.shutter.Shutter;
 import tompkins.ui.lesson.LessonStage;
 import tompkins.ui.measure.MeasureMarks;
-import tompkins.ui.overlay.PictureOverlays;
 
 /** The photograph of a window as a lesson uses it. */
 record LessonPicture(TompkinsWindow window, MeasureMarks marks) implements LessonStage {
-
-    private static final String OUTLINES = PictureOverlays.name(OverlayKind.MEASURED);
 
     @Override
     public void mark(List<LessonResult> results) {
@@ -22,14 +19,14 @@ record LessonPicture(TompkinsWindow window, MeasureMarks marks) implements Lesso
     @Override
     public void showOutlines(boolean shown) {
         // the overlays come later than the first lesson
-        if (window.overlays != null && window.overlays.isShown(OUTLINES) != shown) {
-            window.overlays.setShown(OUTLINES, shown);
+        if (window.overlays != null && window.overlays.isShown(OverlayKind.MEASURED) != shown) {
+            window.overlays.setShown(OverlayKind.MEASURED, shown);
         }
     }
 
     @Override
     public void compare(Class<? extends Shutter> shutter) {
-        window.side().panel().compare(shutter);
+        window.side().compare(shutter);
     }
 
     @Override

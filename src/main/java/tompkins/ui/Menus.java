@@ -1,15 +1,14 @@
 package tompkins.ui;
 
-import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Component;
-import java.awt.Dimension;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
-import javax.swing.Box;
 import javax.swing.ButtonGroup;
 import javax.swing.JButton;
 import javax.swing.JCheckBoxMenuItem;
@@ -30,6 +29,8 @@ import tompkins.ui.help.KeyTable;
 import tompkins.ui.number.NumberProperty;
 import tompkins.ui.overlay.MapAxis;
 import tompkins.ui.overlay.PictureOverlays;
+import tompkins.ui.panel.CameraViews;
+import tompkins.ui.panel.QualityChart;
 import tompkins.ui.picture.CanvasZoom;
 import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.Keys;
@@ -58,16 +59,14 @@ final class Menus {
         history = new History(window.parts, window::pause);
         zoom = window.view().canvas().zoom();
         bar.add(fileMenu());
-        bar.add(examples);
-        examples.setEnabled(false);
-        bar.add(lessons);
-        lessons.setEnabled(false);
+        for (JMenu scenes : List.of(examples, lessons)) {
+            scenes.add(Texts.get("menu.loading")).setEnabled(false);
+            bar.add(scenes);
+        }
         bar.add(editMenu());
         bar.add(playMenu());
         bar.add(viewMenu());
         bar.add(helpMenu());
-        bar.add(Box.createHorizontalGlue());
-        bar.add(rideButton());
     }
 
     JMenuBar bar() {
@@ -133,7 +132,11 @@ final class Menus {
 
     private JMenu fileMenu() {
         JMenu menu = menu("menu.file");
-        add(menu, "menu.new", "ctrl N", () -> window.opener.begin(() -> window.edit(StudioPath.ROOT)));
+        add(
+                menu,
+                "menu.new",
+                "ctrl N",
+                () -> window.opener.begin(() -> window.side().edit(StudioPath.ROOT)));
         add(menu, "menu.open", "ctrl O", window.opener::open);
         JMenu recent = new JMenu(Texts.get("menu.recent"));
         recent.setName("menu.recent");
@@ -144,6 +147,7 @@ final class Menus {
         add(menu, "menu.saveScene", "ctrl S", window.saver::save);
         add(menu, "menu.saveSceneAs", "ctrl shift S", window.saver::saveAs);
         add(menu, "menu.savePhotograph", "ctrl shift E", window::savePhotograph);
+        add(menu, "menu.lessonSheet", null, window::saveLessonSheet);
         menu.addSeparator();
         add(menu, "menu.copyPicture", "ctrl shift C", window.clipboard::copyPicture);
         menu.addSeparator();
@@ -186,8 +190,15 @@ final class Menus {
             }
         }
         topics.values().forEach(examples::add);
-        examples.setEnabled(!topics.isEmpty());
-        lessons.setEnabled(lessons.getItemCount() > 0);
+        List.of(examples, lessons).forEach(Menus::showAgain);
+    }
+
+    /** Shows a menu that is open in the size of its new items. */
+    private static void showAgain(JMenu menu) {
+        if (menu.isPopupMenuVisible()) {
+            menu.setPopupMenuVisible(false);
+            menu.setPopupMenuVisible(true);
+        }
     }
 
     private static JMenuItem add(JMenu topic, String title, Runnable action) {
@@ -204,7 +215,11 @@ final class Menus {
         JMenuItem redo = add(menu, "menu.redo", "ctrl shift Z", history::redo);
         JMenuItem reset = add(menu, "menu.reset", "ctrl R", history::reset);
         menu.addSeparator();
-        add(menu, "menu.editScene", "ctrl E", () -> window.editor.open());
+        add(
+                menu,
+                "menu.editScene",
+                "ctrl E",
+                () -> window.side().setEditing(!window.side().isEditing()));
         Runnable update = () -> {
             undo.setEnabled(history.canUndo());
             redo.setEnabled(history.canRedo());
@@ -230,14 +245,10 @@ final class Menus {
         return menu;
     }
 
-    /** The button of the ride, which must be found without searching. */
-    private JButton rideButton() {
-        JButton button = Buttons.of("ride.begin", () -> window.motion.toggleRide());
-        // where there is little room its text is shortened
-        button.setMinimumSize(new Dimension(0, 0));
-        button.putClientProperty(FlatClientProperties.STYLE, "font: bold; margin: 1,10,1,10");
-        button.setFocusable(false);
-        return button;
+    /** The buttons above the panel, which must be found without searching. */
+    List<JButton> buttons() {
+        return List.of(
+                Buttons.of("panel.lessons", lessons::doClick), Buttons.of("panel.ride", window.motion::toggleRide));
     }
 
     private JMenu viewMenu() {
@@ -259,6 +270,8 @@ final class Menus {
         addOverlay(menu, "menu.rate", PictureOverlays.RATE);
         menu.add(overlayMenu());
         add(menu, "menu.measure", "F4", () -> window.strip.toggle(TabStrip.Tab.MEASURE));
+        add(menu, "menu.quality", null, () -> QualityChart.open(window.model(), window.frame()));
+        menu.add(lookMenu());
         menu.addSeparator();
         add(menu, "menu.fullScreen", "F11", () -> window.fullScreen.toggle());
         add(menu, "menu.panel", "F12", window::togglePanel);
@@ -266,41 +279,68 @@ final class Menus {
         return menu;
     }
 
-    private JMenu mapMenu() {
-        JMenu menu = new JMenu(Texts.get("menu.map"));
-        menu.setName("menu.map");
-        ButtonGroup group = new ButtonGroup();
-        boolean none = window.overlays.map().isEmpty();
-        addChoice(menu, group, "menu.map.NONE", "ctrl shift M", none, () -> window.overlays.setMap(Optional.empty()));
-        for (MapAxis axis : MapAxis.values()) {
-            Optional<MapAxis> chosen = Optional.of(axis);
-            String key = axis == MapAxis.ABOVE ? "ctrl M" : null;
-            boolean shown = window.overlays.map().equals(chosen);
-            addChoice(menu, group, "menu.map." + axis, key, shown, () -> window.overlays.setMap(chosen));
+    private JMenu lookMenu() {
+        JMenu menu = new JMenu(Texts.get("menu.look"));
+        menu.setName("menu.look");
+        for (CameraViews view : CameraViews.values()) {
+            add(
+                    menu,
+                    "menu.look." + view,
+                    null,
+                    () -> view.of(window.model().studio())
+                            .ifPresentOrElse(
+                                    window.model()::set,
+                                    () -> window.parts.status().report(Texts.get("tree.nothingToLookAt"))));
         }
         return menu;
     }
 
-    private static void addChoice(
+    private JMenu mapMenu() {
+        JMenu menu = new JMenu(Texts.get("menu.map"));
+        menu.setName("menu.map");
+        ButtonGroup group = new ButtonGroup();
+        addMap(menu, group, "NONE", "ctrl shift M", Optional.empty());
+        for (MapAxis axis : MapAxis.values()) {
+            addMap(menu, group, axis.name(), axis == MapAxis.ABOVE ? "ctrl M" : null, Optional.of(axis));
+        }
+        return menu;
+    }
+
+    private void addMap(JMenu menu, ButtonGroup group, String name, String accelerator, Optional<MapAxis> axis) {
+        JMenuItem item = addChoice(
+                menu, group, "menu.map." + name, accelerator, axis.isEmpty(), () -> window.overlays.setMap(axis));
+        beforeShowing(menu, () -> item.setSelected(window.overlays.map().equals(axis)));
+    }
+
+    private static JMenuItem addChoice(
             JMenu menu, ButtonGroup group, String key, String accelerator, boolean chosen, Runnable action) {
         JRadioButtonMenuItem item = new JRadioButtonMenuItem("", chosen);
         group.add(item);
-        add(menu, item, key, accelerator, action);
+        return add(menu, item, key, accelerator, action);
     }
 
     private JMenu overlayMenu() {
         JMenu menu = new JMenu(Texts.get("menu.overlays"));
         menu.setName("menu.overlays");
         for (OverlayKind kind : OverlayKind.values()) {
-            addOverlay(menu, "menu.overlay." + kind, PictureOverlays.name(kind));
+            addSwitch(
+                    menu,
+                    "menu.overlay." + kind,
+                    () -> window.overlays.isShown(kind),
+                    shown -> window.overlays.setShown(kind, shown));
         }
         return menu;
     }
 
     private void addOverlay(JMenu menu, String key, String name) {
+        addSwitch(menu, key, () -> window.overlays.isShown(name), shown -> window.overlays.setShown(name, shown));
+    }
+
+    /** What the item shows may also be switched elsewhere. */
+    private static void addSwitch(JMenu menu, String key, BooleanSupplier shown, Consumer<Boolean> setter) {
         JCheckBoxMenuItem item = new JCheckBoxMenuItem();
-        item.setSelected(window.overlays.isShown(name));
-        add(menu, item, key, null, () -> window.overlays.setShown(name, item.isSelected()));
+        add(menu, item, key, null, () -> setter.accept(!shown.getAsBoolean()));
+        beforeShowing(menu, () -> item.setSelected(shown.getAsBoolean()));
     }
 
     private JMenu helpMenu() {

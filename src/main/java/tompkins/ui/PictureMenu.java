@@ -7,10 +7,13 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
+import tompkins.camera.FocusDistance;
 import tompkins.measure.RayTubes;
-import tompkins.measure.SeenLamp;
+import tompkins.property.NumberText;
+import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.trace.RayLife;
+import tompkins.ui.editor.ChooseTool;
 import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.ray.PixelReading;
@@ -18,7 +21,7 @@ import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.TabStrip;
 import tompkins.ui.widget.Texts;
 
-/** What can be done with what is seen at a place of the picture; with the editor open, a click chooses it there. */
+/** What can be done with what is seen at a place of the picture. */
 final class PictureMenu implements PhotographView.Menu {
 
     private final TompkinsWindow window;
@@ -31,6 +34,8 @@ final class PictureMenu implements PhotographView.Menu {
     public void show(PixelReading seen, Picture picture, Point2D place, Point at) {
         JPopupMenu menu = new JPopupMenu();
         add(menu, "lookAt", true, () -> window.motion.lookAt(place));
+        double depth = seen.depth(picture.studio().camera());
+        add(menu, "focus", depth > 0, () -> focus(depth));
         add(menu, "rideFrom", seen.sighting().hit() != null, () -> window.motion.rideFrom(seen.sighting()));
         add(menu, "measureFrom", true, () -> {
             window.strip.open(TabStrip.Tab.MEASURE);
@@ -38,9 +43,14 @@ final class PictureMenu implements PhotographView.Menu {
         });
         List<RayLife> ray = Stream.ofNullable(seen.sighting().life()).toList();
         add(menu, "drawRay", RayTubes.canDraw(ray), () -> drawRay(seen, ray));
-        Optional<StudioPath> object = object(seen);
-        add(menu, "edit", object.isPresent(), () -> object.ifPresent(window.editor::open));
+        Optional<StudioPath> object = ChooseTool.object(window.model(), seen);
+        add(menu, "edit", object.isPresent(), () -> object.ifPresent(window.side()::edit));
         menu.show(window.view().canvas(), at.x, at.y);
+    }
+
+    private void focus(double distance) {
+        Studio studio = window.model().studio();
+        window.model().set(studio.withCamera(FocusDistance.with(studio.camera(), NumberText.rounded(distance, 6))));
     }
 
     private void drawRay(PixelReading seen, List<RayLife> ray) {
@@ -54,24 +64,5 @@ final class PictureMenu implements PhotographView.Menu {
         item.setEnabled(possible);
         item.addActionListener(event -> action.run());
         menu.add(item);
-    }
-
-    /** The object that is seen, if the studio still holds it. */
-    private Optional<StudioPath> object(PixelReading seen) {
-        return Optional.ofNullable(seen.sighting().hit())
-                .flatMap(hit -> StudioPath.to(window.model().studio(), hit.object()));
-    }
-
-    @Override
-    public boolean chooses() {
-        return window.editor.isOpen();
-    }
-
-    @Override
-    public void choose(PixelReading seen, Picture picture) {
-        SeenLamp.near(picture.plan(), seen.sighting().x(), seen.sighting().y())
-                .map(SeenLamp::path)
-                .or(() -> object(seen))
-                .ifPresent(window.editor::open);
     }
 }

@@ -1,10 +1,14 @@
 package tompkins.ui;
 
+import com.formdev.flatlaf.FlatClientProperties;
+import java.awt.BorderLayout;
+import java.awt.CardLayout;
 import java.awt.Dimension;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Consumer;
+import java.util.stream.Stream;
+import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
+import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -14,24 +18,13 @@ import javax.swing.KeyStroke;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
-import net.miginfocom.swing.MigLayout;
-import tompkins.camera.Camera;
-import tompkins.camera.FocusDistance;
 import tompkins.lesson.Lesson;
-import tompkins.property.NumberText;
 import tompkins.shutter.Shutter;
 import tompkins.studio.StudioPath;
-import tompkins.trace.RenderPlan;
 import tompkins.ui.compare.ComparePanel;
+import tompkins.ui.editor.SceneEditor;
 import tompkins.ui.model.StudioModel;
-import tompkins.ui.panel.CameraPanel;
-import tompkins.ui.panel.LawPanel;
-import tompkins.ui.panel.LensPanel;
-import tompkins.ui.panel.QualityPanel;
-import tompkins.ui.panel.ShutterPanel;
-import tompkins.ui.panel.StereoPanel;
-import tompkins.ui.panel.VelocityPanel;
-import tompkins.ui.panel.WindowPanel;
+import tompkins.ui.panel.ControlRows;
 import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.ray.PixelReading;
@@ -42,116 +35,72 @@ import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Rows;
-import tompkins.ui.widget.Section;
 import tompkins.ui.widget.Texts;
 
-/** The narrow panel beside the photograph: everything that a teacher adjusts, one part under the other. */
+/**
+ * The panel beside the photograph, with two tabs: the few controls of a class, or the lesson, and the form with all
+ * controls. A pinned ray has a place below.
+ */
 final class SidePanel {
 
-    private static final double WIDTH = 25;
+    /** Widths in sizes of the type: of the few controls, of a lesson, and of the form. */
+    private static final double FEW = 21;
 
-    /** Its width on a projector. */
-    private static final double SLIM = 18;
+    private static final double LESSON = 26;
+    static final double FORM = 29;
 
-    /** That of a lesson there. */
-    private static final double LESSON = 25;
-
-    /** Where the place of the pinned ray begins, as a share of the height. */
+    /** Where the place of the pinned ray begins, as a fraction of the height. */
     private static final double RAY_BEGINS = 0.45;
 
+    private final StudioModel model;
+    private final Runnable turned;
+    private final JPanel room = new Room();
+    private final JPanel head = Rows.of("gap 4, insets 4 6 0 6", "[grow,fill][grow,fill][grow,fill]");
+    private final JToggleButton all = new JToggleButton(Texts.get("panel.all"));
     private final JPanel panel = new Column();
     private final JScrollPane scroll = scroll("panel", panel);
+    private final JPanel tab = new JPanel(new CardLayout());
+    private final JPanel heading = Rows.of("hidemode 3, gap 6", "[grow,fill][pref!]");
+    private final JPanel controls = Rows.column();
     private final Column rayPanel = new Column();
 
     /** The pinned ray has a place of its own, so that the speed stays visible. */
     private final JScrollPane rayScroll = scroll("ray", rayPanel);
 
-    private final JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, scroll, rayScroll);
-    private final VelocityPanel velocity;
-    private final JPanel quickColours;
-    private final ShutterPanel shutter;
-    private final LensPanel lens;
+    private final JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, tab, rayScroll);
     private final ComparePanel compare;
     private final Note title = Note.ofLines(1);
+    private final FoldedText remarks = new FoldedText("remarks");
     private final Note warnings = new Note("");
     private final Note sentences = new Note("");
     private final RaySection ray;
-    private final FoldedText remarks = new FoldedText("remarks");
-    private final List<JComponent> sections = new ArrayList<>();
 
-    /** Brings back what a lesson, or a projector, leaves out. */
-    private final JToggleButton all = new JToggleButton();
-
-    private final StudioModel model;
-    private final JComponent speed;
-    private final JComponent shutters;
-    private Runnable whenWidthChanges = () -> {};
-
-    /** The least width of what is shown, in sizes of the type. */
-    private double sizes = WIDTH;
-
-    private Picture shown;
+    /** The form with all controls; null until it is first wanted. */
+    private SceneEditor editor;
 
     /**
      * The panel for a photograph.
      *
      * @param lesson the lesson of the scene, invisible without one
-     * @param besideRest whether the photograph is compared with that of a camera at rest from the beginning
-     * @param teller says in a line what becomes of a click
-     * @param editor opens the editor for a part of the studio
+     * @param actions what stands above both tabs, beside the button that turns to the other one
+     * @param turned notified when the other tab is shown
      */
-    SidePanel(
-            StudioModel model,
-            PhotographView view,
-            JComponent lesson,
-            boolean besideRest,
-            Consumer<String> teller,
-            Consumer<StudioPath> editor) {
+    SidePanel(StudioModel model, PhotographView view, JComponent lesson, List<JButton> actions, Runnable turned) {
         this.model = model;
-        velocity = new VelocityPanel(model);
-        quickColours = LawPanel.quickColours(model);
-        shutter = new ShutterPanel(model);
-        lens = new LensPanel(model, picking -> pick(model, view, teller, picking));
-        compare = new ComparePanel(model, view::compare, view.canvas()::setOtherAlone, view::keepPicture);
-        if (besideRest) {
-            compare.begin(ComparePanel.Other.AT_REST);
+        this.turned = turned;
+        compare = new ComparePanel(model, view::compare, view::keepPicture);
+        ray = new RaySection(model, () -> view.setPin(null), view::askCone, this::edit);
+        for (AbstractButton button :
+                Stream.concat(actions.stream(), Stream.of(all)).toList()) {
+            button.putClientProperty(FlatClientProperties.STYLE, "margin: 2,4,2,4; minimumWidth: 0");
+            head.add(button);
         }
-        ray = new RaySection(model, () -> view.setPin(null), view::askCone, editor);
-        title.component().setName("remarks.title");
-        JPanel head = Rows.of("hidemode 3, gap 6", "[grow,fill][pref!]");
-        head.add(title.component(), "wmin 0");
-        head.add(remarks.button());
-        panel.add(head, "wmin 0, gapleft 6");
-        panel.add(remarks.component(), "wmin 0, gapleft 6, gapbottom 4");
-        panel.add(lesson, "wmin 0, gapleft 6, gapbottom 4");
-        speed = add("section.velocity", below(velocity.component(), quickColours, 0), true);
-        add(
-                "section.camera",
-                below(new CameraPanel(model, () -> shown).component(), new StereoPanel(model).component(), 8),
-                false);
-        shutters = add("section.shutter", shutter.component(), true);
-        add("section.shutterDetails", shutter.details(), false);
-        add("section.lens", lens.component(), false);
-        add("section.compare", compare.component(), besideRest);
-        add(
-                "section.transformation",
-                below(
-                        LawPanel.ofTransformation(model).component(),
-                        LawPanel.ofView(model).component(),
-                        8),
-                false);
-        add("section.colours", LawPanel.ofColours(model).component(), false);
-        add("section.window", new WindowPanel(model).component(), false);
-        add("section.quality", new QualityPanel(model).component(), false);
-        add("section.plan", below(warnings.component(), sentences.component(), 0), false);
         Naming.name(all, "panel.all");
-        all.addActionListener(event -> showSections());
-        panel.add(all, "growx 0, gapleft 6, gapright push, gaptop 6");
-        Runnable update = () -> {
-            show(model);
-            showSections();
-        };
-        model.follow(update);
+        all.addItemListener(event -> turn());
+        fillControls(lesson);
+        tab.add(scroll, "few");
+        room.add(head, BorderLayout.NORTH);
+        room.add(split, BorderLayout.CENTER);
         rayPanel.add(ray.component());
         rayScroll.setVisible(false);
         split.setBorder(BorderFactory.createEmptyBorder());
@@ -162,14 +111,21 @@ final class SidePanel {
         for (String key : List.of("F6", "F8")) {
             split.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(key), "none");
         }
+        model.follow(this::update);
     }
 
-    /** Two choices of one section, told apart by a gap of some pixels. */
-    private static JComponent below(JComponent first, JComponent second, int gap) {
-        JPanel both = Rows.column();
-        both.add(first, "wmin 0");
-        both.add(second, "wmin 0, gaptop " + gap);
-        return both;
+    private void fillControls(JComponent lesson) {
+        title.component().setName("remarks.title");
+        heading.add(title.component(), "wmin 0");
+        heading.add(remarks.button());
+        panel.add(heading, "wmin 0");
+        panel.add(remarks.component(), "wmin 0, gapbottom 4");
+        panel.add(lesson, "wmin 0, gapbottom 4");
+        controls.add(new ControlRows(model).component(), "wmin 0");
+        controls.add(compare.component(), "wmin 0");
+        controls.add(warnings.component(), "wmin 0");
+        controls.add(sentences.component(), "wmin 0");
+        panel.add(controls, "wmin 0");
     }
 
     private static JScrollPane scroll(String name, JComponent content) {
@@ -186,16 +142,25 @@ final class SidePanel {
         return scroll;
     }
 
-    /** Scrolls to what there is to see in another scene. */
-    private void show(StudioModel model) {
+    /** In a lesson its page takes the place of the controls. */
+    private void update() {
+        boolean ofLesson = isLesson();
         // a lesson has them in full
-        String text =
-                model.studio().lesson() instanceof Lesson ? "" : model.studio().remarks();
+        String text = ofLesson ? "" : model.studio().remarks();
         title.setText(titled(model, model.studio().shortTitle()));
         if (!remarks.text().equals(text)) {
             remarks.setText(text);
             SwingUtilities.invokeLater(() -> scroll.getVerticalScrollBar().setValue(0));
         }
+        if (controls.isVisible() == ofLesson) {
+            controls.setVisible(!ofLesson);
+            heading.setVisible(!ofLesson);
+            room.revalidate();
+        }
+    }
+
+    private boolean isLesson() {
+        return model.studio().lesson() instanceof Lesson;
     }
 
     /** A title of the scene, which says so if it is that of a changed example. */
@@ -203,63 +168,37 @@ final class SidePanel {
         return model.isChangedExample() ? Texts.get("title.changed", title) : title;
     }
 
-    private JComponent add(String title, JComponent content, boolean open) {
-        JComponent section = new Section(Texts.get(title), content, open).component();
-        sections.add(section);
-        panel.add(section);
-        return section;
-    }
-
-    /** In a lesson the controls of its subject, on a projector speed, colours and opening time; else all. */
-    private void showSections() {
-        boolean ofLesson = model.studio().lesson() instanceof Lesson;
-        boolean few = !all.isSelected() && (ofLesson || Look.isSlim());
-        boolean brief = few && !ofLesson;
-        sections.forEach(section -> section.setVisible(!few));
-        speed.setVisible(!few || brief);
-        velocity.setBrief(brief);
-        // a slim panel has room for two of three side by side
-        ((MigLayout) quickColours.getLayout())
-                .setComponentConstraints(quickColours.getComponent(1), brief ? "wmin 0, wrap" : "wmin 0");
-        shutters.setVisible(!few || brief);
-        shutter.setBrief(brief);
-        all.setVisible(ofLesson || Look.isSlim());
-        all.setText(Texts.get(all.isSelected() ? "panel.few" : "panel.all"));
-        double before = sizes;
-        sizes = !few || !Look.isSlim() ? WIDTH : ofLesson ? LESSON : SLIM;
-        if (sizes != before) {
-            whenWidthChanges.run();
+    /** Shows the tab that is chosen. */
+    private void turn() {
+        if (editor == null) {
+            editor = new SceneEditor(model);
+            tab.add(editor.component(), "all");
         }
+        ((CardLayout) tab.getLayout()).show(tab, all.isSelected() ? "all" : "few");
+        room.revalidate();
+        turned.run();
     }
 
-    /** Shows what belongs to the look, in the room that it needs. */
-    void fitToLook() {
-        showSections();
-        whenWidthChanges.run();
+    /** Shows all controls, or the few. */
+    void setEditing(boolean editing) {
+        setShown(room.isVisible() || editing);
+        all.setSelected(editing);
     }
 
-    /** Tells from now on that {@link #width} may be another. */
-    void setWhenWidthChanges(Runnable listener) {
-        whenWidthChanges = listener;
+    /** Whether all controls are on the screen. */
+    boolean isEditing() {
+        return all.isSelected() && room.isVisible();
     }
 
-    private void pick(StudioModel model, PhotographView view, Consumer<String> teller, boolean picking) {
-        if (picking) {
-            view.startPicking(distance -> focus(model, teller, distance), lens::endPicking);
-        } else {
-            view.stopPicking();
-        }
+    /** Shows the form of a part of the studio, unless a wrong value must be corrected first. */
+    void edit(StudioPath part) {
+        setEditing(true);
+        editor.choose(part);
     }
 
-    /** Focuses at a distance; false if a click that met no object gave none, so that the user can try again. */
-    private static boolean focus(StudioModel model, Consumer<String> teller, double distance) {
-        if (distance > 0) {
-            Camera camera = model.studio().camera();
-            model.set(model.studio().withCamera(FocusDistance.with(camera, NumberText.rounded(distance, 6))));
-        } else {
-            teller.accept(Texts.get("lens.pickedNothing"));
-        }
-        return distance > 0;
+    /** Shows the panel, or hides it. */
+    void setShown(boolean shown) {
+        room.setVisible(shown);
     }
 
     /** Shows what another shutter sees beside the picture. */
@@ -267,40 +206,29 @@ final class SidePanel {
         compare.compareShutter(other);
     }
 
-    /** The least width of the panel. */
-    static int leastWidth() {
-        return Look.pixels(Look.isSlim() ? SLIM : WIDTH);
+    /** Compares the first scene with a camera at rest, until another one is opened. */
+    void compareWithRest() {
+        compare.begin(ComparePanel.Other.AT_REST);
     }
 
-    /** The width that it needs: that of its texts, at least that of a narrow panel, or of a slim one. */
-    int width() {
-        int texts = panel.getMinimumSize().width + scroll.getVerticalScrollBar().getPreferredSize().width;
-        return Math.max(Look.pixels(sizes), texts);
+    /** Shows the picture alone: a ride begins so. */
+    void unsplit() {
+        compare.choose(ComparePanel.Other.NOTHING);
     }
 
     JComponent component() {
-        return split;
+        return room;
     }
 
-    /** Shows the messages about the picture on the screen. */
+    /** Shows the messages about the picture on the screen: what it models and leaves out, and what went wrong. */
     void show(Picture picture) {
-        RenderPlan made = picture.plan();
-        if (shown == null || shown.plan() != made || !shown.warnings().equals(picture.warnings())) {
-            tell(picture.sentences(), picture.warnings());
-            shutter.showPlace(made.lensInScene());
-            lens.show(picture);
-        }
-        shown = picture;
-    }
-
-    /** Says what the picture models and what it leaves out, and before that what went wrong. */
-    private void tell(List<String> models, List<String> wrong) {
+        String wrong = String.join("\n\u26A0 ", picture.warnings());
         if (wrong.isEmpty()) {
             warnings.setText("");
         } else {
-            warnings.setError(String.join("\n\u26A0 ", wrong));
+            warnings.setError(wrong);
         }
-        sentences.setText(String.join("\n\n", models));
+        sentences.setText(String.join("\n\n", picture.sentences()));
     }
 
     /** Shows the life of the pinned ray, or nothing if it is null; of the picture with a name, or of the studio's. */
@@ -314,6 +242,30 @@ final class SidePanel {
                 split.setDividerLocation(RAY_BEGINS);
             }
             split.revalidate();
+        }
+    }
+
+    /** As wide as what it shows needs, in any look. */
+    @SuppressWarnings("serial") // never written to a stream
+    private final class Room extends JPanel {
+
+        Room() {
+            super(new BorderLayout());
+        }
+
+        @Override
+        public void updateUI() {
+            super.updateUI();
+            setBorder(BorderFactory.createMatteBorder(0, 1, 0, 0, UIManager.getColor("Tompkins.line")));
+        }
+
+        @Override
+        public Dimension getPreferredSize() {
+            double sizes = all.isSelected() ? FORM : isLesson() ? LESSON : FEW;
+            int texts =
+                    panel.getMinimumSize().width + scroll.getVerticalScrollBar().getPreferredSize().width;
+            int least = Math.max(texts, head.getMinimumSize().width) + 1;
+            return new Dimension(Math.max(Look.pixels(sizes), least), 0);
         }
     }
 }

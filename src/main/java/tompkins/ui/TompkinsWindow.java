@@ -15,14 +15,16 @@ import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
 import tompkins.lesson.Lesson;
 import tompkins.studio.Studio;
-import tompkins.studio.StudioPath;
 import tompkins.ui.animate.AnimationExport;
 import tompkins.ui.compare.PeekKey;
+import tompkins.ui.editor.ChooseTool;
+import tompkins.ui.editor.FileContentEditor;
 import tompkins.ui.exchange.ClipboardActions;
 import tompkins.ui.exchange.FileDialogs;
 import tompkins.ui.exchange.PhotographExport;
 import tompkins.ui.exchange.SceneOpener;
 import tompkins.ui.exchange.SceneSaver;
+import tompkins.ui.exchange.SheetExport;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.ChosenFile;
 import tompkins.ui.lesson.LessonCourse;
@@ -37,7 +39,6 @@ import tompkins.ui.photograph.Captions;
 import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.photograph.StatusBar;
 import tompkins.ui.photograph.WindowParts;
-import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.ray.PixelReading;
 import tompkins.ui.ride.Motion;
@@ -56,7 +57,7 @@ public final class TompkinsWindow {
     private final WindowSize size;
     private final StudioModel model;
     private final PhotographView view;
-    private final FoldingPanel side;
+    private final SidePanel side;
     private final StatusBar status;
     final WindowParts parts;
     private final FileDialogs dialogs;
@@ -71,8 +72,6 @@ public final class TompkinsWindow {
     final MeasureTool measure;
     final ClipboardActions clipboard;
     private final Menus menus;
-    private final DeferredParts late;
-    final EditorDialog editor;
     final FullScreen fullScreen;
     private final JPanel middle = new JPanel(new BorderLayout());
     final Motion motion;
@@ -87,8 +86,10 @@ public final class TompkinsWindow {
         settings.look().install();
         place = first.file() == null ? null : ChosenFile.plain(first.file());
         model = new StudioModel(first.studio(), place);
+        // first, so that all parts have answered when it begins
+        model.addOpenListener(this::beginLesson);
         PictureListener pictures = new PictureListener();
-        view = new PhotographView(model, pictures, this::pace);
+        view = new PhotographView(model, pictures);
         // the window is built while it is worked on
         view.render();
         status = new StatusBar(view.controller());
@@ -96,31 +97,34 @@ public final class TompkinsWindow {
         lessonMarks = new MeasureMarks(view::otherPicture);
         view.canvas().addOverlay(lessonMarks);
         lesson = new LessonPanel(model, course, new LessonPicture(this, lessonMarks));
-        side = new FoldingPanel(
-                () -> new SidePanel(model, view, lesson.component(), first.besideRest(), status::report, this::edit));
         parts = new WindowParts(frame, model, view, status, settings);
         dialogs = new FileDialogs(parts, this::pause);
         saver = new SceneSaver(parts, dialogs);
-        opener = new SceneOpener(parts, dialogs, saver, this::pause, this::beginLesson);
+        opener = new SceneOpener(parts, dialogs, saver, this::pause);
         captions = new Captions(
                 view.canvas(), settings, first.besideRest() || model.studio().lesson() instanceof Lesson);
-        overlays = new PictureOverlays(view.canvas(), settings, view::fail);
+        overlays = new PictureOverlays(model, view.canvas(), settings, view.asker());
         motion = new Motion(parts, strip, new AnimationExport(frame, dialogs, captions, overlays), captions);
         motion.pilot().addListener(pictures::tellLast);
-        frame.setContentPane(content());
         clipboard = new ClipboardActions(parts, captions, overlays);
         measure = new MeasureTool(view, clipboard::copyMeasured);
         strip.fill(TabStrip.Tab.MEASURE, measure::component, measure::setOn);
-        // it asks for the editor and the full screen, made below, only when they are chosen
+        // it asks for the panel and the full screen, made below, only when they are chosen
         menus = new Menus(this);
         frame.setJMenuBar(menus.bar());
-        editor = new EditorDialog(parts, dialogs, menus::bindKeys, () -> motion.pace() == Pace.HAND);
+        side = new SidePanel(model, view, lesson.component(), menus.buttons(), this::tellTool);
+        if (first.besideRest()) {
+            side.compareWithRest();
+        }
+        motion.pilot().setWhenBegun(side::unsplit);
+        frame.setContentPane(content());
+        frame.setIconImages(WindowIcon.images());
+        new ChooseTool(model, view, side::isEditing, side::edit);
         view.setMenu(new PictureMenu(this));
-        late = new DeferredParts(
-                DeferredParts.LONGEST_WAIT, this::bringPanel, menus::setExamples, frame::setIconImages);
         // also while the menus are hidden
         menus.bindKeys(frame.getRootPane());
-        fullScreen = new FullScreen(frame, side, List.of(menus.bar(), status.component()));
+        frame.getRootPane().putClientProperty(FileContentEditor.CHOOSERS, dialogs);
+        fullScreen = new FullScreen(frame, side.component(), List.of(menus.bar(), status.component()));
         frame.getRootPane().setTransferHandler(opener.drop());
         PeekKey.bind(frame, view.canvas());
         FocusFollower.install(frame);
@@ -131,6 +135,7 @@ public final class TompkinsWindow {
         frame.setSize(WindowSize.kept(frame, settings));
         size = new WindowSize(frame, settings);
         frame.setLocationRelativeTo(null);
+        model.addOpenListener(status::clear);
         model.follow(this::showTitle);
         // a layout made before the window is on its screen would be made again
         frame.addNotify();
@@ -175,7 +180,17 @@ public final class TompkinsWindow {
         if (window.model.studio().lesson() instanceof Lesson) {
             window.beginLesson();
         }
-        window.late.prepare(examples);
+        if (window.place != null) {
+            window.settings.addRecentFile(window.place);
+        }
+        Thread reading = new Thread(
+                () -> {
+                    List<Studio> scenes = examples.get();
+                    SwingUtilities.invokeLater(() -> window.menus.setExamples(scenes));
+                },
+                "tompkins-examples");
+        reading.setDaemon(true);
+        reading.start();
         return window;
     }
 
@@ -183,7 +198,7 @@ public final class TompkinsWindow {
         JComponent keys = view.canvas();
         if (lesson.begin()) {
             strip.close();
-            side.panel();
+            side.setEditing(false);
             side.setShown(true);
             keys = lesson.entry();
         }
@@ -195,26 +210,10 @@ public final class TompkinsWindow {
         opener.open(example);
     }
 
-    void edit(StudioPath part) {
-        editor.open(part);
-    }
-
-    /** Brings the panel, and remembers the file. The picture pauses meanwhile, so that the panel has the processors. */
-    private void bringPanel() {
-        // a window that was closed meanwhile has no picture
-        boolean unfinished = frame.isDisplayable() && view.controller().isBusy();
-        view.stop();
-        side.panel();
-        if (unfinished) {
-            view.render();
-        }
-        if (place != null) {
-            settings.addRecentFile(place);
-        }
-    }
-
-    private Pace pace() {
-        return motion == null ? Pace.HAND : motion.pace();
+    /** While all controls are there, lamps are marked in the picture, and a click chooses. */
+    private void tellTool() {
+        view.canvas().repaint();
+        view.tellTool();
     }
 
     void pause() {
@@ -229,7 +228,7 @@ public final class TompkinsWindow {
         return frame;
     }
 
-    FoldingPanel side() {
+    SidePanel side() {
         return side;
     }
 
@@ -248,13 +247,11 @@ public final class TompkinsWindow {
         content.add(middle, BorderLayout.CENTER);
         content.add(side.component(), BorderLayout.EAST);
         content.add(status.component(), BorderLayout.SOUTH);
-        side.fitInto(content, status::showPanelFolded);
         return content;
     }
 
-    /** Sets the sizes that do not follow the look by themselves. */
+    /** Sets the size that does not follow the look by itself. */
     private void fitToLook() {
-        side.fitToLook();
         size.require(WindowSize.least(frame));
     }
 
@@ -272,16 +269,12 @@ public final class TompkinsWindow {
         pause();
         status.stop();
         view.close();
-        overlays.close();
-        measure.dispose();
-        editor.dispose();
     }
 
     private final class PictureListener implements PhotographView.Listener {
 
         @Override
         public void shown(Picture picture) {
-            late.firstPictureDone();
             // nobody can read thirty texts a second, and the pictures need the time
             if (motion == null || !motion.pilot().isRiding() || throttle.admits()) {
                 tell(picture);
@@ -312,17 +305,16 @@ public final class TompkinsWindow {
 
         @Override
         public void pinned(PixelReading reading, String picture) {
-            side.panel().show(reading, picture);
+            side.show(reading, picture);
         }
 
         @Override
-        public void clicks(PhotographView.Click now) {
-            status.show(now);
+        public void hints(String click) {
+            status.showHint(click);
         }
 
         @Override
         public void noPicture(String message) {
-            late.firstPictureDone();
             status.fail(message);
         }
 
@@ -336,15 +328,18 @@ public final class TompkinsWindow {
         new PhotographExport(parts, dialogs).ask();
     }
 
+    void saveLessonSheet() {
+        new SheetExport(parts, dialogs).ask(course.lessons());
+    }
+
     void setLook(Look look) {
         look.install();
         settings.setLook(look);
         fitToLook();
-        editor.fitToLook();
     }
 
     void togglePanel() {
-        side.toggle();
+        side.setShown(!side.component().isVisible());
         frame.revalidate();
     }
 
@@ -358,12 +353,7 @@ public final class TompkinsWindow {
 
     /** Ends the innermost of what goes on. */
     void leave() {
-        if (!editor.giveBack()
-                && !endDrag()
-                && !motion.pauseIfMoving()
-                && !view.endPicking()
-                && !strip.closeIfOpen(TabStrip.Tab.MEASURE)
-                && !fullScreen.leave()) {
+        if (!endDrag() && !motion.pauseIfMoving() && !strip.closeIfOpen(TabStrip.Tab.MEASURE) && !fullScreen.leave()) {
             BackgroundTask.cancelLast(frame);
         }
     }

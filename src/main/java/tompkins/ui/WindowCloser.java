@@ -38,8 +38,6 @@ final class WindowCloser extends WindowAdapter {
         } else if (isToBeStopped(running.get(0))) {
             BackgroundTask.cancel(frame);
             BackgroundTask.whenIdle(frame, () -> opener.leaveScene(this::close));
-        } else {
-            BackgroundTask.showRunning(frame);
         }
     }
 

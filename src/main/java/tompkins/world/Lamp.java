@@ -32,7 +32,7 @@ public record Lamp(RestingLight light, int frame, double zero, LampShadows grid,
 
     /** What it sees of what rests with it, for the next shadow ray; null if the tree is to answer. */
     public LampShadows shadows() {
-        return grid == null ? null : grid.orTree();
+        return grid == null ? null : grid.gridOrNull();
     }
 
     /** Its way past what rests in a frame, or null if that is not prepared. */

@@ -111,7 +111,7 @@ public final class World {
             lamps.add(new Lamp(
                     light.seenFrom(placement.point(new Vector3d()).negate()),
                     collector.frame(),
-                    collector.rest().zero().time()));
+                    collector.rest().properTimeZero().time()));
         }
     }
 

@@ -2,22 +2,21 @@ package tompkins.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import com.sun.management.OperatingSystemMXBean;
 import java.io.IOException;
-import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import tompkins.ProcessorTime;
+import tompkins.Thorough;
 
 /** Whatever a scene file can nest is nested as deep as it may be: every command takes its time, not a power of it. */
-@Tag("alone")
+@Thorough
 class DeepScenesTest {
 
     /** So many brackets and braces may be open at once. */
@@ -26,8 +25,14 @@ class DeepScenesTest {
     /** Those around what is nested, and in what is innermost. */
     private static final int AROUND = 8;
 
-    /** Processor time of all threads. */
-    private static final double MOST_SECONDS = 30;
+    /** So many times deeper than in the scene whose time is compared. */
+    private static final int DEEPER = 4;
+
+    /** The most processor time that a command may take then, in times of that scene: little more than the square. */
+    private static final double MOST = 1.5 * DEEPER * DEEPER;
+
+    /** So many seconds of the processor are nothing. */
+    private static final double NOTHING = 0.05;
 
     private static final String BALL = "{'type': 'Sphere', 'centre': [0, 0, 10], 'radius': 3}";
     private static final String GREY = "{'type': 'ColouredSurface'}";
@@ -35,6 +40,31 @@ class DeepScenesTest {
 
     @TempDir
     private Path folder;
+
+    /**
+     * Shells in each other, in turns, as many as fit.
+     *
+     * @param opened how many brackets and braces each opens around the next
+     * @param around what stands before and behind all of them
+     */
+    private record Nest(String innermost, int opened, List<String> shells, String around) {
+
+        String text(int depth) {
+            String text = innermost;
+            for (int i = (depth - AROUND) / opened - 1; i >= 0; i--) {
+                text = shells.get(i % shells.size()).replace("INNER", text);
+            }
+            return around.replace("INNER", text);
+        }
+
+        Nest in(String other) {
+            return new Nest(innermost, opened, shells, other);
+        }
+    }
+
+    private static Nest nest(String innermost, int opened, String... shells) {
+        return new Nest(innermost, opened, List.of(shells), "INNER");
+    }
 
     /** Scenes, and what they nest. */
     private enum Deep {
@@ -79,7 +109,7 @@ class DeepScenesTest {
                                 nest(GREY, 1, "{'type': 'Blinking', 'first': INNER, 'second': {'type': 'Refractive'}}"),
                                 nest(GREY, 1, "{'type': 'Clock', 'face': INNER, 'hand': {'type': 'Mirror'}}"),
                                 nest(GREY, 1, "{'type': 'CutOut', 'dark': {'type': 'Clear'}, 'bright': INNER}"))
-                        .map(surface -> BALL.replace("}", ", 'surface': " + surface + "}"))),
+                        .map(surface -> surface.in(BALL.replace("}", ", 'surface': INNER}")))),
         MEASUREMENTS(
                 "'scene': [" + BALL + "], 'lesson': {'type': 'Lesson', 'numbers'",
                 Stream.of(
@@ -93,86 +123,56 @@ class DeepScenesTest {
                                         "{'type': 'RatioOf', 'first': INNER, 'second': {'type': 'RayReading'}}"),
                                 nest(READING, 1, "{'type': 'WithNumber', 'value': 1, 'measurement': INNER}"),
                                 nest(READING, 1, "{'type': 'WithShutter', 'measurement': INNER}"))
-                        .map(measurement -> "{'value': 7, 'tolerance': 1000, 'measurement': " + measurement + "}"));
+                        .map(measurement -> measurement.in("{'value': 7, 'tolerance': 1000, 'measurement': INNER}")));
 
         private final String key;
-        private final List<String> parts;
+        private final List<Nest> parts;
 
         /** The parts are a list behind the key. */
-        Deep(String key, Stream<String> parts) {
+        Deep(String key, Stream<Nest> parts) {
             this.key = key;
             this.parts = parts.toList();
         }
 
-        /** Shells in each other, in turns, as many as fit; each opens so many brackets and braces around the next. */
-        private static String nest(String innermost, int opened, String... shells) {
-            StringBuilder before = new StringBuilder();
-            StringBuilder after = new StringBuilder();
-            for (int i = 0; i < (DEEPEST - AROUND) / opened; i++) {
-                String[] halves = shells[i % shells.length].split("INNER");
-                before.append(halves[0]);
-                after.insert(0, halves[1]);
-            }
-            return before + innermost + after;
-        }
-
-        String scene() {
-            String list = parts.stream().collect(Collectors.joining(", ", "[", "]"));
+        String scene(int depth) {
+            String list = parts.stream().map(part -> part.text(depth)).collect(Collectors.joining(", ", "[", "]"));
             String end = key.contains("lesson") ? "}}" : "}";
             return ("{'settings': {'width': 8, 'height': 6}, 'velocity': [0, 0, 0.1], " + key + ": " + list + end)
                     .replace('\'', '"');
         }
     }
 
-    /** The first runs load the program. */
-    @BeforeAll
-    static void warmUp(@TempDir Path folder) {
-        String lesson = "scenes/lesson-01-round-ball.json";
-        assertThat(ProgramRun.of("check", lesson).code()).isZero();
-        assertThat(ProgramRun.of("render", lesson, "--size", "8x6", "-o", folder.resolve("warm.png"))
-                        .code())
-                .isZero();
-    }
-
+    /** The shallow one comes first, which also loads the program. */
     @ParameterizedTest
     @EnumSource
     void everyCommandIsQuick(Deep deep) throws IOException {
-        Path scene = Files.writeString(folder.resolve("deep.json"), deep.scene());
-        Path picture = folder.resolve("deep.png");
-        assertQuick("check", scene);
-        assertQuick("explain", scene);
-        assertQuick("trace", scene, "--pixel", "all", "--json", "--set", "velocity.beta=0.2");
-        assertQuick("measure", "between", scene, "--pixel", "4,3", "--pixel", "5,3");
-        assertQuick("measure", "profile", scene, "--pixel", "4,3", "--pixel", "5,3");
-        assertQuick("render", scene, "-o", picture);
-        assertQuick(
-                "animate",
-                scene,
-                "--from",
-                "0.1",
-                "--to",
-                "0.5",
-                "--duration",
-                "0.1",
-                "--fps",
-                "10",
-                "-o",
-                folder.resolve("film"));
+        Path shallow = Files.writeString(folder.resolve("shallow.json"), deep.scene(DEEPEST / DEEPER));
+        Path deepest = Files.writeString(folder.resolve("deep.json"), deep.scene(DEEPEST));
+        List<String> commands = new ArrayList<>(List.of(
+                "check SCENE",
+                "explain SCENE",
+                "trace SCENE --pixel all --json --set velocity.beta=0.2",
+                "measure between SCENE --pixel 4,3 --pixel 5,3",
+                "measure profile SCENE --pixel 4,3 --pixel 5,3",
+                "render SCENE -o SCENE.png",
+                "animate SCENE --from 0.1 --to 0.5 --duration 0.1 --fps 10 -o FILM"));
         if (deep == Deep.MEASUREMENTS) {
-            assertQuick("measure", "lesson", scene);
+            commands.add("measure lesson SCENE");
+        }
+        for (String command : commands) {
+            double usual = seconds(command, shallow);
+            assertThat(seconds(command, deepest) / Math.max(usual, NOTHING))
+                    .as(command)
+                    .isLessThan(MOST);
         }
     }
 
-    private static void assertQuick(Object... command) {
-        double before = processorSeconds();
-        ProgramRun run = ProgramRun.of(command);
-        double seconds = processorSeconds() - before;
-
-        assertThat(run.code()).as(run.err()).isZero();
-        assertThat(seconds).as("%s", command[0]).isLessThan(MOST_SECONDS);
-    }
-
-    private static double processorSeconds() {
-        return ((OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean()).getProcessCpuTime() / 1e9;
+    private static double seconds(String command, Path scene) {
+        return ProcessorTime.ofProcess(() -> {
+            ProgramRun run = ProgramRun.of((Object[]) command.replace("SCENE", scene.toString())
+                    .replace("FILM", scene.toString().replace(".json", "-film"))
+                    .split(" "));
+            assertThat(run.code()).as(run.err()).isZero();
+        });
     }
 }

@@ -302,6 +302,7 @@ class ExplainCommandTest {
     }
 
     /** Light that is split at each of 90 spheres: no block of pixels ends soon. */
+    @Thorough
     @ParameterizedTest
     @CsvSource({"scene, [0-9.]+ to [0-9.]+ s with", "cameraFrame, too long to predict: .* not one sample was complete"})
     void explainTellsOfAPictureThatIsTooSlowToForetell(String list, String cost) throws IOException {

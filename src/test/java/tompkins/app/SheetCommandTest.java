@@ -16,7 +16,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Sheets of lessons hold what readers need, and the answers only on the last page. */
+/** Sheets of lessons hold what readers need, and the answers are in a file of their own. */
 class SheetCommandTest {
 
     private static final Path LESSON = Path.of(System.getProperty("basedir", ""), "scenes/lesson-01-round-ball.json");
@@ -32,16 +32,56 @@ class SheetCommandTest {
         return Files.readString(folder.resolve("sheet.html")).split("<section>");
     }
 
+    private String answers() throws IOException {
+        return Files.readString(folder.resolve("sheet-answers.html"));
+    }
+
     @Test
-    void theAnswersAreOnTheLastPage() throws IOException {
-        assertThat(sheet().code()).isZero();
+    void theAnswersAreInAFileOfTheirOwn() throws IOException {
+        ProgramRun run = sheet();
+        assertThat(run.code()).isZero();
+        assertThat(run.out().lines())
+                .satisfiesExactly(
+                        first -> assertThat(first).endsWith("sheet.html"),
+                        second -> assertThat(second).endsWith("sheet-answers.html"));
 
         String[] sections = sections();
-        assertThat(sections).hasSize(4);
+        assertThat(sections).hasSize(3);
         String answer = "&#x2611; ";
         assertThat(sections[1]).contains("What", "Penrose 1959", "&#x2610; ").doesNotContain(answer);
         assertThat(sections[2]).contains("<th>measured").doesNotContain(answer, "3.45", "5.73");
-        assertThat(sections[3]).contains(answer, "3.4509", "5.7392");
+        assertThat(answers()).contains(answer, "3.4509", "5.7392").doesNotContain("<img");
+    }
+
+    /** Each page of lesson 5 shows both times, and that of lesson 18 both ends of the way home. */
+    @Test
+    void severalLessonsShowAllPicturesThatAreMeasured() throws IOException {
+        Path fast = LESSON.resolveSibling("lesson-05-faster-than-light.json");
+        Path twins = LESSON.resolveSibling("lesson-18-twins.json");
+        Path sheet = folder.resolve("sheet.html");
+        assertThat(ProgramRun.of("sheet", fast, twins, "-o", sheet, "--size", "40x20")
+                        .code())
+                .isZero();
+
+        String[] sections = sections();
+        assertThat(sections).hasSize(5);
+        assertThat(captions(sections[1])).containsExactly("Time of the photograph: 10000");
+        assertThat(captions(sections[2]))
+                .containsExactly("Time of the photograph: 10005", "Time of the photograph: 10006");
+        assertThat(captions(sections[4]))
+                .containsExactly(
+                        "Your watch on the way out (min): 3",
+                        "On the ride, after 3 by the clock on board",
+                        "On the ride, after 6 by the clock on board");
+        assertThat(answers()).contains("Answers: Lesson 5, Lesson 18", "3.042", "10 minutes.");
+    }
+
+    private static List<String> captions(String section) {
+        return Pattern.compile("<figcaption>([^<]*)</figcaption>")
+                .matcher(section)
+                .results()
+                .map(found -> found.group(1))
+                .toList();
     }
 
     /** The picture is in the page, and holds no scene, in which the answers are. */
@@ -70,10 +110,10 @@ class SheetCommandTest {
                         .code())
                 .isZero();
 
-        String page = String.join("", sections());
-        assertThat(page)
-                .contains("<title>&lt;script&gt;alert(&#39;&quot;&amp; &#39;)&lt;/script&gt;</title>")
-                .contains("<p>&lt;/p&gt;&lt;img src=x&gt;</p>")
+        String title = "&lt;script&gt;alert(&#39;&quot;&amp; &#39;)&lt;/script&gt;</title>";
+        assertThat(String.join("", sections())).contains("<title>" + title).doesNotContain("<script");
+        assertThat(answers())
+                .contains("<title>Answers: " + title, "<p>&lt;/p&gt;&lt;img src=x&gt;</p>")
                 .doesNotContain("<script", "<img src=x");
     }
 
@@ -81,7 +121,7 @@ class SheetCommandTest {
     void formulasHavePrintedSigns() throws IOException {
         assertThat(sheet("--set", "lesson.numbers[0].formula=sqrt(1 - v)").code())
                 .isZero();
-        assertThat(sections()[3]).contains("<td>\u221a(1 - v)<td>");
+        assertThat(answers()).contains("<td>\u221a(1 - v)<td>");
     }
 
     @Test
@@ -91,8 +131,14 @@ class SheetCommandTest {
         assertThat(run.code()).isEqualTo(Failures.MISTAKE);
         assertThat(run.err()).contains("sheet.html: there is a file of this name already; --force replaces it");
         assertThat(sheet).hasContent("mine");
+        assertThat(folder.resolve("sheet-answers.html")).doesNotExist();
         assertThat(sheet("--force").code()).isZero();
-        assertThat(sections()).hasSize(4);
+        assertThat(sections()).hasSize(3);
+        Files.delete(sheet);
+        ProgramRun answered = sheet();
+        assertThat(answered.code()).isEqualTo(Failures.MISTAKE);
+        assertThat(answered.err()).contains("sheet-answers.html: there is a file of this name already");
+        assertThat(sheet).doesNotExist();
 
         Path ball = Files.writeString(folder.resolve("ball.json"), "{\"scene\": [{\"type\": \"Sphere\"}]}");
         ProgramRun none = ProgramRun.of("sheet", ball, "-o", folder.resolve("ball.html"));

@@ -300,7 +300,7 @@ class PictureFileTest {
         byte[] file = sample(encoding);
         Random random = new Random(SEED);
         int refused = 0;
-        int files = Integer.getInteger("tompkins.fuzz", TestRun.cases(100, 300));
+        int files = Integer.getInteger("tompkins.fuzz", TestRun.cases(25, 300));
         for (int i = 0; i < files; i++) {
             byte[] damaged = Samples.damaged(file, random);
             refused += assertTimeout(Duration.ofMinutes(5), () -> messages(damaged));

@@ -45,7 +45,7 @@ class SceneInDamagedFileTest {
         byte[] photograph = photograph(format);
         Random random = new Random(SEED);
         int refused = 0;
-        int files = Integer.getInteger("tompkins.fuzz", TestRun.cases(100, 300));
+        int files = Integer.getInteger("tompkins.fuzz", TestRun.cases(25, 300));
         for (int i = 0; i < files; i++) {
             Path file = file(Samples.damaged(photograph, random));
             refused += assertTimeout(Duration.ofMinutes(5), () -> messages(file));

@@ -53,7 +53,7 @@ import tompkins.surface.Surface;
 /** What is written is read back equal, to the last bit, for every type that a scene file can name. */
 class RoundTripTest {
 
-    private static final int INSTANCES = TestRun.cases(12, 40);
+    private static final int INSTANCES = TestRun.cases(5, 40);
 
     @TempDir
     private Path folder;

@@ -557,8 +557,11 @@ class SceneMistakesTest {
         int scenes = 0;
         int messages = 0;
         int files = Integer.getInteger("tompkins.fuzz", TestRun.cases(100, 300));
+        String text = "";
         for (int i = 0; i < files; i++) {
-            String text = StudioWriter.write((Studio) descriptions.record(Studio.class));
+            if (i % 5 == 0) {
+                text = StudioWriter.write((Studio) descriptions.record(Studio.class));
+            }
             String changed = changed(text, random);
             try {
                 read(changed);

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import tompkins.TestRun;
 import tompkins.camera.Cameras;
 import tompkins.camera.ThinLensCamera;
 import tompkins.fuzz.RandomStudio;
@@ -55,7 +56,7 @@ class CrestsTest {
     @Test
     void randomStudiosTellCountedFrequencies() {
         List<CrestCount.Counted> all = new ArrayList<>();
-        for (int seed = 0; seed < 150; seed++) {
+        for (int seed = 0; seed < TestRun.cases(50, 150); seed++) {
             Studio random = Lighting.of(RandomStudio.of(seed, 0.8), List.of());
             // image points are elsewhere when the camera is
             if (random.scene().toString().contains("ImagePointGrid")) {
@@ -75,8 +76,8 @@ class CrestsTest {
                 hit.hit().rest().motion() != null && hit.hit().rest().motion().gamma() > MOST_GAMMA);
 
         assertCounted(all);
-        assertThat(all).hasSizeGreaterThan(120);
-        assertThat(all).filteredOn(hit -> hit.hit().movesByItself()).hasSizeGreaterThan(60);
+        assertThat(all).hasSizeGreaterThan(40);
+        assertThat(all).filteredOn(hit -> hit.hit().movesByItself()).hasSizeGreaterThan(20);
     }
 
     private static ThinLensCamera pinhole(double time) {
@@ -96,16 +97,16 @@ class CrestsTest {
     @Test
     void crestsAreCountedInMovingMedia() {
         List<CrestCount.Counted> all = new ArrayList<>();
-        for (int seed = 0; seed < 60; seed++) {
+        for (int seed = 0; seed < TestRun.cases(20, 60); seed++) {
             all.addAll(counted(media(new SplittableRandom(seed))));
         }
 
         assertCounted(all);
-        assertThat(all).hasSizeGreaterThan(500);
+        assertThat(all).hasSizeGreaterThan(150);
         assertThat(all)
                 .filteredOn(hit -> hit.hit().surface() instanceof LuminousSurface
                         && hit.hit().movesByItself())
-                .hasSizeGreaterThan(15);
+                .hasSizeGreaterThan(5);
     }
 
     private static Studio media(SplittableRandom random) {

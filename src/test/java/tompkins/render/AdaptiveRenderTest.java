@@ -14,7 +14,6 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicLong;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -195,7 +194,6 @@ class AdaptiveRenderTest {
     }
 
     @Test
-    @Tag("alone")
     void endsWhenTheTimeIsOver() throws InterruptedException {
         RenderJob job = render(studio(spheres(), 0.1), new Quality.TimeLimit(0.1));
         assertThat(job.isComplete()).isTrue();
@@ -205,7 +203,6 @@ class AdaptiveRenderTest {
     }
 
     @Test
-    @Tag("alone")
     void showsSomethingHoweverShortTheTime() throws InterruptedException {
         RenderJob job = render(studio(spheres(), 0.1), new Quality.TimeLimit(0.01));
         assertThat(job.report().counts().samples).isGreaterThanOrEqualTo(64 * 48 / 64);
@@ -338,7 +335,7 @@ class AdaptiveRenderTest {
     private static float[] reference(Studio studio, long seed) {
         try {
             Studio other = studio.withSettings(studio.settings().withSeed(seed));
-            return render(other, new Quality.Samples(1024)).image().rgb();
+            return render(other, new Quality.Samples(512)).image().rgb();
         } catch (InterruptedException interrupted) {
             throw new AssertionError(interrupted);
         }

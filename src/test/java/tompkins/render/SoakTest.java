@@ -7,8 +7,8 @@ import java.util.SplittableRandom;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import tompkins.Thorough;
 import tompkins.fuzz.RandomStudio;
 import tompkins.trace.RenderPlan;
 
@@ -16,7 +16,7 @@ import tompkins.trace.RenderPlan;
  * Many renders, cancelled at random moments, leave nothing behind. Long form: {@code mvn test -Dtest=SoakTest
  * -Dtompkins.soak=1000}.
  */
-@Tag("alone")
+@Thorough
 class SoakTest {
 
     private static final int RENDERS = Integer.getInteger("tompkins.soak", 100);

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -38,8 +37,6 @@ import tompkins.surface.LuminousSurface;
 import tompkins.trace.RenderPlan;
 
 /** Lights that are much smaller than a pixel are not lost, and the error counts those that may have been missed. */
-@Tag("slow")
-@Tag("alone")
 class SparseLightTest {
 
     private static final Renderer RENDERER = new Renderer(2);

@@ -109,11 +109,11 @@ class LampShadowsTest {
         ObjectTree tree = new ObjectTree(primitives(mixed(LampShadows.MANY, random)));
         LampShadows empty = LampShadows.of(LAMP, tree);
         for (int i = 1; i < tree.size(); i++) {
-            assertThat(empty.orTree()).isNull();
+            assertThat(empty.gridOrNull()).isNull();
         }
 
-        Waiting.until("the grid", () -> empty.orTree() != null);
-        LampShadows grid = empty.orTree();
+        Waiting.until("the grid", () -> empty.gridOrNull() != null);
+        LampShadows grid = empty.gridOrNull();
 
         assertSameShadows(tree, grid, random);
     }

@@ -130,9 +130,9 @@ class LampTrackTest {
     /** What lies in the plane of the middle keeps its slopes; half as far it has twice the parallax. */
     @Test
     void slopesInThePlaneStayAsTheLampPasses() {
-        LampPlace first = LampPlace.first(new Vector3d(), new Vector3d(0, 0, 1));
-        LampPlace aside = first.next(new Vector3d(1, 0, 0), 10);
-        LampPlace nearer = first.next(new Vector3d(0, 0, 2), 10);
+        LampProjection first = LampProjection.first(new Vector3d(), new Vector3d(0, 0, 1));
+        LampProjection aside = first.next(new Vector3d(1, 0, 0), 10);
+        LampProjection nearer = first.next(new Vector3d(0, 0, 2), 10);
 
         assertThat(slope(first, 3, 10)).isEqualTo(0.3, within(1e-6));
         assertThat(slope(aside, 3, 10)).isEqualTo(0.3, within(1e-6));
@@ -143,7 +143,7 @@ class LampTrackTest {
     }
 
     /** The middle of the slopes of a point at (x, 0, z). */
-    private static double slope(LampPlace place, double x, double z) {
+    private static double slope(LampProjection place, double x, double z) {
         Interval slopes = place.slopes(new Bounds(x, 0, z, x, 0, z), new Vector3d(1, 0, 0));
         return (slopes.least() + slopes.most()) / 2;
     }

@@ -9,6 +9,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import tompkins.primitive.Bounds;
+import tompkins.primitive.CylinderPrimitive;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.sceneobject.Cylinder;
@@ -55,7 +56,7 @@ class LightBufferTest {
 
     /** Most rays to the box of a rod miss it: here a place on its axis. */
     private Vector3d place(Primitive primitive) {
-        Vector3d axis = primitive.longAxis();
+        Vector3d axis = primitive instanceof CylinderPrimitive rod ? rod.longAxis() : null;
         return axis == null
                 ? aims.placeIn(primitive)
                 : primitive.bounds().centre().fma(aims.mix(-0.5, 0.5), axis, new Vector3d());
@@ -113,8 +114,8 @@ class LightBufferTest {
         int cell = LightBufferProjection.cell(part);
         return IntStream.range(cells.first(cell), cells.end(cell))
                 .mapToLong(cells::entry)
-                .anyMatch(entry -> PackedEntry.isSeen(entry, PackedEntry.place(part))
-                        && !PackedEntry.isFarther(entry, PackedEntry.distance(distance)));
+                .anyMatch(entry -> BufferEntry.isSeen(entry, BufferEntry.place(part))
+                        && !BufferEntry.isFarther(entry, BufferEntry.distance(distance)));
     }
 
     /** All places of a cell against all kinds of rectangles. */
@@ -128,20 +129,20 @@ class LightBufferTest {
             int[] rows = {random.nextInt(-50, 64), random.nextInt(64, 180)};
             int left = column * LightBufferProjection.PARTS;
             int top = row * LightBufferProjection.PARTS;
-            long entry = PackedEntry.of(
+            long entry = BufferEntry.of(
                     1.5f,
                     new Rectangle(left + columns[0], left + columns[1], top + rows[0], top + rows[1]),
                     column,
                     row);
             for (int y = 0; y < LightBufferProjection.PARTS; y++) {
                 for (int x = 0; x < LightBufferProjection.PARTS; x++) {
-                    assertThat(PackedEntry.isSeen(entry, PackedEntry.place(top + y << Short.SIZE | left + x)))
+                    assertThat(BufferEntry.isSeen(entry, BufferEntry.place(top + y << Short.SIZE | left + x)))
                             .isEqualTo(columns[0] <= x && x <= columns[1] && rows[0] <= y && y <= rows[1]);
                 }
             }
-            assertThat(PackedEntry.isFarther(entry, PackedEntry.distance(1.4999)))
+            assertThat(BufferEntry.isFarther(entry, BufferEntry.distance(1.4999)))
                     .isTrue();
-            assertThat(PackedEntry.isFarther(entry, PackedEntry.distance(1.5))).isFalse();
+            assertThat(BufferEntry.isFarther(entry, BufferEntry.distance(1.5))).isFalse();
         }
     }
 

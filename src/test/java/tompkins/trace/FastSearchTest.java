@@ -31,7 +31,7 @@ import tompkins.surface.Surface;
 class FastSearchTest {
 
     /** No multiple of the side of a block of rays, nor of half of it. */
-    private static final int WIDTH = TestRun.cases(45, 77);
+    private static final int WIDTH = TestRun.cases(34, 77);
 
     @ParameterizedTest
     @MethodSource("studios")

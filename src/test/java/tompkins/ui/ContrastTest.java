@@ -3,12 +3,13 @@ package tompkins.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Color;
-import java.awt.Container;
+import java.awt.Component;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.stream.DoubleStream;
+import javax.swing.JComponent;
 import javax.swing.JToggleButton;
 import javax.swing.UIManager;
 import org.junit.jupiter.api.AfterAll;
@@ -16,12 +17,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import tompkins.spacetime.SpeedScale;
-import tompkins.studio.Studios;
 import tompkins.study.ChartStyle;
-import tompkins.ui.model.StudioModel;
-import tompkins.ui.panel.VelocityPanel;
+import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.Look;
-import tompkins.ui.widget.Texts;
 
 /** Text stands out from what is behind it, as the Web Content Accessibility Guidelines 2 measure it, in all looks. */
 class ContrastTest {
@@ -76,11 +74,11 @@ class ContrastTest {
     @EnumSource
     void theChosenScaleIsRead(Look look) {
         look.install();
-        Container panel = (Container) new VelocityPanel(new StudioModel(Studios.lattice(), null)).component();
-        for (SpeedScale scale : SpeedScale.values()) {
-            JToggleButton button = Components.find(panel, JToggleButton.class, Texts.get("scale." + scale + ".name"));
+        JComponent row = ChoiceRow.of(List.of(SpeedScale.values()), Enum::name, Enum::name, Enum::name, scale -> {});
+        for (Component part : row.getComponents()) {
+            JToggleButton button = (JToggleButton) part;
             button.doClick();
-            assertThat(painted(button)).as("%s, %s", look, scale).isGreaterThanOrEqualTo(LEAST);
+            assertThat(painted(button)).as("%s, %s", look, button.getText()).isGreaterThanOrEqualTo(LEAST);
         }
     }
 

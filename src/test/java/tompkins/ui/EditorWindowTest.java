@@ -12,7 +12,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JButton;
 import javax.swing.JDialog;
@@ -54,8 +53,7 @@ class EditorWindowTest {
         file = folder.resolve("sphere.json");
         driver = new WindowDriver(folder.resolve("settings"), Studios.sphere(), file, List.of());
         driver.menu("menu.editScene");
-        // before it has the keys, it may not be where clicks would meet it
-        WindowDriver.await("the editor", () -> editors().anyMatch(JDialog::isFocused));
+        WindowDriver.await("the editor", this::isOpen);
         JTree tree = driver.find(JTree.class, "tree");
         WindowDriver.onEventThread(() -> {
             // the scene, and in it the sphere
@@ -65,12 +63,7 @@ class EditorWindowTest {
     }
 
     private boolean isOpen() {
-        return editors().findAny().isPresent();
-    }
-
-    private Stream<JDialog> editors() {
-        return Components.showing(driver.window().frame(), JDialog.class)
-                .filter(dialog -> "editor".equals(dialog.getName()));
+        return driver.window().side().isEditing();
     }
 
     @Test
@@ -79,13 +72,29 @@ class EditorWindowTest {
         WindowDriver.onEventThread(() -> {
             // the last line, which has nothing to add
             tree.setSelectionRow(tree.getRowCount() - 1);
-            editors().forEach(dialog -> dialog.setVisible(false));
+            driver.window().side().setEditing(false);
         });
         driver.menu("menu.new");
         WindowDriver.await("the editor", this::isOpen);
         assertThat(driver.studio()).isEqualTo(Studio.DEFAULT);
         assertThat(driver.find(JButton.class, Texts.get("tree.add")).isEnabled())
                 .isTrue();
+        driver.key(KeyEvent.VK_F1);
+        WindowDriver.await(
+                "the keys",
+                () -> Components.showing(driver.window().frame(), JDialog.class)
+                        .findAny()
+                        .isPresent());
+        driver.key(KeyEvent.VK_ESCAPE);
+    }
+
+    @Test
+    void aRefusedValueIsTakenBackByEscape() {
+        driver.type(radius(), "-1");
+        assertThat(Components.isMarked(radius())).isTrue();
+        driver.key(KeyEvent.VK_ESCAPE);
+        assertThat(Components.isMarked(radius())).isFalse();
+        assertThat(isOpen()).isTrue();
     }
 
     /** Swing finds no line in it, whose beginning would be the place of the caret. */
@@ -169,12 +178,12 @@ class EditorWindowTest {
     /** As long as the editor is there a click chooses, except while clicks measure. */
     @Test
     void theLineAtTheBottomSaysWhatAClickDoes() {
-        WindowDriver.await("choosing", () -> said().equals("Click to choose an object or a lamp; drag to move it."));
+        WindowDriver.await("choosing", () -> said().equals(Texts.get("status.idle.CHOOSE")));
         driver.menu("menu.measure");
         WindowDriver.await("measuring", () -> said().equals("Click in the picture to measure there."));
         driver.menu("menu.measure");
         WindowDriver.await("choosing again", () -> said().startsWith("Click to choose"));
-        WindowDriver.onEventThread(() -> editors().forEach(dialog -> dialog.setVisible(false)));
+        WindowDriver.onEventThread(() -> driver.window().side().setEditing(false));
         WindowDriver.await("pinning", () -> said().equals(Texts.get("status.idle.PIN")));
     }
 
@@ -259,16 +268,5 @@ class EditorWindowTest {
 
     private static boolean isMenuOpen() {
         return MenuSelectionManager.defaultManager().getSelectedPath().length > 0;
-    }
-
-    @Test
-    void escapeTakesBackWhatIsTypedAndThenClosesTheEditor() {
-        driver.type(radius(), "-1");
-        assertThat(Components.isMarked(radius())).isTrue();
-        driver.key(KeyEvent.VK_ESCAPE);
-        assertThat(Components.isMarked(radius())).isFalse();
-        assertThat(isOpen()).isTrue();
-        driver.key(KeyEvent.VK_ESCAPE);
-        WindowDriver.await("the end of the editor", () -> !isOpen());
     }
 }

@@ -14,6 +14,7 @@ import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import javax.swing.JViewport;
 import javax.swing.text.JTextComponent;
+import tompkins.ui.widget.ShortLabel;
 
 /** What is wrong with a layout: components outside their parents, and texts that are cut. */
 public final class LayoutProblems {
@@ -55,7 +56,7 @@ public final class LayoutProblems {
         if (child instanceof JTextArea area) {
             return area.getHeight() + 1 < area.getPreferredSize().height;
         }
-        if (child instanceof JLabel label) {
+        if (child instanceof JLabel label && !(child instanceof ShortLabel)) {
             return textWidth(label, label.getText()) > innerWidth(label);
         }
         if (child instanceof AbstractButton button

@@ -7,27 +7,23 @@ import java.awt.Component;
 import java.awt.Container;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.Box;
+import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
-import javax.swing.JList;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JRootPane;
 import javax.swing.JScrollPane;
-import javax.swing.JSlider;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import javax.swing.JTree;
-import javax.swing.JViewport;
 import javax.swing.KeyStroke;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
@@ -45,7 +41,6 @@ import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.FrontWindow;
-import tompkins.studio.Ride;
 import tompkins.studio.StudioPath;
 import tompkins.studio.Studios;
 import tompkins.surface.LorentzWindow;
@@ -58,11 +53,9 @@ import tompkins.ui.model.Settings;
 import tompkins.ui.model.Shutters;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.photograph.PhotographView;
-import tompkins.ui.picture.Pace;
-import tompkins.ui.ray.RaySection;
 import tompkins.ui.ride.RidePanel;
 import tompkins.ui.ride.RidePilot;
-import tompkins.ui.widget.Column;
+import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.TabStrip;
 import tompkins.ui.widget.Texts;
@@ -124,10 +117,11 @@ class LayoutTest {
     }
 
     private SidePanel sidePanel() {
-        view = new PhotographView(model, new SilentListener(), () -> Pace.HAND);
+        view = new PhotographView(model, new SilentListener());
         JPanel slider = new JPanel();
         slider.setVisible(false);
-        return new SidePanel(model, view, slider, false, message -> {}, part -> {});
+        List<JButton> actions = List.of(Buttons.of("panel.lessons", () -> {}), Buttons.of("panel.ride", () -> {}));
+        return new SidePanel(model, view, slider, actions, () -> {});
     }
 
     @ParameterizedTest
@@ -141,72 +135,28 @@ class LayoutTest {
         SidePanel side = sidePanel();
         Components.find((Container) side.component(), JComboBox.class, Texts.get("compare.name"))
                 .setSelectedItem(ComparePanel.Other.OTHER_SHUTTER);
-        JViewport viewport = panelOf(side).getViewport();
-        Container column = (Container) viewport.getView();
-        Components.layOut(column, side.width() - BAR);
-        Components.layOut(column, side.width() - BAR);
-        assertThat(LayoutProblems.in(column)).as("what is seen at first").isEmpty();
-        Components.find(column, JToggleButton.class, Texts.get("panel.all")).setSelected(true);
-        side.fitToLook();
-        Components.all(column)
-                .filter(JToggleButton.class::isInstance)
-                .map(JToggleButton.class::cast)
-                .filter(button -> button.getIcon() != null)
-                .forEach(heading -> heading.setSelected(true));
-        Set<Integer> heights = new HashSet<>();
+        int width = side.component().getPreferredSize().width;
         for (Class<?> shutter : Descriptions.members(Shutter.class)) {
             model.set(Shutters.replaced(model.studio(), shutter));
-            Components.layOut(column, side.width() - BAR);
-            assertThat(LayoutProblems.in(column)).as(shutter.getSimpleName()).isEmpty();
-            heights.add(column.getPreferredSize().height);
+            JComponent all = side.component();
+            all.setSize(width, 2000);
+            Components.layOut(all);
+            Components.layOut(all);
+            assertThat(LayoutProblems.in(all)).as(shutter.getSimpleName()).isEmpty();
         }
-        if (locale.equals(Locale.ENGLISH)) {
-            assertThat(heights).as("shutters have one height").hasSize(1);
-        }
-        JComboBox<?> models = Components.find(column, JComboBox.class, Texts.get("shutter.name"));
-        checkList(models);
     }
 
-    /** On a projector of 1366 x 768 the picture has almost three quarters of the width. */
+    /** On a projector of 1366 x 768 the picture has two thirds of the width. */
     @Test
-    void aProjectorHasASlimPanel() {
+    void aProjectorLeavesThePictureItsRoom() {
         WindowDriver.onEventThread(() -> {
             use(Look.PROJECTOR, 1, Locale.ENGLISH);
-            SidePanel side = sidePanel();
-            assertThat(side.width()).isLessThan(1366 * 28 / 100);
-            Container column = (Container) panelOf(side).getViewport().getView();
-            Components.layOut(column, side.width() - BAR);
-            assertThat(column.getPreferredSize().height).as("without scrolling").isLessThan(600);
-            assertThat(Stream.of("Speed", "Opening time", "Exposure time", "Direction x")
-                            .filter(name -> isSeen(Components.find(column, JTextField.class, name))))
-                    .containsExactly("Speed", "Opening time");
-            assertThat(isSeen(Components.find(column, JToggleButton.class, Texts.get("quick.DOPPLER"))))
-                    .isTrue();
-            JToggleButton all = Components.find(column, JToggleButton.class, Texts.get("panel.all"));
-            assertThat(all.getX()).as("below the rest, at the left").isLessThan(Look.pixels(1));
-            all.doClick();
-            assertThat(isSeen(Components.find(column, JTextField.class, "Direction x")))
-                    .isTrue();
-            assertThat(side.width()).isGreaterThan(1366 * 28 / 100);
+            assertThat(sidePanel().component().getPreferredSize().width).isLessThan(1366 / 3);
         });
-    }
-
-    /** Whether neither it nor what it lies in, up to the column, is hidden. */
-    private static boolean isSeen(Component component) {
-        return component.isVisible() && (component instanceof Column || isSeen(component.getParent()));
     }
 
     private static JScrollPane panelOf(SidePanel side) {
         return Components.find((Container) side.component(), JScrollPane.class, "panel");
-    }
-
-    /** The list under a combo box is as wide as that. */
-    private static <M> void checkList(JComboBox<M> models) {
-        for (int i = 0; i < models.getItemCount(); i++) {
-            M item = models.getItemAt(i);
-            Component cell = models.getRenderer().getListCellRendererComponent(new JList<>(), item, i, false, false);
-            assertThat(cell.getPreferredSize().width).as(item.toString()).isLessThan(models.getWidth());
-        }
     }
 
     @Test
@@ -226,47 +176,6 @@ class LayoutTest {
         });
     }
 
-    /** What is wrong, or worth a word, is said in room that is kept for it. */
-    @Test
-    void thePanelKeepsItsHeightWhateverItSays() {
-        WindowDriver.onEventThread(() -> {
-            use(Look.LIGHT, 1, Locale.ENGLISH);
-            model.set(Studios.lattice());
-            Container column = (Container) panelOf(sidePanel()).getViewport().getView();
-            Components.all(column)
-                    .filter(JToggleButton.class::isInstance)
-                    .map(JToggleButton.class::cast)
-                    .filter(button -> button.getIcon() != null)
-                    .forEach(heading -> heading.setSelected(true));
-            int height = height(column);
-            for (String field : List.of("Speed", "Opening time", "Aperture", "Exposure", "Samples", "Target error")) {
-                Components.enter(column, field, "-Infinity");
-                assertThat(height(column)).as(field).isEqualTo(height);
-            }
-            model.set(model.studio().withVelocity(Velocity.of(SpeedScale.GAMMA, 1e7, new Vector3d(0, 0, 1))));
-            assertThat(height(column)).as("a warning").isEqualTo(height);
-        });
-    }
-
-    private static int height(Container column) {
-        Components.layOut(column, Look.pixels(24));
-        Components.layOut(column, Look.pixels(24));
-        return column.getPreferredSize().height;
-    }
-
-    /** A new user finds all parts of the panel without scrolling. */
-    @Test
-    void allFoldsAreSeenInAWindowOfTheUsualSize() {
-        WindowDriver.onEventThread(() -> {
-            use(Look.LIGHT, 1, Locale.ENGLISH);
-            model.set(Studios.lattice());
-            Container column = (Container) panelOf(sidePanel()).getViewport().getView();
-            int menusStatusAndFrame = 23 + 46 + 30;
-            int twoMoreLinesOfRemarks = 28;
-            assertThat(height(column)).isLessThan(Look.pixels(63) - menusStatusAndFrame - twoMoreLinesOfRemarks);
-        });
-    }
-
     /** In a window of 800 x 600 the panel leaves it 450 pixels. */
     @ParameterizedTest
     @MethodSource("looks")
@@ -274,8 +183,15 @@ class LayoutTest {
         WindowDriver.onEventThread(() -> {
             use(look, size, locale);
             RidePanel ride = new RidePanel(
-                    model, new Settings((Path) null), new RidePilot(model, message -> {}), () -> {}, studio -> {});
+                    model,
+                    new Settings((Path) null),
+                    new RidePilot(model, message -> {}),
+                    () -> {},
+                    studio -> {},
+                    letters -> {});
             ride.setShown(true);
+            Components.find(ride.component(), JToggleButton.class, Texts.get("ride.more"))
+                    .doClick();
             boolean usual = look != Look.PROJECTOR && size == 1 && locale.equals(Locale.ENGLISH);
             int needed = ride.component().getMinimumSize().width;
             Components.layOut(ride.component(), usual ? 450 : Math.max(needed, Look.pixels(40)));
@@ -283,33 +199,25 @@ class LayoutTest {
         });
     }
 
-    @Test
-    void aLongNameOfARideLeavesRoomForTheSlider() {
-        WindowDriver.onEventThread(() -> {
-            use(Look.LIGHT, 1, Locale.ENGLISH);
-            List<Ride> rides = List.of(Ride.DEFAULT, Descriptions.with(Ride.DEFAULT, "name", "far and ".repeat(40)));
-            StudioModel many = new StudioModel(Descriptions.with(Studios.sphere(), "rides", rides), null);
-            RidePanel ride = new RidePanel(
-                    many, new Settings((Path) null), new RidePilot(many, message -> {}), () -> {}, studio -> {});
-            ride.setShown(true);
-            Components.layOut(ride.component(), 660);
-            assertThat(Components.all(ride.component()).filter(JSlider.class::isInstance))
-                    .allMatch(slider -> slider.getWidth() > 120);
-        });
-    }
-
-    /** On a projector of 1024 x 768 a ride leaves most of the window to the picture. */
+    /** On a projector of 1024 x 768 a ride begins with one line of buttons. */
     @Test
     void theRideBarIsLow() {
         WindowDriver.onEventThread(() -> {
             use(Look.PROJECTOR, 1, Locale.ENGLISH);
             RidePanel ride = new RidePanel(
-                    model, new Settings((Path) null), new RidePilot(model, message -> {}), () -> {}, studio -> {});
+                    model,
+                    new Settings((Path) null),
+                    new RidePilot(model, message -> {}),
+                    () -> {},
+                    studio -> {},
+                    letters -> {});
             ride.setShown(true);
             Components.layOut(ride.component(), 700);
             Components.layOut(ride.component(), 700);
             assertThat(LayoutProblems.in(ride.component())).isEmpty();
-            assertThat(ride.component().getPreferredSize().height).isLessThan(768 / 4);
+            int line = Components.find(ride.component(), JToggleButton.class, Texts.get("ride.more"))
+                    .getHeight();
+            assertThat(ride.component().getPreferredSize().height).isLessThan(3 * line / 2);
         });
     }
 
@@ -342,20 +250,6 @@ class LayoutTest {
         });
     }
 
-    /** On a projector the panel is slim, and a pinned ray is as wide as it. */
-    @Test
-    void aPinnedRayFitsIntoASlimPanel() {
-        WindowDriver.onEventThread(() -> {
-            use(Look.PROJECTOR, 1, Locale.ENGLISH);
-            RaySection ray = new RaySection(model, () -> {}, answer -> {}, part -> {});
-            ray.component().setVisible(true);
-            Column column = new Column();
-            column.add(ray.component(), "wmin 0");
-            Components.layOut(column, SidePanel.leastWidth() - 2 * BAR);
-            assertThat(LayoutProblems.in(column)).isEmpty();
-        });
-    }
-
     @ParameterizedTest
     @MethodSource("looks")
     void playPanelAndEditorHaveRoomForAll(Look look, float size, Locale locale) {
@@ -375,18 +269,10 @@ class LayoutTest {
         for (int row = 0; row < tree.getRowCount(); row++) {
             tree.expandRow(row);
         }
-        for (boolean tall : new boolean[] {true, false}) {
-            sceneEditor.fitToLook(tall);
-            editor.setSize(editor.getPreferredSize());
-            Components.layOut(editor);
-            assertThat(LayoutProblems.in(editor)).as("tall: " + tall).isEmpty();
-            assertThat(tree.getPreferredSize().width)
-                    .as("tree")
-                    .isLessThanOrEqualTo(tree.getParent().getWidth());
-            if (locale.equals(Locale.ENGLISH)) {
-                assertThat(editor.getWidth() < Look.pixels(33)).isEqualTo(tall);
-            }
-        }
+        editor.setSize(Look.pixels(SidePanel.FORM), 2000);
+        Components.layOut(editor);
+        Components.layOut(editor);
+        assertThat(LayoutProblems.in(editor)).isEmpty();
     }
 
     /** Also of a colour of a surface of a surface. */
@@ -404,7 +290,7 @@ class LayoutTest {
             model.set(model.studio().withScene(objects));
             SceneEditor sceneEditor = new SceneEditor(model);
             JComponent editor = sceneEditor.component();
-            editor.setSize(editor.getPreferredSize());
+            editor.setSize(Look.pixels(SidePanel.FORM), 2000);
             int checked = checkNumbers(editor);
             for (int i = 0; i < objects.size(); i++) {
                 sceneEditor.choose(StudioPath.ROOT.then("scene").then(i));

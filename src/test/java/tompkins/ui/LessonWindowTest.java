@@ -8,6 +8,7 @@ import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -17,6 +18,7 @@ import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JList;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButton;
@@ -30,6 +32,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.Waiting;
 import tompkins.io.BundledScenes;
 import tompkins.lesson.Lesson;
 import tompkins.sceneobject.Moving;
@@ -92,7 +95,7 @@ class LessonWindowTest {
     @Test
     void oneTabIsOpenAtATime() {
         Map<String, String> tabs = new LinkedHashMap<>();
-        tabs.put("menu.ride", "ride.replay");
+        tabs.put("menu.ride", "ride.home");
         tabs.put("menu.playPanel", "play.loop");
         tabs.put("menu.measure", "measure.copy");
         assertThat(isShown("strip.close")).isFalse();
@@ -305,5 +308,20 @@ class LessonWindowTest {
                         .isShowing());
         assertThat(driver.find(JRadioButton.class, Texts.get("lesson.sure")).isSelected())
                 .isFalse();
+    }
+
+    /** The sheet of the lesson that is open, with its answers in a second file. */
+    @Test
+    void aSheetIsSavedFromTheMenu() throws IOException {
+        begin();
+        driver.menu("menu.lessonSheet");
+        JScrollPane accessory = (JScrollPane) driver.chooser().getAccessory();
+        JList<?> lessons = (JList<?>) accessory.getViewport().getView();
+        assertThat(WindowDriver.onEventThread(lessons::getSelectedValue)).isEqualTo(cube.title());
+        driver.choose(folder.resolve("cube"));
+        Path answers = folder.resolve("cube-answers.html");
+        Waiting.until("the answers", () -> Files.exists(answers));
+        assertThat(Files.readString(folder.resolve("cube.html"))).contains(cube.title(), "Speed of the cube (c): 0.8");
+        assertThat(Files.readString(answers)).contains("&#x2611; <b>Front and trailing face, as if turned.</b>");
     }
 }

@@ -31,6 +31,7 @@ import tompkins.measure.MeasureKind;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
+import tompkins.ui.compare.ComparePanel;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.Texts;
 
@@ -206,8 +207,8 @@ class MeasureToolTest {
     void sizesInAKeptPictureAreCompared() throws Exception {
         JComboBox<?> kinds = driver.find(JComboBox.class, "What to measure");
         WindowDriver.onEventThread(() -> kinds.setSelectedItem(MeasureKind.CIRCLE));
-        JButton keep = driver.find(JButton.class, "Keep this picture");
-        WindowDriver.onEventThread(() -> keep.doClick());
+        JComboBox<?> other = driver.find(JComboBox.class, "Compare with");
+        WindowDriver.onEventThread(() -> other.setSelectedItem(ComparePanel.Other.KEPT_PICTURE));
         WindowDriver.onEventThread(() ->
                 driver.window().model().set(driver.window().model().studio().withVelocity(Velocity.REST)));
         driver.completePicture();

@@ -27,6 +27,7 @@ import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.Thorough;
 import tompkins.io.BundledScenes;
 import tompkins.studio.Studio;
 import tompkins.ui.picture.PictureCanvas;
@@ -37,6 +38,7 @@ import tompkins.ui.picture.PictureCanvas;
  */
 @Timeout(1200)
 @NeedsDisplay
+@Thorough
 class MonkeyTest {
 
     private static final int USUALLY = 80;

@@ -2,7 +2,6 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -12,19 +11,16 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.IntStream;
-import javax.swing.JPanel;
-import javax.swing.JToggleButton;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import tompkins.camera.FocusDistance;
 import tompkins.light.ColourLaw;
 import tompkins.render.Quality;
 import tompkins.spacetime.SpeedScale;
@@ -33,10 +29,11 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Studios;
 import tompkins.ui.compare.ComparePanel;
 import tompkins.ui.compare.Compared;
+import tompkins.ui.editor.ChooseTool;
+import tompkins.ui.measure.MeasureTool;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Comparison;
-import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.ScreenPicture;
@@ -46,13 +43,12 @@ import tompkins.ui.widget.Texts;
 
 /** The photograph and what it is compared with, without a display. */
 @Timeout(120)
-@Tag("alone")
 class PhotographViewTest {
 
     private final StudioModel model =
             new StudioModel(Studios.lattice().withSettings(Studios.sphere().settings()), null);
     private final PhotographView view =
-            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener(), () -> Pace.HAND));
+            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener()));
 
     @BeforeAll
     static void look() {
@@ -136,36 +132,6 @@ class PhotographViewTest {
         assertThat(other().studio()).isEqualTo(stopped.studio());
     }
 
-    @Test
-    void aClickBesideAllObjectsLeavesThePickingOn() {
-        List<String> told = new ArrayList<>();
-        Container panel = (Container)
-                WindowDriver.onEventThread(() -> new SidePanel(model, view, new JPanel(), false, told::add, part -> {}))
-                        .component();
-        WindowDriver.onEventThread(() -> {
-            model.set(Studios.sphere());
-            view.canvas().setSize(64, 48);
-            view.render();
-        });
-        awaitNow("a picture of the sphere");
-        double before = FocusDistance.of(model.studio().camera());
-        JToggleButton pick = Components.find(panel, JToggleButton.class, "Pick a point to focus on");
-        WindowDriver.onEventThread(() -> {
-            pick.doClick();
-            mouse(view.canvas(), MouseEvent.MOUSE_PRESSED, 1, 1);
-            mouse(view.canvas(), MouseEvent.MOUSE_RELEASED, 1, 1);
-        });
-        WindowDriver.await("the answer", () -> told.equals(List.of(Texts.get("lens.pickedNothing"))));
-        assertThat(pick.isSelected()).isTrue();
-        assertThat(FocusDistance.of(model.studio().camera())).isEqualTo(before);
-        WindowDriver.onEventThread(() -> {
-            mouse(view.canvas(), MouseEvent.MOUSE_PRESSED);
-            mouse(view.canvas(), MouseEvent.MOUSE_RELEASED);
-        });
-        WindowDriver.await("the end of the picking", () -> !pick.isSelected());
-        assertThat(FocusDistance.of(model.studio().camera())).isNotEqualTo(before);
-    }
-
     private void awaitNow(String what) {
         WindowDriver.await(
                 what,
@@ -225,7 +191,7 @@ class PhotographViewTest {
 
     /** Another view of the model, with a picture on its canvas. */
     private PhotographView withPicture(PhotographView.Listener listener) {
-        PhotographView watched = WindowDriver.onEventThread(() -> new PhotographView(model, listener, () -> Pace.HAND));
+        PhotographView watched = WindowDriver.onEventThread(() -> new PhotographView(model, listener));
         WindowDriver.onEventThread(() -> {
             watched.canvas().setSize(64, 48);
             watched.render();
@@ -234,52 +200,33 @@ class PhotographViewTest {
         return watched;
     }
 
-    /** Picking comes before measuring, and that before choosing; each gives the click back when it ends. */
+    /** Measuring comes before choosing; each gives the click back when it ends. */
     @Test
     void whatAClickDoesIsTold() {
-        List<PhotographView.Click> told = new ArrayList<>();
+        List<String> told = new ArrayList<>();
         PhotographView.Listener listener = new SilentListener() {
             @Override
-            public void clicks(PhotographView.Click now) {
-                told.add(now);
+            public void hints(String click) {
+                told.add(click);
             }
         };
         try (PhotographView watched = withPicture(listener)) {
+            AtomicBoolean editing = new AtomicBoolean();
+            MeasureTool measure = new MeasureTool(watched, text -> {});
+            new ChooseTool(model, watched, editing::get, part -> {});
             WindowDriver.onEventThread(() -> {
-                watched.setMeasuring((place, picture) -> {});
-                watched.startPicking(distance -> true, () -> {});
-                watched.endPicking();
-                watched.setMeasuring(null);
-                watched.setMenu(new ChoosingMenu());
-                watched.tellClicks();
-                watched.setMeasuring((place, picture) -> {});
-                watched.setMeasuring(null);
+                measure.component();
+                measure.setOn(true);
+                measure.setOn(false);
+                editing.set(true);
+                watched.tellTool();
+                measure.setOn(true);
+                measure.setOn(false);
             });
-            assertThat(told)
-                    .containsExactly(
-                            PhotographView.Click.MEASURE,
-                            PhotographView.Click.PICK,
-                            PhotographView.Click.MEASURE,
-                            PhotographView.Click.PIN,
-                            PhotographView.Click.CHOOSE,
-                            PhotographView.Click.MEASURE,
-                            PhotographView.Click.CHOOSE);
+            String measures = Texts.get("status.idle.MEASURE");
+            String chooses = Texts.get("status.idle.CHOOSE");
+            assertThat(told).containsExactly(measures, "", chooses, measures, chooses);
         }
-    }
-
-    /** A menu whose clicks choose, as with the editor open. */
-    private static final class ChoosingMenu implements PhotographView.Menu {
-
-        @Override
-        public void show(PixelReading seen, Picture picture, Point2D place, Point at) {}
-
-        @Override
-        public boolean chooses() {
-            return true;
-        }
-
-        @Override
-        public void choose(PixelReading seen, Picture picture) {}
     }
 
     private static void doubleClick(PictureCanvas canvas, int x, int y) {
@@ -304,27 +251,6 @@ class PhotographViewTest {
 
     private static void mouse(PictureCanvas canvas, int event, int x, int y) {
         canvas.dispatchEvent(new MouseEvent(canvas, event, 0, 0, x, y, 1, false, MouseEvent.BUTTON1));
-    }
-
-    /** While something plays, the pinned ray is followed again in every picture. */
-    @Test
-    void aPointIsPickedThoughARayIsPinned() {
-        WindowDriver.onEventThread(() -> {
-            view.canvas().setSize(64, 48);
-            view.render();
-        });
-        WindowDriver.await("a picture", () -> view.canvas().shown().now() != null);
-        List<Double> picked = new ArrayList<>();
-        for (int i = 1; i <= 30; i++) {
-            int round = i;
-            WindowDriver.onEventThread(() -> {
-                view.startPicking(picked::add, () -> {});
-                mouse(view.canvas(), MouseEvent.MOUSE_PRESSED);
-                mouse(view.canvas(), MouseEvent.MOUSE_RELEASED);
-                view.setPin(new Point2D.Double(10.5, 10.5));
-            });
-            WindowDriver.await("pick " + round, () -> picked.size() == round);
-        }
     }
 
     /** Eight pixels lie between the two. */

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.camera.FocusDistance;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.LensEvent;
@@ -128,6 +129,14 @@ class PictureMenuTest {
         assertThat(LensEvent.inScene(ridden).position().distance(new Vector3d(0, 0, 9)))
                 .isCloseTo(0, within(0.01));
         assertThat(LensEvent.inScene(ridden).time()).isGreaterThanOrEqualTo(time);
+    }
+
+    /** The light began 10 away in the scene; in the camera frame that is D = 2 times as far. */
+    @Test
+    void theCameraIsFocusedOnWhatIsSeen() {
+        choose("focus");
+        WindowDriver.await("another focus", () -> driver.window().model().isModified());
+        assertThat(FocusDistance.of(driver.studio().camera())).isCloseTo(20, within(0.01));
     }
 
     @Test

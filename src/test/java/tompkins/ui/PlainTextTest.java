@@ -18,7 +18,6 @@ import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
-import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.JList;
 import javax.swing.JMenu;
@@ -86,11 +85,7 @@ class PlainTextTest {
     @Test
     void windowMenusTreeAndTipsShowNamesAsTheyStand() {
         driver.menu("menu.editScene");
-        WindowDriver.await(
-                "the editor",
-                () -> Components.showing(driver.window().frame(), JDialog.class)
-                        .findAny()
-                        .isPresent());
+        WindowDriver.await("the form", () -> driver.window().side().isEditing());
         WindowDriver.onEventThread(() -> {
             // what is filled when it is opened
             Components.all(driver.window().frame())

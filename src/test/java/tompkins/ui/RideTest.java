@@ -16,6 +16,7 @@ import javax.swing.JComboBox;
 import javax.swing.JList;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
+import javax.swing.MenuSelectionManager;
 import javax.swing.plaf.basic.ComboPopup;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
@@ -29,6 +30,7 @@ import tompkins.camera.Camera;
 import tompkins.io.StudioReader;
 import tompkins.property.Descriptions;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.LensEvent;
 import tompkins.studio.Ride;
 import tompkins.studio.RideLeg;
 import tompkins.studio.Studio;
@@ -36,6 +38,7 @@ import tompkins.studio.Studios;
 import tompkins.studio.View;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.ride.RidePilot;
+import tompkins.ui.widget.Texts;
 
 /** The camera is steered in the real window, with mouse and keys. */
 @Timeout(600)
@@ -97,7 +100,7 @@ class RideTest {
         driver.drag(from, to, 12);
         Camera dragged = driver.studio().camera();
         assertThat(pixelsBetween(seen, seenAt(to, dragged), dragged)).isLessThan(0.01);
-        assertThat(driver.window().side().panel().component().isShowing()).isTrue();
+        assertThat(driver.window().side().component().isShowing()).isTrue();
 
         Point pointer = point(0.3, 0.3);
         Vector3d under = seenAt(pointer, dragged);
@@ -181,6 +184,7 @@ class RideTest {
     void recordedRideIsKeptAndReplayed() {
         driver.key(KeyEvent.VK_F6);
         driver.key(KeyEvent.VK_F6);
+        more();
         driver.click(driver.find(JToggleButton.class, "Record"));
         driver.hold(KeyEvent.VK_S);
         WindowDriver.await(
@@ -206,11 +210,23 @@ class RideTest {
         assertThat(driver.studio()).isEqualTo(recorded);
     }
 
+    /** Shows all of the bar. */
+    private void more() {
+        JToggleButton button = driver.find(JToggleButton.class, "More");
+        WindowDriver.await("the bar", button::isShowing);
+        WindowDriver.onEventThread(() -> {
+            if (!button.isSelected()) {
+                button.doClick();
+            }
+        });
+    }
+
     /** Replays a ride to its end, which may be there before anybody looks. */
     private void replay() {
         RidePilot pilot = driver.window().motion().pilot();
         AtomicBoolean replayed = new AtomicBoolean();
         WindowDriver.onEventThread(() -> pilot.addListener(() -> replayed.compareAndSet(false, pilot.isReplaying())));
+        more();
         driver.click(driver.find(JButton.class, "Replay"));
         WindowDriver.await("the replay", replayed::get);
         WindowDriver.await("its end", () -> !pilot.isRiding());
@@ -301,6 +317,7 @@ class RideTest {
     @Test
     void theListOfKeyboardsShowsTheirNames() {
         driver.key(KeyEvent.VK_F6);
+        more();
         JComboBox<?> keyboards = driver.find(JComboBox.class, "Letters");
         WindowDriver.await("the tab", keyboards::isShowing);
         JList<?> list = ((ComboPopup) keyboards.getUI().getAccessibleChild(keyboards, 0)).getList();
@@ -313,7 +330,7 @@ class RideTest {
 
     @Test
     void rideBeginsWhereverTheFocusIs() {
-        driver.click(driver.find(JButton.class, "Sideways"));
+        driver.click(driver.find(JTextField.class, "Speed"));
         driver.key(KeyEvent.VK_F6);
         WindowDriver.await("the ride", () -> driver.window().motion().pilot().isRiding());
         driver.hold(KeyEvent.VK_W);
@@ -321,7 +338,7 @@ class RideTest {
                 "thrust",
                 () -> driver.window().model().studio().velocity().direction().z() > 0.01);
         driver.release(KeyEvent.VK_W);
-        driver.click(driver.find(JButton.class, "Ride through this scene (F6)"));
+        driver.click(driver.find(JButton.class, Texts.get("panel.ride")));
         assertThat(driver.window().motion().pilot().isRiding()).isFalse();
     }
 
@@ -329,7 +346,9 @@ class RideTest {
     @Test
     void keysSteerAfterAClickAtASwitch() {
         driver.key(KeyEvent.VK_F6);
-        driver.click(driver.find(JToggleButton.class, "Measured"));
+        more();
+        JComboBox<?> view = driver.find(JComboBox.class, "View");
+        WindowDriver.onEventThread(() -> view.setSelectedItem(View.MEASURED));
         assertThat(driver.studio().view()).isEqualTo(View.MEASURED);
         double before = driver.studio().velocity().speed();
         driver.hold(KeyEvent.VK_W);
@@ -345,29 +364,33 @@ class RideTest {
                 .isFalse();
     }
 
-    /** The arrows look through the list of rides, and Enter begins one. */
+    /** The arrows look through the list of rides, and Enter begins one; the last is 6 away. */
     @Test
     void aRideIsChosenWithTheKeys() {
         driver.close();
-        List<Ride> rides = Stream.of("first", "second", "third")
-                .map(name -> new Ride(name, "Hold W.", new Vector3d(0, 0, -1), Velocity.REST, 1, List.of()))
+        List<Ride> rides = Stream.of("a", "the second", "the last one")
+                .map(name -> new Ride(
+                        name, "Hold W.", new Vector3d(0, 0, -name.length() / 2.0), Velocity.REST, 1, List.of()))
                 .toList();
         driver =
                 new WindowDriver(folder.resolve("settings"), Descriptions.with(start, "rides", rides), null, List.of());
         driver.key(KeyEvent.VK_F6);
         RidePilot pilot = driver.window().motion().pilot();
         WindowDriver.await("a ride", pilot::isRiding);
-        JComboBox<?> offered = driver.find(JComboBox.class, "Rides of this scene");
-        WindowDriver.onEventThread(() -> {
-            offered.requestFocusInWindow();
-        });
-        WindowDriver.await("the keys", offered::isFocusOwner);
+        JButton challenges = driver.find(JButton.class, "Challenges");
+        WindowDriver.onEventThread(() -> challenges.doClick());
+        WindowDriver.await(
+                "the rides", () -> MenuSelectionManager.defaultManager().getSelectedPath().length > 0);
         driver.key(KeyEvent.VK_DOWN);
         driver.key(KeyEvent.VK_DOWN);
         driver.key(KeyEvent.VK_DOWN);
-        assertThat(offered.isFocusOwner()).isTrue();
         driver.key(KeyEvent.VK_ENTER);
-        WindowDriver.await("the last ride", () -> offered.getSelectedItem().equals(rides.get(2)));
+        WindowDriver.await(
+                "the last ride",
+                () -> LensEvent.inScene(driver.window().model().studio())
+                                .position()
+                                .z()
+                        < -5.5);
         WindowDriver.await("the keys of the ride", () -> canvas().isFocusOwner());
     }
 

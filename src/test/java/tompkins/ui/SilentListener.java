@@ -23,5 +23,5 @@ public class SilentListener implements PhotographView.Listener {
     public void failed(String message) {}
 
     @Override
-    public void clicks(PhotographView.Click now) {}
+    public void hints(String click) {}
 }

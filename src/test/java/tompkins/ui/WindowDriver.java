@@ -71,7 +71,6 @@ public final class WindowDriver implements AutoCloseable {
         System.setProperty("tompkins.settings", settings.toString());
         window = onEventThread(() -> TompkinsWindow.opened(first, () -> examples));
         await("a picture on the screen", () -> picture() != null);
-        await("the panel", () -> window.side().isThere());
         // which keys reach only then
         await("the focus", () -> window.frame().isFocused());
     }

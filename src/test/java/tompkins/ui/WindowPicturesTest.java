@@ -29,7 +29,6 @@ import javax.swing.JSlider;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTextPane;
-import javax.swing.JToggleButton;
 import org.joml.Vector2dc;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -44,7 +43,7 @@ import tompkins.measure.Overlays;
 import tompkins.measure.Projection;
 import tompkins.measure.SceneShapes;
 import tompkins.studio.Studio;
-import tompkins.ui.compare.ComparePanel;
+import tompkins.studio.StudioPath;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.ride.RidePilot;
 import tompkins.ui.widget.Texts;
@@ -65,12 +64,9 @@ class WindowPicturesTest {
     /** The pictures. */
     enum Shot {
         DEFAULT("town-square"),
-        DARK("town-square"),
+        CONTROLS("terrell-cube"),
         PROJECTOR("town-square"),
         RIDE("town-square"),
-        WIDE_APERTURE("fig3a"),
-        SPLIT("fig1b"),
-        SIDE_BY_SIDE("terrell-cube"),
         PINNED_RAY("terrell-cube"),
         MEASURING("penrose-sphere"),
         ERROR("fig1b"),
@@ -104,10 +100,7 @@ class WindowPicturesTest {
 
     private void take(Shot shot) throws Exception {
         Studio studio = StudioReader.read(BASE.resolve("scenes/" + shot.scene + ".json"));
-        if (shot == Shot.WIDE_APERTURE) {
-            // without noise, which would make a large file
-            studio = studio.withSettings(studio.settings().withSize(320, 240).withSamples(400));
-        } else if (shot == Shot.SPLIT || shot == Shot.RIDE) {
+        if (shot == Shot.RIDE) {
             // with more samples the noise, and what is small, have more levels
             studio = studio.withSettings(studio.settings().withSamples(1));
         }
@@ -120,9 +113,6 @@ class WindowPicturesTest {
             JMenu examples = driver.find(JMenu.class, "menu.examples");
             JMenu lessons = driver.find(JMenu.class, "menu.lessons");
             WindowDriver.await("the examples and lessons", () -> examples.isEnabled() && lessons.isEnabled());
-            if (shot == Shot.WIDE_APERTURE) {
-                resize(driver);
-            }
             arrange(shot, driver);
             driver.completePicture();
             Thread.sleep(500);
@@ -133,22 +123,12 @@ class WindowPicturesTest {
         }
     }
 
-    private static void resize(WindowDriver driver) {
-        WindowDriver.onEventThread(() -> {
-            driver.window().frame().setSize(960, 700);
-            driver.window().frame().validate();
-        });
-    }
-
     private static void arrange(Shot shot, WindowDriver driver) {
         switch (shot) {
-            case DARK, PROJECTOR -> press(driver, JMenuItem.class, "look." + shot.name());
+            case PROJECTOR -> press(driver, JMenuItem.class, "look.PROJECTOR");
+            case CONTROLS ->
+                WindowDriver.onEventThread(() -> driver.window().side().edit(StudioPath.parse("scene[0]").orElseThrow()));
             case RIDE -> ride(driver);
-            case SPLIT -> compareWithRest(driver);
-            case SIDE_BY_SIDE -> {
-                compareWithRest(driver);
-                press(driver, JRadioButton.class, "Side by side");
-            }
             case PINNED_RAY -> {
                 driver.click(driver.find(PictureCanvas.class, "picture"));
                 JTextPane story = driver.find(JTextPane.class, "ray.story");
@@ -222,18 +202,6 @@ class WindowPicturesTest {
         RidePilot pilot = driver.window().motion().pilot();
         WindowDriver.await("the thrust", () -> pilot.moment().properTime() > RIDE_TIME);
         WindowDriver.onEventThread(() -> pilot.setRiding(false));
-    }
-
-    private static void compareWithRest(WindowDriver driver) {
-        press(driver, JToggleButton.class, "Shutter");
-        press(driver, JToggleButton.class, "Compare");
-        press(driver, JToggleButton.class, "What this picture models");
-        JComboBox<?> other = driver.find(JComboBox.class, "Compare with");
-        WindowDriver.onEventThread(() -> other.setSelectedItem(ComparePanel.Other.AT_REST));
-        PictureCanvas canvas = driver.window().view().canvas();
-        WindowDriver.await(
-                "the other picture",
-                () -> canvas.shown().other() != null && canvas.shown().other().complete());
     }
 
     private static void press(WindowDriver driver, Class<? extends AbstractButton> type, String name) {

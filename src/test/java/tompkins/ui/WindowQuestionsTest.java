@@ -1,7 +1,6 @@
 package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -28,7 +27,6 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.JTextPane;
-import javax.swing.JToggleButton;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
 import org.joml.Vector3d;
@@ -38,7 +36,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.Thorough;
-import tompkins.camera.FocusDistance;
 import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
@@ -325,25 +322,14 @@ class WindowQuestionsTest {
         makeLow();
         JTextField exposure = driver.find(JTextField.class, "Exposure");
         assertThat(isInView(panel, exposure)).isFalse();
-        driver.click(driver.find(JToggleButton.class, "Lens"));
-        // what is said of it makes the panel longer
-        driver.completePicture();
         driver.click(driver.find(JTextField.class, "Speed"));
         for (int tab = 0; tab < 40 && !WindowDriver.onEventThread(exposure::isFocusOwner); tab++) {
             driver.key(KeyEvent.VK_TAB);
         }
         assertThat(WindowDriver.onEventThread(exposure::isFocusOwner)).isTrue();
         WindowDriver.await("the field", () -> isInView(panel, exposure));
-    }
-
-    @Test
-    void unfoldedPartsAndNewRemarksComeIntoView() {
-        JScrollPane panel = driver.find(JScrollPane.class, "panel");
-        makeLow();
-        JButton chart = driver.find(JButton.class, "Chart this picture");
-        assertThat(isInView(panel, chart)).isFalse();
-        WindowDriver.later(driver.find(JToggleButton.class, "Speed and accuracy")::doClick);
-        WindowDriver.await("the button", () -> isInView(panel, chart));
+        // who uses the mouse looks at what is new, and not at what has the focus
+        driver.click(exposure);
         WindowDriver.onEventThread(() ->
                 driver.window().model().open(Descriptions.with(Studios.sphere(), "remarks", "Look at this."), null));
         WindowDriver.await("the remarks", () -> panel.getVerticalScrollBar().getValue() == 0);
@@ -352,7 +338,7 @@ class WindowQuestionsTest {
     /** Too low for all of the panel. */
     private void makeLow() {
         WindowDriver.onEventThread(() -> {
-            driver.window().frame().setSize(900, 500);
+            driver.window().frame().setSize(900, 400);
             driver.window().frame().validate();
         });
     }
@@ -383,37 +369,6 @@ class WindowQuestionsTest {
     private Stream<JDialog> task() {
         return Components.showing(driver.window().frame(), JDialog.class)
                 .filter(dialog -> "task".equals(dialog.getName()));
-    }
-
-    @Test
-    void theCameraIsFocusedOnWhatIsClicked() {
-        driver.click(driver.find(JToggleButton.class, "Pick a point to focus on"));
-        driver.click(driver.find(PictureCanvas.class, "picture"));
-        WindowDriver.await("another focus", () -> driver.window().model().isModified());
-        assertThat(FocusDistance.of(driver.studio().camera())).isCloseTo(8, within(1e-5));
-        assertThat(driver.find(JToggleButton.class, "Pick a point to focus on").isSelected())
-                .isFalse();
-    }
-
-    @Test
-    void pickingIsLeftWithEscapeAndSaysWhereThereIsNothing() {
-        JToggleButton pick = driver.find(JToggleButton.class, "Pick a point to focus on");
-        JLabel what = driver.find(JLabel.class, "status.what");
-        driver.click(pick);
-        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PICK"));
-        driver.key(KeyEvent.VK_ESCAPE);
-        assertThat(pick.isSelected()).isFalse();
-        driver.click(driver.find(PictureCanvas.class, "picture"));
-        assertThat(driver.window().model().isModified()).isFalse();
-
-        WindowDriver.onEventThread(() -> driver.window().model().set(WALL.withScene(List.of())));
-        driver.completePicture();
-        Studio before = driver.studio();
-        driver.click(pick);
-        driver.click(driver.find(PictureCanvas.class, "picture"));
-        WindowDriver.await("the answer", () -> what.getText().equals(Texts.get("lens.pickedNothing")));
-        assertThat(driver.studio()).isEqualTo(before);
-        assertThat(pick.isSelected()).as("the next click may be better").isTrue();
     }
 
     @Test

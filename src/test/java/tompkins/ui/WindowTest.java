@@ -21,12 +21,10 @@ import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JMenu;
-import javax.swing.JRadioButton;
 import javax.swing.JSlider;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTextPane;
-import javax.swing.JToggleButton;
 import javax.swing.JTree;
 import javax.swing.MenuSelectionManager;
 import org.junit.jupiter.api.AutoClose;
@@ -49,6 +47,7 @@ import tompkins.studio.Studios;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.compare.ComparePanel;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.picture.Comparison;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.RenderController;
@@ -171,7 +170,7 @@ class WindowTest {
 
     @Test
     void everyShutterCanBeChosen() {
-        JComboBox<?> models = driver.find(JComboBox.class, "Shutter model");
+        JComboBox<?> models = driver.find(JComboBox.class, "Shutter");
         driver.click(models);
         driver.key(KeyEvent.VK_HOME);
         driver.key(KeyEvent.VK_ENTER);
@@ -342,7 +341,6 @@ class WindowTest {
         driver.enlarge();
         driver.completePicture();
         JComboBox<?> other = driver.find(JComboBox.class, "Compare with");
-        driver.click(driver.find(JToggleButton.class, "Compare"));
         WindowDriver.onEventThread(() -> other.setSelectedItem(ComparePanel.Other.AT_REST));
         PictureCanvas canvas = driver.find(PictureCanvas.class, "picture");
         WindowDriver.await(
@@ -382,12 +380,13 @@ class WindowTest {
                 "the other picture alone",
                 () -> canvas.shownAt(atLeft) == canvas.shown().other());
         // the key may be let go of in another window
-        driver.menu("menu.editScene");
+        driver.menu("menu.about");
         WindowDriver.await(
                 "both pictures", () -> canvas.shownAt(atLeft) == canvas.shown().now());
         driver.release(KeyEvent.VK_F8);
-        WindowDriver.onEventThread(() -> Components.find(driver.window().frame(), JRadioButton.class, "Difference")
-                .doClick());
+        driver.key(KeyEvent.VK_ESCAPE);
+        JComboBox<?> both = driver.find(JComboBox.class, "Both pictures");
+        WindowDriver.onEventThread(() -> both.setSelectedItem(Comparison.DIFFERENCE));
         WindowDriver.await("the difference", () -> canvas.shown().difference() != null);
     }
 

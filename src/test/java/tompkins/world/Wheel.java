@@ -128,7 +128,7 @@ final class Wheel {
 
     /** The event in the frame of the axis. */
     Event inFrame() {
-        return isPlace ? placed : traced().minus(rest.zero());
+        return isPlace ? placed : traced().minus(rest.properTimeZero());
     }
 
     private Event traced() {

@@ -21,6 +21,7 @@ import tompkins.property.NumberText;
 import tompkins.property.Require;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
+import tompkins.ui.model.Pace;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.number.NumberChoice;
 import tompkins.ui.number.NumberProperty;
@@ -57,7 +58,7 @@ public final class PlayPanel extends Part {
             Texts.get("play.scrubber"),
             Texts.get("play.scrubberTip"),
             Range.even(0, 1),
-            (share, drag) -> moveTo(share),
+            (share, drag) -> moveTo(share, Pace.HAND),
             drag -> endStep());
     private final JLabel value = new JLabel();
     private final Note note = new Note("");
@@ -318,17 +319,17 @@ public final class PlayPanel extends Part {
         double next = time + (now - lastTick) * 1e-9 / seconds;
         lastTick = now;
         boolean over = next >= 1 && !loop.isSelected();
-        moveTo(over ? 1 : next % 1);
+        moveTo(over ? 1 : next % 1, Pace.FILM);
         if (over || EntryField.isOvertaken()) {
             setPlaying(false);
         }
     }
 
-    private void moveTo(double share) {
+    private void moveTo(double share, Pace pace) {
         time = share;
         Animation animation = animation();
         updating.during(() -> {
-            if (!note.attempt(() -> model.adjust(animation.studio(model.studio(), share), gesture))) {
+            if (!note.attempt(() -> model.adjust(animation.studio(model.studio(), share), gesture, pace))) {
                 setPlaying(false);
             }
         });

@@ -1,26 +1,14 @@
 package tompkins.ui.compare;
 
-import java.util.EnumMap;
-import java.util.List;
-import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import java.util.stream.Stream;
-import javax.swing.ButtonGroup;
-import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
-import javax.swing.JRadioButton;
-import net.miginfocom.swing.MigLayout;
 import tompkins.lesson.Lesson;
-import tompkins.lesson.LessonPlan;
 import tompkins.property.Descriptions;
 import tompkins.shutter.Shutter;
-import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Comparison;
-import tompkins.ui.widget.Buttons;
-import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Part;
@@ -48,23 +36,19 @@ public final class ComparePanel extends Part {
         MEASURED,
         /** The camera has a shutter of another model. */
         OTHER_SHUTTER,
-        /** A picture that was on the screen before. */
+        /** The picture that is on the screen when this is chosen. */
         KEPT_PICTURE
     }
 
-    private final JComboBox<Other> others = new JComboBox<>();
+    private final JComboBox<Other> others = new JComboBox<>(Other.values());
     private final JComboBox<Class<?>> shutters = new JComboBox<>();
-    private final Map<Comparison, JRadioButton> views = new EnumMap<>(Comparison.class);
-    private final JButton peek = new JButton(Texts.get("compare.peek"));
+    private final JComboBox<Comparison> views =
+            new JComboBox<>(new Comparison[] {Comparison.SPLIT, Comparison.BESIDE, Comparison.DIFFERENCE});
     private final Note hint = Note.ofLines(2);
     private final StudioModel model;
     private final Consumer<Compared> changed;
+    private final Supplier<String> keeping;
     private String keptName;
-
-    /** What the scene that was opened teaches, and its title. */
-    private LessonPlan lesson;
-
-    private String title;
 
     /** Whether nobody asked for this comparison: it is part of the scene with which the program begins. */
     private boolean ofScene;
@@ -76,37 +60,31 @@ public final class ComparePanel extends Part {
      *
      * @param model what the photograph shows
      * @param changed notified of what the user wants to compare
-     * @param peeking notified when the other picture should be shown alone, and when no longer
      * @param keeping keeps the picture that is shown, and says what to call it
      */
-    public ComparePanel(
-            StudioModel model, Consumer<Compared> changed, Consumer<Boolean> peeking, Supplier<String> keeping) {
+    public ComparePanel(StudioModel model, Consumer<Compared> changed, Supplier<String> keeping) {
         super(Rows.column());
         this.model = model;
         this.changed = changed;
-        // the kept picture can be chosen once one is kept
-        Stream.of(Other.values()).filter(other -> other != Other.KEPT_PICTURE).forEach(others::addItem);
+        this.keeping = keeping;
         Naming.items(others, Wording::label);
         Naming.name(others, "compare.name");
+        Naming.items(views, Wording::label);
+        Naming.name(views, "compare.view");
         Descriptions.members(Shutter.class).forEach(shutters::addItem);
         Naming.items(shutters, Wording::label);
         Naming.name(shutters, "compare.shutter");
-        Naming.name(peek, "compare.peek");
-        peek.getModel()
-                .addChangeListener(event -> peeking.accept(peek.getModel().isPressed()));
+        JPanel head = Rows.of("gap 6", "[pref!][grow,fill]");
         others.addActionListener(event -> updating.unless(this::choose));
         shutters.addActionListener(event -> updating.unless(this::tell));
-        JPanel buttons = Rows.of("wrap 1, gap 4", "[grow,fill]");
-        buttons.add(Buttons.of("compare.keep", () -> keep(keeping.get())));
-        buttons.add(peek);
-        panel.add(others, "wmin 0");
+        views.addActionListener(event -> updating.unless(this::tell));
+        Rows.add(head, Texts.get("compare.name"), others, "wmin 0");
+        panel.add(head, "wmin 0");
         panel.add(shutters, "wmin 0");
-        panel.add(views());
-        panel.add(buttons);
+        panel.add(views, "wmin 0");
         panel.add(hint.component(), "wmin 0");
-        lesson = model.opened().lesson();
-        title = model.opened().title();
-        model.addListener(this::follow);
+        model.addOpenListener(this::beginScene);
+        model.addListener(this::update);
         update();
     }
 
@@ -114,40 +92,10 @@ public final class ComparePanel extends Part {
      * Ends the comparison when a lesson begins, because it would show the answer beside the question. Ends the one of
      * the first scene when another scene is opened.
      */
-    private void follow() {
-        Studio opened = model.opened();
-        boolean lessonBegins =
-                opened.lesson() instanceof Lesson && !opened.lesson().equals(lesson);
-        boolean otherScene = !opened.title().equals(title);
-        lesson = opened.lesson();
-        title = opened.title();
-        if (lessonBegins || otherScene && ofScene) {
+    private void beginScene() {
+        if (ofScene || model.studio().lesson() instanceof Lesson) {
             choose(Other.NOTHING);
         }
-        update();
-    }
-
-    private JPanel views() {
-        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, gap 12"));
-        row.setOpaque(false);
-        ButtonGroup group = new ButtonGroup();
-        for (Comparison view : List.of(Comparison.SPLIT, Comparison.BESIDE, Comparison.DIFFERENCE)) {
-            JRadioButton button = new JRadioButton(Wording.label(view), view == Comparison.SPLIT);
-            Naming.name(button, button.getText(), Texts.get("compare.tip." + view));
-            ChoiceRow.whenChosen(button, this::tell);
-            group.add(button);
-            row.add(button);
-            views.put(view, button);
-        }
-        return row;
-    }
-
-    private void keep(String name) {
-        if (keptName == null) {
-            others.addItem(Other.KEPT_PICTURE);
-        }
-        keptName = name;
-        choose(Other.KEPT_PICTURE);
     }
 
     /** Chooses what to compare with, as the user does. */
@@ -165,13 +113,16 @@ public final class ComparePanel extends Part {
     public void compareShutter(Class<? extends Shutter> shutter) {
         updating.during(() -> {
             shutters.setSelectedItem(shutter);
-            views.get(Comparison.BESIDE).setSelected(true);
+            views.setSelectedItem(Comparison.BESIDE);
         });
         begin(Other.OTHER_SHUTTER);
     }
 
     private void choose() {
         ofScene = false;
+        if (other() == Other.KEPT_PICTURE) {
+            keptName = keeping.get();
+        }
         if (other() == Other.OTHER_SHUTTER
                 && shutters.getSelectedItem()
                         == model.studio().camera().shutter().getClass()) {
@@ -194,8 +145,7 @@ public final class ComparePanel extends Part {
     private void update() {
         shutters.setVisible(other() == Other.OTHER_SHUTTER);
         boolean compares = other() != Other.NOTHING;
-        views.values().forEach(button -> button.setEnabled(compares));
-        peek.setEnabled(compares);
+        views.setVisible(compares);
         hint.setText(compares ? hint() : "");
     }
 
@@ -211,12 +161,7 @@ public final class ComparePanel extends Part {
     }
 
     private Comparison view() {
-        return other() == Other.NOTHING
-                ? Comparison.NONE
-                : views.keySet().stream()
-                        .filter(view -> views.get(view).isSelected())
-                        .findFirst()
-                        .orElseThrow();
+        return other() == Other.NOTHING ? Comparison.NONE : (Comparison) views.getSelectedItem();
     }
 
     private String otherName() {

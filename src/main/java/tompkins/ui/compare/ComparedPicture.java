@@ -7,8 +7,8 @@ import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import tompkins.shutter.Shutter;
 import tompkins.studio.Studio;
+import tompkins.ui.model.Pace;
 import tompkins.ui.model.StudioModel;
-import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.RenderController;
 import tompkins.ui.picture.ScreenPictures;
@@ -25,7 +25,6 @@ public final class ComparedPicture implements AutoCloseable {
     private final StudioModel model;
     private final ScreenPictures screen;
     private final Function<Studio, Dimension> sizes;
-    private final Supplier<Pace> pace;
     private final RenderController controller;
     private Compared compared = Compared.NOTHING;
     private Studio studio;
@@ -48,26 +47,20 @@ public final class ComparedPicture implements AutoCloseable {
      * The picture beside that of a model.
      *
      * @param sizes says in which size the picture of a studio is taken
-     * @param pace says how soon it has to come
      * @param failed notified of what goes wrong, by any thread
      */
     public ComparedPicture(
-            StudioModel model,
-            ScreenPictures screen,
-            Function<Studio, Dimension> sizes,
-            Supplier<Pace> pace,
-            Consumer<Throwable> failed) {
+            StudioModel model, ScreenPictures screen, Function<Studio, Dimension> sizes, Consumer<Throwable> failed) {
         this.model = model;
         this.screen = screen;
         this.sizes = sizes;
-        this.pace = pace;
         controller = new RenderController(this::show, failed);
     }
 
     /** Chooses what is compared from now on. */
     public void choose(Compared other) {
         compared = other;
-        render();
+        render(Pace.HAND);
     }
 
     /** Lets a camera at rest be where one on a ride is; the supplier gives null where there is no ride. */
@@ -80,15 +73,19 @@ public final class ComparedPicture implements AutoCloseable {
         return compared.name();
     }
 
-    /** Makes the picture that is compared with the one of the current studio, unless it is there already. */
-    public void render() {
+    /**
+     * Makes the picture that is compared with the one of the current studio, unless it is there already.
+     *
+     * @param pace how soon it has to come
+     */
+    public void render(Pace pace) {
         Studio wanted = wanted();
         if (wanted == null) {
             stop();
             set(null);
-        } else if (mayRender() && !(sizes.apply(wanted).equals(size) && looksAsBefore(wanted))) {
+        } else if (mayRender(pace) && !(sizes.apply(wanted).equals(size) && looksAsBefore(wanted, pace))) {
             studio = wanted;
-            asked = pace.get();
+            asked = pace;
             size = sizes.apply(wanted);
             if (kept != null && kept.complete() && studio == kept.studio() && kept.isOfSize(size)) {
                 controller.stop();
@@ -100,8 +97,8 @@ public final class ComparedPicture implements AutoCloseable {
     }
 
     /** Who steers looks at the picture in front of him: the other one gets a part of the time. */
-    private boolean mayRender() {
-        boolean goesOn = pace.get().isGlimpse() && asked != null && asked.isGlimpse();
+    private boolean mayRender(Pace pace) {
+        boolean goesOn = pace.isGlimpse() && asked != null && asked.isGlimpse();
         return !goesOn || !controller.isBusy() && System.nanoTime() - again >= 0;
     }
 
@@ -116,11 +113,11 @@ public final class ComparedPicture implements AutoCloseable {
     }
 
     /** Whether the picture would be that of before: on a ride only time may go on, and nothing change with it. */
-    private boolean looksAsBefore(Studio wanted) {
+    private boolean looksAsBefore(Studio wanted, Pace pace) {
         if (wanted.equals(studio)) {
-            return !asked.isGlimpse() || pace.get().isGlimpse();
+            return !asked.isGlimpse() || pace.isGlimpse();
         }
-        if (!pace.get().isGlimpse()
+        if (!pace.isGlimpse()
                 || shown == null
                 || !shown.studio().equals(studio)
                 || !shown.plan().isStill()) {

@@ -49,7 +49,6 @@ final class FamilyEditor extends Part implements ValueEditor {
         types.addActionListener(event -> updating.unless(this::choose));
         types.setVisible(types.getItemCount() > 1);
         panel.add(types, "wmin 0");
-        panel.add(meaning.component(), "wmin 0");
     }
 
     @Override
@@ -132,6 +131,7 @@ final class FamilyEditor extends Part implements ValueEditor {
 
     private void replaceForm() {
         formPanel.removeAll();
+        formPanel.add(meaning.component(), "wmin 0");
         form = new RecordForm(shownType, component -> !Branches.isBranch(component.getGenericType()), commit);
         formPanel.add(form.component(), "wmin 0");
         formPanel.revalidate();

@@ -1,14 +1,20 @@
 package tompkins.ui.editor;
 
+import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.Consumer;
+import javax.swing.BorderFactory;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
+import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
 import javax.swing.KeyStroke;
+import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.LightSource;
@@ -18,14 +24,17 @@ import tompkins.sceneobject.SceneObject;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
+import tompkins.surface.FrameWindow;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.Column;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Keys;
+import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Part;
+import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.TinyDrawing;
 import tompkins.ui.widget.Wording;
@@ -34,11 +43,15 @@ import tompkins.ui.widget.Wording;
 public final class SceneEditor extends Part {
 
     private static final StudioPath SCENE = StudioPath.ROOT.then("scene");
+    private static final StudioPath LIGHTS = StudioPath.ROOT.then("lights");
+    private static final StudioPath ON_BOARD = StudioPath.ROOT.then("cameraFrame");
+
+    /** The height of the tree at first, in sizes of the type. */
+    private static final double TREE = 15;
 
     private final StudioModel model;
     private final StudioTree tree = new StudioTree(this::leaveFor);
     private final Column formPanel = new Column();
-    private final TreeAndForm parts = new TreeAndForm(tree.component(), formPanel);
     private final Note note = new Note("");
     private final JButton add = Buttons.of("tree.add", this::offerTypes);
     private final JButton duplicate = button("duplicate", this::duplicate, 1);
@@ -46,7 +59,7 @@ public final class SceneEditor extends Part {
     private final JButton up = button("up", list -> Collections.swap(list, place(), place() - 1), -1);
     private final JButton down = button("down", list -> Collections.swap(list, place(), place() + 1), 1);
     private final JButton remove = Buttons.of("tree.remove", this::remove);
-    private final JPanel buttons = new JPanel(buttons(false));
+    private final JButton match = Buttons.of("window.match", this::matchCamera);
     private StudioTree.Line line;
     private FamilyEditor form;
     private Studio shown;
@@ -54,21 +67,32 @@ public final class SceneEditor extends Part {
     /** An editor of the studio in a model, which follows its changes. */
     public SceneEditor(StudioModel model) {
         super(new JPanel(
-                new MigLayout("novisualpadding, insets 10, fill, wrap 1, gap 0 8", "[grow,fill]", "[grow,fill][]")));
+                new MigLayout("novisualpadding, insets 6, fill, wrap 1, gap 0 6", "[grow,fill]", "[grow,fill][]")));
         this.model = model;
-        panel.add(parts.component());
-        for (JButton each : List.of(add, duplicate, hide, up, down, remove)) {
-            buttons.add(each);
+        JScrollPane upper = new JScrollPane(tree.component());
+        upper.setPreferredSize(new Dimension(0, Look.pixels(TREE)));
+        JScrollPane lower = new JScrollPane(
+                formPanel,
+                ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS,
+                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        lower.setBorder(BorderFactory.createEmptyBorder());
+        // it takes what the tree leaves, and scrolls
+        lower.setPreferredSize(new Dimension(0, 0));
+        JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, upper, lower);
+        split.getAccessibleContext().setAccessibleName(Texts.get("tree.split"));
+        // they would go from the tree to the form, and not begin a ride or show the other picture
+        for (String key : List.of("F6", "F8")) {
+            split.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(key), "none");
         }
-        panel.add(buttons);
+        panel.add(split, "wmin 0");
+        JPanel buttons = Rows.of("wrap 3, hidemode 3, gap 4", "[grow,fill,sg][grow,fill,sg][grow,fill,sg]");
+        for (JButton each : List.of(add, duplicate, hide, up, down, remove)) {
+            buttons.add(each, "wmin 0");
+        }
+        buttons.add(match, "span");
+        panel.add(buttons, "wmin 0");
         Keys.bindFocused(tree.component(), KeyStroke.getKeyStroke("DELETE"), remove::doClick);
         model.follow(this::update);
-    }
-
-    /** Sets the sizes that do not follow the look by themselves; {@code tall} makes it narrow and high. */
-    public void fitToLook(boolean tall) {
-        parts.fitToLook(tall);
-        buttons.setLayout(buttons(tall));
     }
 
     private JButton button(String key, Consumer<List<Object>> change, int step) {
@@ -101,8 +125,11 @@ public final class SceneEditor extends Part {
         changeList(list -> list.remove(place()), 0);
     }
 
-    private static MigLayout buttons(boolean tall) {
-        return new MigLayout("novisualpadding, insets 0, gap 4" + (tall ? ", wrap 3" : ""), tall ? "[fill,sg]" : "");
+    /** Gives the window in front of the lens the velocity of the camera, which it follows from then on. */
+    private void matchCamera() {
+        Studio studio = model.studio();
+        FrontWindow.of(studio)
+                .ifPresent(window -> model.set(FrontWindow.with(studio, window.withVelocity(studio.velocity()))));
     }
 
     private void update() {
@@ -191,7 +218,7 @@ public final class SceneEditor extends Part {
             StudioPath path = line.path();
             form = new FamilyEditor((Class<?>) line.type(), line.label(), note, value -> {
                 StudioPath content = Hiding.content(path, path.get(model.studio()));
-                model.set(FrontWindow.following(model.studio(), content.with(model.studio(), value)));
+                model.set(PartChange.with(model.studio(), content, value));
             });
             formPanel.add(form.component(), "wmin 0");
             form.parts().ifPresent(parts -> formPanel.add(parts, "wmin 0, gaptop 5"));
@@ -219,6 +246,9 @@ public final class SceneEditor extends Part {
         hide.setEnabled(element && line.type() == SceneObject.class);
         boolean hidden = element && line.path().get(model.studio()) instanceof Hidden;
         hide.setText(Texts.get(hidden ? "tree.show" : "tree.hide"));
+        match.setVisible(
+                line.path().isWithin(ON_BOARD) && FrontWindow.of(model.studio()).isPresent());
+        match.setEnabled(!FrontWindow.matches(model.studio()));
     }
 
     private boolean isAll() {
@@ -243,13 +273,39 @@ public final class SceneEditor extends Part {
                 : isAll()
                         ? SceneObject.class
                         : Descriptions.elementType(line.type()).orElseThrow();
+        offer(menu, family, this::addElement);
+        if (isAll()) {
+            menu.addSeparator();
+            offer(menu, LightSource.class, type -> {
+                tree.select(LIGHTS);
+                show(tree.chosenLine());
+                addElement(type);
+            });
+        }
+        if (listPath().equals(ON_BOARD)) {
+            menu.addSeparator();
+            offer(menu, FrameWindow.class, this::addWindow);
+        }
+        menu.show(add, 0, -menu.getPreferredSize().height);
+    }
+
+    private static void offer(JPopupMenu menu, Class<?> family, Consumer<Class<?>> taker) {
         for (Class<?> type : Hiding.types(family)) {
             JMenuItem item = new JMenuItem(Wording.label(type), TinyDrawing.of(type));
             Naming.tip(item, Wording.meaning(type));
-            item.addActionListener(event -> addElement(type));
+            item.addActionListener(event -> taker.accept(type));
             menu.add(item);
         }
-        menu.show(add, 0, -menu.getPreferredSize().height);
+    }
+
+    /** Puts a window in front of the lens, with the velocity of the camera. */
+    private void addWindow(Class<?> type) {
+        if (takesEntries()) {
+            FrameWindow window = ((FrameWindow) Descriptions.standard(type))
+                    .withVelocity(model.studio().velocity());
+            model.set(FrontWindow.with(model.studio(), window));
+            select(ON_BOARD.then(0));
+        }
     }
 
     /** Puts a new element of a type after the chosen one, or at the end of the chosen list. */
@@ -261,11 +317,11 @@ public final class SceneEditor extends Part {
         StudioTree.Line entry = entry();
         int place = entry == null ? list().size() : (Integer) entry.path().last() + 1;
         List<?> before = list();
+        Studio studio = model.studio();
         boolean hides = path.equals(SCENE) && !isFirstObject(path);
-        Object made = NewObject.of(type, before, plane -> !hides || InPicture.isSeen(model.studio(), plane));
-        Object added = path.equals(SCENE) && made instanceof SceneObject object
-                ? InPicture.inSight(model.studio(), object)
-                : made;
+        Object made = NewObject.of(type, before, plane -> !hides || InPicture.isSeen(studio, plane));
+        Object added =
+                path.equals(SCENE) && made instanceof SceneObject object ? InPicture.inSight(studio, object) : made;
         List<Object> longer = new ArrayList<>(before);
         longer.add(place, added);
         if (isFirstObject(path)) {
@@ -277,7 +333,7 @@ public final class SceneEditor extends Part {
             select(type.isInstance(added) ? element : element.then("object"));
             if (added instanceof LightSource && !before.isEmpty()) {
                 note.setText(Texts.get("tree.moreLight", before.size()));
-            } else if (path.equals(SCENE) && !InPicture.shows(model.studio(), (SceneObject) added)) {
+            } else if (path.equals(SCENE) && InPicture.liesOutside(studio, (SceneObject) added)) {
                 note.setText(Texts.get("tree.outOfPicture"));
             }
         }

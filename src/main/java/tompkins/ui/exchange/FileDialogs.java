@@ -76,7 +76,7 @@ public final class FileDialogs implements FileContentEditor.Choosers {
     }
 
     /**
-     * Saves a file in the background, after what is being saved there already.
+     * Saves a file in the background, unless that is being saved already.
      *
      * @param done takes what came of it when it was saved
      */
@@ -92,10 +92,12 @@ public final class FileDialogs implements FileContentEditor.Choosers {
                         .into(file));
     }
 
-    /** Does something with a file when nothing is being saved there any more; says so if that takes a while. */
+    /** Does something with a file, unless that is being saved, which is said then. */
     void whenFree(Path file, Runnable step) {
-        if (!BackgroundTask.whenFree(window.frame(), file, step)) {
+        if (BackgroundTask.isWriting(file)) {
             window.status().report(Texts.get("file.stillSaving", file));
+        } else {
+            step.run();
         }
     }
 

@@ -27,16 +27,13 @@ public final class SceneOpener {
     private final FileDialogs dialogs;
     private final SceneSaver saver;
     private final Runnable pause;
-    private final Runnable beginLesson;
 
     /** Opens scenes in a window. */
-    public SceneOpener(
-            WindowParts window, FileDialogs dialogs, SceneSaver saver, Runnable pause, Runnable beginLesson) {
+    public SceneOpener(WindowParts window, FileDialogs dialogs, SceneSaver saver, Runnable pause) {
         this.window = window;
         this.dialogs = dialogs;
         this.saver = saver;
         this.pause = pause;
-        this.beginLesson = beginLesson;
     }
 
     /**
@@ -140,16 +137,12 @@ public final class SceneOpener {
         leaveForAnother(() -> show(example, null));
     }
 
-    /** Shows a scene; messages, refused values and the pin of the one before it go. */
+    /** Shows a scene; refused values of the one before it go, and each part of the window forgets what it has of it. */
     private void show(Studio studio, Path file) {
-        window.status().clear();
         if (!Objects.equals(file, window.model().file())) {
             dialogs.forgetFolder();
         }
-        window.view().setPin(null);
-        window.view().canvas().beginScene();
         window.model().open(studio, file);
-        beginLesson.run();
         saver.hold(file, studio);
         EntryField.in(window.frame()).forEach(EntryField::revert);
     }

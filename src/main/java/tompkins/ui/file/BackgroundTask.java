@@ -3,17 +3,20 @@ package tompkins.ui.file;
 import java.awt.Window;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
-import java.util.function.Predicate;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
-import javax.swing.SwingUtilities;
+import javax.swing.SwingWorker;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import tompkins.render.Progress;
@@ -22,8 +25,11 @@ import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
 
-/** Work that takes a while, away from the event thread; a small window shows how far it is, and can cancel it. */
-public final class BackgroundTask implements Progress {
+/**
+ * Work that takes a while, away from the event thread; a small window shows how far it is, and can cancel it. All but
+ * the work itself is for the event thread.
+ */
+public final class BackgroundTask<T> extends SwingWorker<T, Void> {
 
     /** What a task does, on a thread of its own. */
     public interface Work<T> {
@@ -51,26 +57,24 @@ public final class BackgroundTask implements Progress {
 
     private static final double LONGEST_IN_SECONDS = 100;
 
-    /** The tasks that run at the moment; used by the event thread alone. */
-    private static final List<BackgroundTask> RUNNING = new ArrayList<>();
+    /** The tasks that run at the moment. */
+    private static final List<BackgroundTask<?>> RUNNING = new ArrayList<>();
 
-    /** What waits for the end of tasks, in its order; used by the event thread alone. */
-    private static final List<Waiting> WAITING = new ArrayList<>();
-
-    /** A step of a window that is done when none of some tasks runs any more. */
-    private record Waiting(Window owner, Predicate<BackgroundTask> blocking, Runnable step) {
-
-        boolean isFree() {
-            return RUNNING.stream().noneMatch(blocking);
-        }
-    }
+    /** What windows do when none of their tasks runs any more. */
+    private static final Map<Window, Runnable> WHEN_IDLE = new HashMap<>();
 
     private final Window owner;
     private final String title;
+    private final Work<T> work;
+    private final Consumer<? super T> taker;
+    private final Runnable notDone;
     private final JProgressBar bar = new JProgressBar(0, STEPS);
     private final long start = System.nanoTime();
-    private volatile double progress;
-    private volatile boolean cancelled;
+    private final Timer timer = new Timer(PATIENCE_MILLISECONDS, event -> refresh());
+    private volatile double share;
+
+    /** What was done before it was cancelled is done: only the work knows whether it is too late to end. */
+    private volatile boolean unwanted;
 
     /** The file that it writes; null if there is none. */
     private Path file;
@@ -78,23 +82,155 @@ public final class BackgroundTask implements Progress {
     /** The small window, or null before it is shown for the first time: most work is done before that. */
     private JDialog dialog;
 
-    private BackgroundTask(Window owner, String title) {
+    private BackgroundTask(Window owner, String title, Work<T> work, Consumer<? super T> taker, Runnable notDone) {
         this.owner = owner;
         this.title = title;
+        this.work = work;
+        this.taker = taker;
+        this.notDone = notDone;
+    }
+
+    /**
+     * Starts work.
+     *
+     * @param done takes what came of the work if it was done, even if Cancel came too late
+     * @param notDone called if it was cancelled
+     */
+    public static <T> BackgroundTask<T> start(
+            Window owner, String title, Work<T> work, Consumer<? super T> done, Runnable notDone) {
+        BackgroundTask<T> task = new BackgroundTask<>(owner, title, work, done, notDone);
+        RUNNING.add(task);
+        task.timer.start();
+        task.execute();
+        return task;
+    }
+
+    /**
+     * Starts work that finds something and changes nothing, so that it can be cancelled up to its end.
+     *
+     * @param done takes what was found
+     */
+    public static <T> BackgroundTask<T> find(Window owner, String title, Callable<T> work, Consumer<T> done) {
+        Work<T> search = progress -> {
+            T found = work.call();
+            progress.requireWanted();
+            return found;
+        };
+        return start(owner, title, search, done, () -> {});
+    }
+
+    /** Says which file the task writes, and no other task meanwhile. */
+    public void into(Path written) {
+        file = plain(written);
+    }
+
+    private static Path plain(Path file) {
+        return file.toAbsolutePath().normalize();
+    }
+
+    /** Whether a task writes a file. */
+    public static boolean isWriting(Path wanted) {
+        return RUNNING.stream().anyMatch(task -> plain(wanted).equals(task.file));
+    }
+
+    /** Does something when no task of a window runs any more. */
+    public static void whenIdle(Window owner, Runnable step) {
+        if (of(owner).findAny().isEmpty()) {
+            step.run();
+        } else {
+            WHEN_IDLE.put(owner, step);
+        }
+    }
+
+    private static Stream<BackgroundTask<?>> of(Window owner) {
+        return RUNNING.stream().filter(task -> task.owner == owner);
+    }
+
+    /** The titles of the tasks that run for a window, which should not be closed before they end. */
+    public static List<String> running(Window owner) {
+        return of(owner).map(task -> task.title).toList();
+    }
+
+    /** Cancels the tasks of a window; false if none runs. */
+    public static boolean cancel(Window owner) {
+        of(owner).forEach(task -> task.unwanted = true);
+        return of(owner).findAny().isPresent();
+    }
+
+    /** Cancels the task of a window that was begun last and is not cancelled yet. */
+    public static void cancelLast(Window owner) {
+        of(owner)
+                .filter(task -> !task.unwanted)
+                .reduce((earlier, later) -> later)
+                .ifPresent(task -> task.unwanted = true);
+    }
+
+    @Override
+    protected T doInBackground() throws Exception {
+        return work.run(new Progress() {
+            @Override
+            public void setProgress(double done) {
+                share = done;
+            }
+
+            @Override
+            public boolean isCancelled() {
+                return unwanted;
+            }
+        });
+    }
+
+    @Override
+    protected void done() {
+        timer.stop();
+        RUNNING.remove(this);
+        if (dialog != null) {
+            dialog.dispose();
+        }
+        try {
+            taker.accept(get());
+        } catch (ExecutionException failed) {
+            fail(failed.getCause());
+        } catch (InterruptedException impossible) {
+            throw new IllegalStateException(impossible);
+        } finally {
+            if (WHEN_IDLE.containsKey(owner) && of(owner).findAny().isEmpty()) {
+                WHEN_IDLE.remove(owner).run();
+            }
+        }
+    }
+
+    private void fail(Throwable failure) {
+        if (failure instanceof CancellationException) {
+            notDone.run();
+        } else {
+            Messages.error(
+                    owner, Messages.isOfMemory(failure) ? title + ": " + Messages.of(failure) : Messages.of(failure));
+        }
+    }
+
+    private void refresh() {
+        bar.setValue((int) (share * STEPS));
+        bar.setString(remaining(share, (System.nanoTime() - start) / 1e9));
+        // showing it again would take the focus from whatever the user does meanwhile
+        if (dialog == null) {
+            dialog = dialog();
+            dialog.setVisible(true);
+        }
     }
 
     private JDialog dialog() {
         JDialog made = new JDialog(owner, title);
         String column = "[" + Look.pixels(NARROWEST) + ":pref:" + Look.pixels(WIDEST) + ",fill]";
         JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 16, wrap 1, gap 0 12", column));
-        panel.add(new JLabel(title));
-        panel.add(bar);
         JButton cancel = new JButton(Texts.get("task.cancel"));
         cancel.setName(Texts.get("task.cancel"));
-        cancel.addActionListener(event -> cancelled = true);
+        cancel.addActionListener(event -> unwanted = true);
         Keys.bindEscape(made.getRootPane(), cancel::doClick);
         bar.getAccessibleContext().setAccessibleName(title);
         bar.setStringPainted(true);
+        panel.add(new JLabel(title));
+        panel.add(bar);
         panel.add(cancel, "growx 0, alignx right");
         made.setContentPane(panel);
         // keys that are typed meanwhile are not meant for it
@@ -107,146 +243,6 @@ public final class BackgroundTask implements Progress {
         return made;
     }
 
-    /**
-     * Starts work. Called by the event thread.
-     *
-     * @param done takes on the event thread what came of the work if it was done, even if Cancel came too late
-     * @param notDone called on the event thread if it was cancelled
-     */
-    public static <T> BackgroundTask start(
-            Window owner, String title, Work<T> work, Consumer<? super T> done, Runnable notDone) {
-        BackgroundTask task = new BackgroundTask(owner, title);
-        RUNNING.add(task);
-        Timer timer = new Timer(PATIENCE_MILLISECONDS, event -> task.refresh());
-        timer.start();
-        Thread thread = new Thread(() -> task.run(work, timer, done, notDone), "tompkins-task");
-        thread.setDaemon(true);
-        thread.start();
-        return task;
-    }
-
-    /**
-     * Starts work that finds something and changes nothing, so that it can be cancelled up to its end. Called by the
-     * event thread.
-     *
-     * @param done takes on the event thread what was found
-     */
-    public static <T> BackgroundTask find(Window owner, String title, Callable<T> work, Consumer<T> done) {
-        return start(
-                owner,
-                title,
-                task -> {
-                    T found = work.call();
-                    task.requireWanted();
-                    return found;
-                },
-                done,
-                () -> {});
-    }
-
-    /** Says which file the task writes, and no other task meanwhile. Called by the event thread. */
-    public void into(Path written) {
-        file = written.toAbsolutePath().normalize();
-    }
-
-    /**
-     * Does a step of a window, such as saving, when no task writes a file any more. Called by the event thread.
-     *
-     * @return false if it has to wait
-     */
-    public static boolean whenFree(Window owner, Path wanted, Runnable step) {
-        Path whole = wanted.toAbsolutePath().normalize();
-        return await(new Waiting(owner, task -> whole.equals(task.file), step));
-    }
-
-    /** Does something when no task of a window runs any more. Called by the event thread. */
-    public static void whenIdle(Window owner, Runnable step) {
-        await(new Waiting(owner, task -> task.owner == owner, step));
-    }
-
-    private static boolean await(Waiting waiting) {
-        boolean free = waiting.isFree();
-        if (free) {
-            waiting.step.run();
-        } else {
-            WAITING.add(waiting);
-        }
-        return free;
-    }
-
-    private static void goOn() {
-        for (Waiting waiting : List.copyOf(WAITING)) {
-            // a step may begin a task for which others wait
-            if (waiting.isFree() && WAITING.remove(waiting)) {
-                waiting.step.run();
-            }
-        }
-    }
-
-    /** The titles of the tasks that run for a window, which should not be closed before they end. */
-    public static List<String> running(Window owner) {
-        return RUNNING.stream()
-                .filter(task -> task.owner == owner)
-                .map(task -> task.title)
-                .toList();
-    }
-
-    /** Brings forward the tasks that run for a window. Called by the event thread. */
-    public static void showRunning(Window owner) {
-        RUNNING.stream().filter(task -> task.owner == owner).forEach(BackgroundTask::show);
-    }
-
-    /** Cancels the tasks of a window, and drops what waits for them; false if none runs. Called by the event thread. */
-    public static boolean cancel(Window owner) {
-        WAITING.removeIf(waiting -> waiting.owner == owner);
-        RUNNING.stream().filter(task -> task.owner == owner).forEach(task -> task.cancelled = true);
-        return !running(owner).isEmpty();
-    }
-
-    /** Cancels the task of a window that was begun last and is not cancelled yet; what waits for it comes then. */
-    public static void cancelLast(Window owner) {
-        RUNNING.stream()
-                .filter(task -> task.owner == owner && !task.cancelled)
-                .reduce((earlier, later) -> later)
-                .ifPresent(task -> task.cancelled = true);
-    }
-
-    private <T> void run(Work<T> work, Timer timer, Consumer<? super T> done, Runnable notDone) {
-        Runnable end;
-        try {
-            T made = work.run(this);
-            end = () -> done.accept(made);
-        } catch (CancellationException stopped) {
-            end = notDone;
-        } catch (Exception | Error failure) {
-            // whatever happened, a task that has ended must not count as running
-            end = () -> Messages.error(
-                    owner, Messages.isOfMemory(failure) ? title + ": " + Messages.of(failure) : Messages.of(failure));
-        }
-        Runnable last = end;
-        SwingUtilities.invokeLater(() -> {
-            timer.stop();
-            RUNNING.remove(this);
-            if (dialog != null) {
-                dialog.dispose();
-            }
-            try {
-                last.run();
-            } finally {
-                goOn();
-            }
-        });
-    }
-
-    private void refresh() {
-        bar.setValue((int) (progress * STEPS));
-        bar.setString(remaining(progress, (System.nanoTime() - start) / 1e9));
-        // showing it again would take the focus from whatever the user does meanwhile
-        if (dialog == null) {
-            show();
-        }
-    }
-
     /** How long it will still take, estimated after some seconds; empty before enough is done. */
     static String remaining(double share, double seconds) {
         if (share < LEAST_SHARE) {
@@ -256,22 +252,5 @@ public final class BackgroundTask implements Progress {
         return left < LONGEST_IN_SECONDS
                 ? Texts.get("task.secondsLeft", Math.round(left))
                 : Texts.get("task.minutesLeft", Math.round(left / 60));
-    }
-
-    private void show() {
-        if (dialog == null) {
-            dialog = dialog();
-        }
-        dialog.setVisible(true);
-    }
-
-    @Override
-    public void setProgress(double share) {
-        progress = share;
-    }
-
-    @Override
-    public boolean isCancelled() {
-        return cancelled;
     }
 }

@@ -34,6 +34,11 @@ public final class LessonCourse {
         follower.run();
     }
 
+    /** All lessons, in their order. */
+    public List<Studio> lessons() {
+        return lessons;
+    }
+
     /** Calls somebody when the lessons are there; a window opens before that. */
     void follow(Runnable other) {
         follower = other;

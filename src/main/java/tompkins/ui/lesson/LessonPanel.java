@@ -25,6 +25,8 @@ import tompkins.shutter.Shutter;
 import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.ray.DiagramWindow;
+import tompkins.ui.ray.SpaceTimeDiagram;
 import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.Keys;
@@ -65,6 +67,7 @@ public final class LessonPanel extends Part {
     private final JPanel sliderRoom = Rows.column();
 
     private final Note remarks = new Note("");
+    private final DiagramWindow diagram = new DiagramWindow();
 
     /** What it was made for. */
     private LessonPlan shown = NoLesson.DEFAULT;
@@ -193,8 +196,14 @@ public final class LessonPanel extends Part {
     private void addPages(Lesson fitting) {
         question = new LessonQuestionPage(fitting, this::updateNext);
         slider = new LessonSlider(model, lesson);
-        look = new LessonLookPage(model.opened().ride().isEmpty() ? null : this::fly);
-        reason = new LessonReasonPage(fitting, model.studio().scene().isEmpty(), stage::showOutlines, this::setSlider);
+        boolean rides = !model.opened().ride().isEmpty();
+        look = new LessonLookPage(rides ? this::fly : null);
+        reason = new LessonReasonPage(
+                fitting,
+                model.studio().scene().isEmpty(),
+                stage::showOutlines,
+                this::setSlider,
+                rides ? this::showDiagram : null);
         numbers = new LessonNumbersPage(fitting);
         pages.put(Step.PREDICT, question);
         pages.put(Step.LOOK, look);
@@ -224,6 +233,12 @@ public final class LessonPanel extends Part {
         model.set(LessonStudio.unmoved(model.atHome(), model.opened()));
         updateNext();
         stage.fly();
+    }
+
+    /** Shows the ride of the scene in space and time. */
+    private void showDiagram() {
+        diagram.show(SpaceTimeDiagram.ofRide(model.opened()), Texts.get("ray.diagram.ride"));
+        diagram.open(panel);
     }
 
     private void show(Step other) {

@@ -9,6 +9,7 @@ import javax.swing.JToggleButton;
 import tompkins.io.FactText;
 import tompkins.lesson.Lesson;
 import tompkins.lesson.LessonControl;
+import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Part;
@@ -31,8 +32,9 @@ final class LessonReasonPage extends Part {
      * @param empty whether the scene has nothing with an outline
      * @param outliner shows where things are now, or not
      * @param mover moves the slider of the lesson
+     * @param diagram shows the ride of the scene in space and time; null if it has none
      */
-    LessonReasonPage(Lesson lesson, boolean empty, Consumer<Boolean> outliner, DoubleConsumer mover) {
+    LessonReasonPage(Lesson lesson, boolean empty, Consumer<Boolean> outliner, DoubleConsumer mover, Runnable diagram) {
         super(Rows.column());
         this.lesson = lesson;
         LessonControl control = lesson.control();
@@ -46,9 +48,12 @@ final class LessonReasonPage extends Part {
         panel.add(right.component(), "wmin 0");
         panel.add(reply.component(), "wmin 0");
         panel.add(Note.paragraph(FactText.readable(lesson.reveal())).component(), "wmin 0");
-        JPanel pictures = Rows.of("hidemode 3, gap 4", "[][]");
+        JPanel pictures = Rows.of("hidemode 3, gap 4", "[][][]");
         pictures.add(outlines);
         pictures.add(other);
+        if (diagram != null) {
+            pictures.add(Buttons.of("lesson.diagram", diagram));
+        }
         panel.add(pictures, "wmin 0, gaptop 4");
     }
 

@@ -1,5 +1,6 @@
 package tompkins.ui.measure;
 
+import java.awt.Cursor;
 import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,15 +17,16 @@ import tompkins.measure.Profile;
 import tompkins.measure.Sketch;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.photograph.PhotographView;
-import tompkins.ui.picture.NewestFirst;
 import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.PictureTool;
+import tompkins.ui.widget.Texts;
 
 /**
  * Measures in the photograph: while it is on, clicks mark places, and a panel under the picture says what lies between
  * them. If another picture is compared, clicks there mark places in that one, and sizes in both are compared, too. It
  * measures again in each new picture. One place more than needed starts again.
  */
-public final class MeasureTool {
+public final class MeasureTool implements PictureTool {
 
     private final PhotographView view;
     private final Consumer<String> copier;
@@ -56,18 +58,11 @@ public final class MeasureTool {
         }
     }
 
-    /**
-     * The places in one of two pictures, and what lies between them. That is measured by a thread of its own, where a
-     * newer question ends the previous one.
-     */
+    /** The places in one of two pictures, and what lies between them. */
     private final class Ruler {
 
-        private final NewestFirst worker = new NewestFirst("tompkins-measure", view::fail);
         private final List<Vector2dc> places = new ArrayList<>();
         private Answer answer;
-
-        /** The question at hand; null if there is none. */
-        private volatile Object question;
 
         void add(Point2D place) {
             if (places.size() == panel.kind().most()) {
@@ -80,22 +75,16 @@ public final class MeasureTool {
         void measure(Picture picture) {
             places.removeIf(place -> picture == null || !picture.holds(new Point2D.Double(place.x(), place.y())));
             if (places.size() < panel.kind().fewest()) {
-                question = null;
+                view.asker().drop(this);
                 answer = null;
             } else {
-                ask(picture, panel.kind(), List.copyOf(places));
-            }
-        }
-
-        private void ask(Picture picture, MeasureKind kind, List<Vector2dc> asked) {
-            Object own = new Object();
-            question = own;
-            worker.ask(() -> Answer.of(picture, kind, asked, () -> question == own), found -> {
-                if (question == own) {
+                MeasureKind kind = panel.kind();
+                List<Vector2dc> asked = List.copyOf(places);
+                view.asker().ask(this, wanted -> Answer.of(picture, kind, asked, wanted), found -> {
                     answer = found;
                     tell();
-                }
-            });
+                });
+            }
         }
 
         List<MeasureMarks.Marked> marked() {
@@ -115,11 +104,6 @@ public final class MeasureTool {
             places.clear();
             answer = null;
         }
-
-        void close() {
-            question = null;
-            worker.close();
-        }
     }
 
     /**
@@ -134,11 +118,34 @@ public final class MeasureTool {
         otherRuler = new Ruler();
         marks = new MeasureMarks(view::otherPicture);
         view.canvas().addOverlay(marks);
+        view.addTool(this);
     }
 
-    /** Whether clicks mark places. */
-    boolean isOn() {
+    @Override
+    public boolean isWanted() {
         return panel != null && panel.component().isVisible();
+    }
+
+    @Override
+    public String hint() {
+        return Texts.get("status.idle.MEASURE");
+    }
+
+    @Override
+    public int cursor() {
+        return Cursor.CROSSHAIR_CURSOR;
+    }
+
+    @Override
+    public void click(Point2D place, Picture seen) {
+        add(view.canvas().shown().placeIn(seen, place), seen);
+    }
+
+    /** Two points to measure between may be as close as that. */
+    @Override
+    public boolean clickAgain(Point2D place, Picture seen) {
+        click(place, seen);
+        return true;
     }
 
     /** What says what lies between the places; made when it is first asked for. */
@@ -152,7 +159,7 @@ public final class MeasureTool {
     /** Measures from now on, or ends that; {@link #component} was asked for before. */
     public void setOn(boolean on) {
         panel.component().setVisible(on);
-        view.setMeasuring(on ? this::add : null);
+        view.tellTool();
         if (on) {
             update();
         } else {
@@ -173,7 +180,7 @@ public final class MeasureTool {
 
     /** Other pictures are on the screen: measures in them what was measured in the previous ones. */
     public void show() {
-        if (isOn()) {
+        if (isWanted()) {
             update();
         }
     }
@@ -211,11 +218,5 @@ public final class MeasureTool {
     /** Puts a text on the clipboard. */
     void copy(String text) {
         copier.accept(text);
-    }
-
-    /** Ends the work for good. */
-    public void dispose() {
-        ruler.close();
-        otherRuler.close();
     }
 }

@@ -1,22 +1,20 @@
 package tompkins.ui.model;
 
 import java.io.IOException;
-import java.io.Reader;
+import java.io.StringReader;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
-import java.nio.channels.FileChannel;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import tompkins.file.FileException;
-import tompkins.file.FileFailure;
 import tompkins.file.PendingFile;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
@@ -28,7 +26,6 @@ import tompkins.ui.widget.Texts;
 public final class Settings {
 
     private static final String FILE = "window.properties";
-    private static final String LOCK = "window.lock";
     private static final String RECENT = "recent.";
     private static final int MOST_RECENT = 8;
 
@@ -38,17 +35,15 @@ public final class Settings {
     /** Null if nothing can be kept. */
     private final Path file;
 
-    private final Properties values = new Properties();
+    private Properties values;
 
-    /**
-     * What was set since the last saving: another program with these settings may have set something else meanwhile.
-     */
+    /** What was set since the last saving: another program may have set something else in the file meanwhile. */
     private final List<Consumer<Properties>> changes = new ArrayList<>();
 
-    /** What the user should know about the settings; empty if there is nothing, or it was already told. */
+    /** What the user should know about the settings; empty if there is nothing. */
     private String trouble;
 
-    private boolean told;
+    /** Told of it, once; null before it is asked for, and after that. */
     private Consumer<String> listener;
 
     /** The settings as they were kept the last time. */
@@ -68,36 +63,27 @@ public final class Settings {
     private Settings(Path file, String trouble) {
         this.file = file == null ? null : file.toAbsolutePath();
         this.trouble = trouble;
-        values.putAll(kept());
+        values = kept();
     }
 
     /** What the file holds; nothing if it cannot be read. */
     private Properties kept() {
         Properties kept = new Properties();
-        // even in a folder that cannot be read there may be a file
         if (file == null || Files.notExists(file)) {
             return kept;
         }
         try {
-            if (Files.exists(file) && (!Files.isRegularFile(file) || Files.size(file) > LARGEST)) {
+            if (!Files.isRegularFile(file) || Files.size(file) > LARGEST) {
                 throw new IOException(Texts.get("settings.notOurs"));
             }
-            try (Reader reader = Files.newBufferedReader(file)) {
-                kept.load(reader);
-            }
+            kept.load(new StringReader(Files.readString(file)));
+            return kept;
         } catch (CharacterCodingException | IllegalArgumentException damaged) {
-            kept.clear();
             tell(Texts.get("settings.notRead", file, Texts.get("settings.notOurs")));
         } catch (IOException failure) {
-            kept.clear();
-            tell(Texts.get("settings.notRead", file, FileFailure.reason(failure)));
+            tell(Texts.get("settings.notRead", file, FileException.reason(failure)));
         }
-        return kept;
-    }
-
-    private void change(Consumer<Properties> change) {
-        change.accept(values);
-        changes.add(change);
+        return new Properties();
     }
 
     /** Tells somebody what the user should know about the settings, now or when it happens; once. */
@@ -108,26 +94,24 @@ public final class Settings {
 
     private void tell(String message) {
         trouble = message;
-        if (listener != null && !told && !message.isEmpty()) {
-            told = true;
+        if (listener != null && !message.isEmpty()) {
             listener.accept(message);
+            listener = null;
         }
     }
 
     /** The look; light if none was chosen. */
     public Look look() {
-        String name = values.getProperty("look", Look.LIGHT.name());
-        for (Look look : Look.values()) {
-            if (look.name().equals(name)) {
-                return look;
-            }
-        }
-        return Look.LIGHT;
+        String name = text("look", "");
+        return Stream.of(Look.values())
+                .filter(look -> look.name().equals(name))
+                .findFirst()
+                .orElse(Look.LIGHT);
     }
 
     /** Keeps the colours of the window. */
     public void setLook(Look look) {
-        change(properties -> properties.setProperty("look", look.name()));
+        setText("look", look.name());
         save();
     }
 
@@ -141,11 +125,16 @@ public final class Settings {
         change(properties -> properties.setProperty(name, text));
     }
 
+    private void change(Consumer<Properties> change) {
+        change.accept(values);
+        changes.add(change);
+    }
+
     /** A number, or another one if it was never set. */
     public int number(String name, int other) {
         try {
-            return Integer.parseInt(values.getProperty(name, Integer.toString(other)));
-        } catch (NumberFormatException damaged) {
+            return Integer.parseInt(text(name, ""));
+        } catch (NumberFormatException unset) {
             return other;
         }
     }
@@ -163,13 +152,10 @@ public final class Settings {
     private static List<Path> recentFiles(Properties properties) {
         List<Path> files = new ArrayList<>();
         for (int i = 0; i < MOST_RECENT; i++) {
-            String name = properties.getProperty(RECENT + i);
-            if (name != null) {
-                try {
-                    files.add(Path.of(name));
-                } catch (InvalidPathException damaged) {
-                    // it counts as not set
-                }
+            try {
+                files.add(Path.of(properties.getProperty(RECENT + i, "")));
+            } catch (InvalidPathException damaged) {
+                // it counts as not set
             }
         }
         // a root has no name and is not a file
@@ -191,15 +177,6 @@ public final class Settings {
         save();
     }
 
-    /** Lets other programs wait until a channel is closed; some folders have no locks, and there the last one wins. */
-    private static void lock(FileChannel channel) {
-        try {
-            channel.lock();
-        } catch (IOException noLocks) {
-            // as good as it goes
-        }
-    }
-
     /**
      * Puts what was set into the file, beside what other programs have set there; if the folder cannot be written,
      * nothing is remembered, and the user is told so.
@@ -208,21 +185,15 @@ public final class Settings {
         if (file == null) {
             return;
         }
+        Properties now = kept();
+        changes.forEach(change -> change.accept(now));
         try {
             Files.createDirectories(file.getParent());
-            try (FileChannel lock =
-                    FileChannel.open(file.resolveSibling(LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
-                lock(lock);
-                Properties kept = kept();
-                changes.forEach(change -> change.accept(kept));
-                StringWriter text = new StringWriter();
-                kept.store(text, null);
-                PendingFile.save(file, true, out -> out.write(text.toString().getBytes(StandardCharsets.UTF_8)));
-                changes.clear();
-                for (int i = 0; i < MOST_RECENT && kept.containsKey(RECENT + i); i++) {
-                    values.setProperty(RECENT + i, kept.getProperty(RECENT + i));
-                }
-            }
+            StringWriter text = new StringWriter();
+            now.store(text, null);
+            PendingFile.save(file, true, out -> out.write(text.toString().getBytes(StandardCharsets.UTF_8)));
+            values = now;
+            changes.clear();
         } catch (IOException | UncheckedIOException failure) {
             tell(Texts.get("settings.notKept", file, FileException.reason(failure)));
         }

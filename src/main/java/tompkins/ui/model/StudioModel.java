@@ -8,6 +8,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import tompkins.camera.Camera;
 import tompkins.camera.CameraMotion;
@@ -50,9 +51,13 @@ public final class StudioModel {
     private static final int LONGEST_HISTORY = 1000;
 
     /** Those that keep up with what goes on by itself, and those that need not. */
-    private final List<Runnable> liveListeners = new ArrayList<>();
+    private final List<Consumer<Pace>> liveListeners = new ArrayList<>();
 
     private final List<Runnable> listeners = new ArrayList<>();
+
+    /** Those that forget what belonged to another scene. */
+    private final Deque<Runnable> openListeners = new ArrayDeque<>();
+
     private final Throttle throttle = new Throttle();
     private boolean untold;
 
@@ -82,9 +87,20 @@ public final class StudioModel {
         listener.run();
     }
 
-    /** Calls the listener after every change, however fast they come, and before others. */
-    public void addLiveListener(Runnable listener) {
+    /**
+     * Calls the listener after every change, however fast they come, and before others; it is told how soon a picture
+     * of the change has to come.
+     */
+    public void addLiveListener(Consumer<Pace> listener) {
         liveListeners.add(listener);
+    }
+
+    /**
+     * Calls the listener when a scene is opened, before those of changes. What is added last is called first: a whole
+     * answers after its parts.
+     */
+    public void addOpenListener(Runnable listener) {
+        openListeners.push(listener);
     }
 
     /** The studio as it is now. */
@@ -155,7 +171,7 @@ public final class StudioModel {
 
     /** Takes another studio, as a step that can be undone. */
     public void set(Studio studio) {
-        change(current.editedTo(studio), null);
+        change(current.editedTo(studio), null, Pace.HAND);
     }
 
     /**
@@ -163,22 +179,27 @@ public final class StudioModel {
      * step, with those of other gestures between them, up to a change that belongs to none.
      */
     public void adjust(Studio studio, Object duringGesture) {
-        change(current.editedTo(studio), duringGesture);
+        adjust(studio, duringGesture, Pace.HAND);
+    }
+
+    /** As above, where the picture has to come at another pace. */
+    public void adjust(Studio studio, Object duringGesture, Pace pace) {
+        change(current.editedTo(studio), duringGesture, pace);
     }
 
     /** As {@link #adjust}, while a hand turns or moves the camera: nobody needs to save that. */
     public void look(Studio studio, Object duringGesture) {
-        change(current.seenAs(studio), duringGesture);
+        change(current.seenAs(studio), duringGesture, Pace.HAND);
     }
 
     /**
      * As {@link #look}, of changes that follow each other by themselves faster than anybody reads: only the live
      * listeners are told of each. Whoever does so calls {@link #endGesture} in the end.
      */
-    public void flow(Studio studio, Object duringGesture) {
+    public void flow(Studio studio, Object duringGesture, Pace pace) {
         if (take(current.seenAs(studio), duringGesture)) {
             untold = true;
-            tell(liveListeners);
+            tellLive(pace);
             if (throttle.admits()) {
                 tellOthers();
             }
@@ -194,18 +215,7 @@ public final class StudioModel {
     }
 
     /**
-     * Takes back what a gesture that goes on has changed, as if it had never begun; it must have been the last to
-     * change anything.
-     */
-    public void takeBack(Object gesture) {
-        if (gestures.remove(gesture)) {
-            current = past.pop();
-            tellListeners();
-        }
-    }
-
-    /**
-     * As {@link #takeBack}, of the only gesture that goes on, whosever it is; takes back nothing if there are none or
+     * Takes back what the only gesture that goes on has changed, as if it had never begun; nothing if there are none or
      * several.
      *
      * @param ending lets go what makes the gesture
@@ -222,7 +232,11 @@ public final class StudioModel {
 
     /** Takes a studio that was read from a file, as a step that can be undone. */
     public void open(Studio studio, Path file) {
-        change(new Step(studio, file, studio, false), null);
+        boolean another = take(new Step(studio, file, studio, false), null);
+        openListeners.forEach(StudioModel::tell);
+        if (another) {
+            tellListeners();
+        }
     }
 
     /**
@@ -252,7 +266,7 @@ public final class StudioModel {
 
     /** Takes the studio as it was when it was opened or last saved. */
     public void reset() {
-        change(current.seenAs(current.opened()), null);
+        change(current.seenAs(current.opened()), null, Pace.HAND);
     }
 
     /** Whether there is a step to take back. */
@@ -286,9 +300,10 @@ public final class StudioModel {
     }
 
     /** Takes a step of a gesture, or of none if that is null. */
-    private void change(Step next, Object gesture) {
+    private void change(Step next, Object gesture, Pace pace) {
         if (take(next, gesture)) {
-            tellListeners();
+            tellLive(pace);
+            tellOthers();
         }
     }
 
@@ -312,23 +327,25 @@ public final class StudioModel {
     }
 
     private void tellListeners() {
-        tell(liveListeners);
+        tellLive(Pace.HAND);
         tellOthers();
+    }
+
+    private void tellLive(Pace pace) {
+        liveListeners.forEach(listener -> tell(() -> listener.accept(pace)));
     }
 
     private void tellOthers() {
         untold = false;
-        tell(listeners);
+        List.copyOf(listeners).forEach(StudioModel::tell);
     }
 
-    private static void tell(List<Runnable> listeners) {
-        for (Runnable listener : List.copyOf(listeners)) {
-            try {
-                listener.run();
-            } catch (RuntimeException fault) {
-                // the studio has changed: the others must know, and whoever changed it goes on
-                Faults.tell(fault);
-            }
+    private static void tell(Runnable listener) {
+        try {
+            listener.run();
+        } catch (RuntimeException fault) {
+            // the studio has changed: the others must know, and whoever changed it goes on
+            Faults.tell(fault);
         }
     }
 }

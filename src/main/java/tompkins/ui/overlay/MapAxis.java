@@ -5,22 +5,18 @@ import org.joml.Vector3dc;
 /** The axis of the scene along which a map looks. */
 public enum MapAxis {
     /** From above: x to the right, z up. */
-    ABOVE(1, 0, 2),
+    ABOVE(0, 2),
     /** From the right side: z to the right, y up. */
-    SIDE(2, 2, 1),
+    SIDE(2, 1),
     /** From behind: x to the right, y up. */
-    BEHIND(3, 0, 1);
+    BEHIND(0, 1);
 
     private static final String NAMES = "xyz";
-
-    /** What the settings of the user call it; 0 is no map. */
-    final int setting;
 
     private final int right;
     private final int up;
 
-    MapAxis(int setting, int right, int up) {
-        this.setting = setting;
+    MapAxis(int right, int up) {
         this.right = right;
         this.up = up;
     }

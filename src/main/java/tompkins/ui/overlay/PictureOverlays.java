@@ -1,26 +1,24 @@
 package tompkins.ui.overlay;
 
-import java.util.Locale;
+import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Consumer;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import tompkins.measure.OverlayKind;
 import tompkins.ui.model.Settings;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.picture.Asker;
 import tompkins.ui.picture.PictureCanvas;
 
 /**
- * What is drawn over the picture on the screen, as the settings say. A photograph that is saved has none of it; what
- * formulas say about the scene is also drawn into pictures that are copied and animations that are exported.
+ * What is drawn over the picture on the screen. The settings keep whether the arrow and the rate of a ride are; what
+ * belongs to one scene, such as outlines and the map, goes when another is opened. A photograph that is saved has none
+ * of it; what formulas say about the scene is also drawn into pictures that are copied and animations that are
+ * exported.
  */
 public final class PictureOverlays {
 
     /** Where the camera flies. */
     public static final String ARROW = "arrow";
-
-    /** The setting of the map: 0 is none, else the axis, counted from 1. */
-    private static final String MAP = "map";
 
     /** How many pictures of a ride there are in a second. */
     public static final String RATE = "rate";
@@ -30,47 +28,62 @@ public final class PictureOverlays {
     private final VelocityArrow arrow = new VelocityArrow();
     private final SceneMap map = new SceneMap();
     private final SceneOverlay overlay;
+    private final Set<OverlayKind> kinds = EnumSet.noneOf(OverlayKind.class);
+    private Optional<MapAxis> axis = Optional.empty();
 
-    /** The overlays of a canvas; {@code failures} is told by any thread what could not be computed. */
-    public PictureOverlays(PictureCanvas canvas, Settings settings, Consumer<Throwable> failures) {
+    /** The overlays of the canvas of a model; {@code asker} computes what takes a while. */
+    public PictureOverlays(StudioModel model, PictureCanvas canvas, Settings settings, Asker asker) {
         this.canvas = canvas;
         this.settings = settings;
-        overlay = new SceneOverlay(canvas::repaint, failures);
+        overlay = new SceneOverlay(canvas::repaint, asker);
         canvas.addOverlay(overlay);
         canvas.addOverlay(map);
         canvas.addOverlay(arrow);
+        model.addOpenListener(this::beginScene);
         update();
     }
 
-    /** The name of what formulas say about the scene. */
-    public static String name(OverlayKind kind) {
-        return kind.name().toLowerCase(Locale.ROOT);
-    }
-
-    /** Whether the overlay of a name is drawn; at first only the arrow is. */
+    /** Whether the arrow, or the rate, is drawn; at first only the arrow is. */
     public boolean isShown(String name) {
         return settings.number(name, name.equals(ARROW) ? 1 : 0) != 0;
     }
 
-    /** Draws an overlay from now on, or not. */
+    /** Draws the arrow, or the rate, from now on, or not. */
     public void setShown(String name, boolean shown) {
         settings.setNumber(name, shown ? 1 : 0);
         settings.save();
         update();
     }
 
-    /** The axis along which the map of the scene looks; empty if there is none. */
-    public Optional<MapAxis> map() {
-        return Stream.of(MapAxis.values())
-                .filter(axis -> axis.setting == settings.number(MAP, 0))
-                .findFirst();
+    /** Whether what formulas say is drawn. */
+    public boolean isShown(OverlayKind kind) {
+        return kinds.contains(kind);
     }
 
-    /** Shows the map along another axis from now on, or none. */
-    public void setMap(Optional<MapAxis> axis) {
-        settings.setNumber(MAP, axis.map(each -> each.setting).orElse(0));
-        settings.save();
+    /** Draws what formulas say, until another scene is opened, or not. */
+    public void setShown(OverlayKind kind, boolean shown) {
+        if (shown) {
+            kinds.add(kind);
+        } else {
+            kinds.remove(kind);
+        }
         update();
+    }
+
+    /** The axis along which the map of the scene looks; empty if there is none. */
+    public Optional<MapAxis> map() {
+        return axis;
+    }
+
+    /** Shows the map along another axis, until another scene is opened, or none. */
+    public void setMap(Optional<MapAxis> along) {
+        axis = along;
+        update();
+    }
+
+    private void beginScene() {
+        kinds.clear();
+        setMap(Optional.empty());
     }
 
     /** What formulas say about the scene, as far as it is drawn. */
@@ -78,17 +91,10 @@ public final class PictureOverlays {
         return overlay.shown();
     }
 
-    /** Ends the work. */
-    public void close() {
-        overlay.close();
-    }
-
     private void update() {
         arrow.setShown(isShown(ARROW));
-        map.setShown(map());
-        overlay.setShown(Stream.of(OverlayKind.values())
-                .filter(kind -> isShown(name(kind)))
-                .collect(Collectors.toSet()));
+        map.setShown(axis);
+        overlay.setShown(kinds);
         canvas.repaint();
     }
 }

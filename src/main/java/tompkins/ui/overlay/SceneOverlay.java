@@ -11,7 +11,6 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.UIManager;
@@ -24,7 +23,7 @@ import tompkins.measure.Projection;
 import tompkins.measure.SceneShapes;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
-import tompkins.ui.picture.NewestFirst;
+import tompkins.ui.picture.Asker;
 import tompkins.ui.picture.Overlay;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.widget.Texts;
@@ -33,9 +32,9 @@ import tompkins.world.InertialFrame;
 /**
  * What formulas say about a picture, drawn over it: outlines, axes, places, grids. It follows each picture. If the
  * shutter opens at another time for each place, if rays are followed, or if lines turn, that takes a while: it is then
- * computed by a thread of its own, and nothing is drawn until it is there.
+ * computed by another thread, and nothing is drawn until it is there.
  */
-public final class SceneOverlay implements Overlay, AutoCloseable {
+public final class SceneOverlay implements Overlay {
 
     /** Size of the type in a picture that leaves the program, as a share of its height. */
     private static final double HEIGHT_SHARE = 1 / 36.0;
@@ -79,7 +78,7 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
     private record Known(List<InertialFrame> frames, SceneShapes shapes) {}
 
     private final Runnable repaint;
-    private final NewestFirst worker;
+    private final Asker asker;
 
     /** The newest first; two, because two pictures may be shown. */
     private final List<Drawn> drawn = new CopyOnWriteArrayList<>();
@@ -91,11 +90,11 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
      * An overlay that draws nothing yet.
      *
      * @param repaint called by the event thread when more can be drawn
-     * @param failures told by another thread what could not be computed
+     * @param asker computes what takes a while
      */
-    public SceneOverlay(Runnable repaint, Consumer<Throwable> failures) {
+    public SceneOverlay(Runnable repaint, Asker asker) {
         this.repaint = repaint;
-        worker = new NewestFirst("tompkins-overlay", failures);
+        this.asker = asker;
     }
 
     /** Draws these from now on. */
@@ -149,7 +148,10 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
         }
         if (!isQuick(plan, shown, shapes(plan))) {
             Set<OverlayKind> kinds = shown;
-            worker.ask(() -> draw(plan, kinds, shapes(plan)), this::take);
+            // the next is asked for when the picture is painted with this one
+            if (!asker.isAsked(this)) {
+                asker.ask(this, () -> draw(plan, kinds, shapes(plan)), this::take);
+            }
             return null;
         }
         Drawn made = draw(plan, shown, shapes(plan));
@@ -166,8 +168,8 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
     private void take(Drawn made) {
         if (made.kinds.equals(shown)) {
             keep(made);
-            repaint.run();
         }
+        repaint.run();
     }
 
     private void keep(Drawn made) {
@@ -224,11 +226,5 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
                         + notes.stream()
                                 .map(note -> Texts.get("overlay.note." + note))
                                 .collect(Collectors.joining("; "));
-    }
-
-    @Override
-    public void close() {
-        worker.close();
-        drawn.clear();
     }
 }

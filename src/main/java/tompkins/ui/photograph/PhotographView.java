@@ -3,12 +3,10 @@ package tompkins.ui.photograph;
 import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.geom.Point2D;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
-import java.util.function.DoublePredicate;
-import java.util.function.Function;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import tompkins.camera.Aim.PicturePosition;
@@ -19,12 +17,13 @@ import tompkins.studio.Studio;
 import tompkins.trace.RayLife;
 import tompkins.ui.compare.Compared;
 import tompkins.ui.compare.ComparedPicture;
+import tompkins.ui.model.Pace;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.picture.Asker;
 import tompkins.ui.picture.Comparison;
-import tompkins.ui.picture.NewestFirst;
-import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.picture.PictureTool;
 import tompkins.ui.picture.RenderController;
 import tompkins.ui.picture.Room;
 import tompkins.ui.picture.ScreenPicture;
@@ -57,8 +56,8 @@ public final class PhotographView implements AutoCloseable {
          */
         void pinned(PixelReading reading, String picture);
 
-        /** What a click in the picture does from now on. */
-        void clicks(Click now);
+        /** What a click in the picture does from now on; empty if there may be something better to say. */
+        void hints(String click);
 
         /** There is no picture of the studio; the message says why. */
         void noPicture(String message);
@@ -72,24 +71,6 @@ public final class PhotographView implements AutoCloseable {
 
         /** Shows the menu for a place of a picture, at a point of the canvas. */
         void show(PixelReading seen, Picture picture, Point2D place, Point at);
-
-        /** Whether a click chooses what is seen; otherwise it pins it. */
-        boolean chooses();
-
-        /** Chooses what is seen at a place of a picture. */
-        void choose(PixelReading seen, Picture picture);
-    }
-
-    /** What a click in the picture does. */
-    public enum Click {
-        /** Pins the pixel, and follows its ray. */
-        PIN,
-        /** Picks the distance of what is seen. */
-        PICK,
-        /** Measures there. */
-        MEASURE,
-        /** Chooses what is seen, for the editor. */
-        CHOOSE
     }
 
     private final StudioModel model;
@@ -99,35 +80,35 @@ public final class PhotographView implements AutoCloseable {
     private final ScreenPictures screen;
     private final RenderController controller;
     private final ComparedPicture compared;
-    private final Supplier<Pace> pace;
-    private final NewestFirst hover = new NewestFirst("tompkins-probe", this::fail);
+    private final Asker asker = new Asker("tompkins-asker", this::fail);
     private final PixelPin pin;
-    private final NewestFirst picked = new NewestFirst("tompkins-pick", this::fail);
+
+    /** The first that is wanted is in the hand. */
+    private final List<PictureTool> tools = new ArrayList<>();
+
     private Studio rendered;
 
     /** The room for each picture; null while it is unknown. */
     private Room room;
 
-    private Picking picking;
     private Menu menu;
 
-    /** Told of clicks while somebody measures; null otherwise. */
-    private BiConsumer<Point2D, Picture> measuring;
-
-    /** The photograph of a model; {@code pace} says how soon a picture of a change has to come. */
-    public PhotographView(StudioModel model, Listener listener, Supplier<Pace> pace) {
+    /** The photograph of a model. */
+    public PhotographView(StudioModel model, Listener listener) {
         this.model = model;
         this.listener = listener;
-        this.pace = pace;
         screen = new ScreenPictures(this::show, this::fail);
         canvas = new PictureCanvas(this::fit);
         canvas.setMouse(new ProbeMouse());
         notice = new PictureNotice(model, canvas);
         controller = new RenderController(
                 screen::setNow, error -> SwingUtilities.invokeLater(() -> listener.noPicture(Messages.of(error))));
-        compared = new ComparedPicture(model, screen, this::sizeOf, pace, this::fail);
-        pin = new PixelPin(canvas, this::nameOf, listener::pinned, this::fail);
+        compared = new ComparedPicture(model, screen, this::sizeOf, this::fail);
+        pin = new PixelPin(canvas, this::nameOf, listener::pinned, asker);
+        tools.add(pin);
+        canvas.setTool(pin);
         model.addLiveListener(this::renderChange);
+        model.addOpenListener(this::beginScene);
     }
 
     /** What shows the picture. */
@@ -146,17 +127,27 @@ public final class PhotographView implements AutoCloseable {
     }
 
     /** A studio that was only saved keeps its picture. */
-    private void renderChange() {
+    private void renderChange(Pace pace) {
         if (!model.studio().equals(rendered)) {
-            render();
+            render(pace);
         }
+    }
+
+    /** The pin of the scene before goes, and the picture is as large as it fits. */
+    private void beginScene() {
+        setPin(null);
+        canvas.beginScene();
     }
 
     /** Makes the picture of the current studio. */
     public void render() {
+        render(Pace.HAND);
+    }
+
+    private void render(Pace pace) {
         rendered = model.studio();
-        controller.show(rendered, sizeOf(rendered), pace.get());
-        compared.render();
+        controller.show(rendered, sizeOf(rendered), pace);
+        compared.render(pace);
     }
 
     /** The size for the picture of a studio: that in which it is shown, or its own while that is unknown. */
@@ -206,11 +197,6 @@ public final class PhotographView implements AutoCloseable {
         compared.setRideAtRest(atRest);
     }
 
-    /** Lets a ride say of its pictures why there is nothing to see, and lead back; what it says may be empty. */
-    public void setRideNotice(Function<Picture, String> says, Runnable home) {
-        notice.setRide(says, home);
-    }
-
     /** Keeps the picture that is on the screen, to compare others with it; says what to call it. */
     public String keepPicture() {
         Picture now = canvas.shown().now();
@@ -234,7 +220,7 @@ public final class PhotographView implements AutoCloseable {
         if (picture != canvas.shown().now()) {
             return compared.name();
         }
-        return canvas.showsTwo() ? Texts.get("compare.now") : null;
+        return canvas.showsTwo() ? canvas.shown().nameOfNow() : null;
     }
 
     /** The picture that is compared with that of the studio; null if none is seen. */
@@ -248,43 +234,17 @@ public final class PhotographView implements AutoCloseable {
         return compared.name();
     }
 
-    /**
-     * Lets clicks on the picture give the distance of what is there, until one is taken.
-     *
-     * @param taker takes a distance, which is NaN if nothing is there, and says whether it is the wanted one
-     * @param ended called when a distance was taken, or the picking was cancelled
-     */
-    public void startPicking(DoublePredicate taker, Runnable ended) {
-        picking = new Picking(taker, ended);
-        canvas.setPicking(true);
-        tellClicks();
+    /** Adds a tool, which comes before that which pins, and after those that were added earlier. */
+    public void addTool(PictureTool tool) {
+        tools.add(tools.size() - 1, tool);
     }
 
-    /** Lets clicks on the picture pin pixels again. */
-    public void stopPicking() {
-        picking = null;
-        canvas.setPicking(false);
-        tellClicks();
-    }
-
-    /** Whether a click chooses what is seen, and neither picks, measures nor pins. */
-    public boolean choosesByClick() {
-        return click() == Click.CHOOSE;
-    }
-
-    private Click click() {
-        if (picking != null) {
-            return Click.PICK;
-        }
-        if (measuring != null) {
-            return Click.MEASURE;
-        }
-        return menu != null && menu.chooses() ? Click.CHOOSE : Click.PIN;
-    }
-
-    /** Tells what a click does from now on. */
-    public void tellClicks() {
-        listener.clicks(click());
+    /** Takes the first tool that is wanted into the hand, and tells what a click does from now on. */
+    public void tellTool() {
+        PictureTool first =
+                tools.stream().filter(PictureTool::isWanted).findFirst().orElse(pin);
+        canvas.setTool(first);
+        listener.hints(first.hint());
     }
 
     /** Offers a menu from now on. */
@@ -292,11 +252,9 @@ public final class PhotographView implements AutoCloseable {
         menu = offered;
     }
 
-    /** Lets clicks tell places, in pixels of the picture that is seen there, until it is called with null. */
-    public void setMeasuring(BiConsumer<Point2D, Picture> taker) {
-        measuring = taker;
-        canvas.setMeasuring(taker != null);
-        tellClicks();
+    /** What answers questions about the pictures. */
+    public Asker asker() {
+        return asker;
     }
 
     /** Asks for the distance of what is seen at a place; where nothing is, it is that of the focus. */
@@ -306,7 +264,8 @@ public final class PhotographView implements AutoCloseable {
         double focus = Math.abs(FocusDistance.of(camera));
         double usual = Double.isFinite(focus) && focus > 0 ? focus : 1;
         Point2D point = new Point2D.Double(place.x(), place.y());
-        picked.ask(
+        asker.ask(
+                DoubleConsumer.class,
                 () -> PixelReading.of(picture, point),
                 reading -> answer.accept(
                         reading.sighting().hit() == null
@@ -314,59 +273,16 @@ public final class PhotographView implements AutoCloseable {
                                 : reading.sighting().inCamera().position().distance(camera.position())));
     }
 
-    /** Ends the picking; false if nothing was to be picked. */
-    public boolean endPicking() {
-        Picking ending = picking;
-        stopPicking();
-        if (ending != null) {
-            ending.ended.run();
-        }
-        return ending != null;
-    }
-
-    private record Picking(DoublePredicate taker, Runnable ended) {}
-
     private final class ProbeMouse implements PictureCanvas.Mouse {
-
-        private boolean isOver;
 
         @Override
         public void over(Point2D place, Picture seen, boolean rests) {
-            isOver = seen != null;
-            if (isOver) {
-                Point2D own = canvas.shown().placeIn(seen, place);
-                hover.ask(() -> PixelReading.of(seen, own), reading -> read(reading, rests));
-            } else {
+            if (seen == null) {
+                asker.drop(this);
                 listener.read(null, rests);
-            }
-        }
-
-        private void read(PixelReading reading, boolean rests) {
-            // the mouse may have left while the ray was followed
-            if (isOver) {
-                listener.read(reading, rests);
-            }
-        }
-
-        @Override
-        public void clicked(Point2D place, Picture seen) {
-            if (picking != null) {
-                Picking asking = picking;
-                Picture picture = canvas.shown().now();
-                picked.ask(() -> PixelReading.of(picture, place), reading -> {
-                    // it may have been cancelled meanwhile
-                    if (picking == asking
-                            && asking.taker.test(reading.depth(picture.studio().camera()))) {
-                        endPicking();
-                    }
-                });
-            } else if (measuring != null) {
-                measuring.accept(canvas.shown().placeIn(seen, place), seen);
-            } else if (choosesByClick()) {
-                Point2D own = canvas.shown().placeIn(seen, place);
-                picked.ask(() -> PixelReading.of(seen, own), reading -> menu.choose(reading, seen));
             } else {
-                pin.set(place, seen != canvas.shown().now());
+                Point2D own = canvas.shown().placeIn(seen, place);
+                asker.ask(this, () -> PixelReading.of(seen, own), reading -> listener.read(reading, rests));
             }
         }
 
@@ -374,14 +290,7 @@ public final class PhotographView implements AutoCloseable {
         public void asksForMenu(Point2D place, Picture seen, Point at) {
             Point2D own = canvas.shown().placeIn(seen, place);
             if (menu != null) {
-                picked.ask(() -> PixelReading.of(seen, own), reading -> menu.show(reading, seen, own, at));
-            }
-        }
-
-        @Override
-        public void clickedTwice() {
-            if (picking == null) {
-                pin.putBack();
+                asker.ask(menu, () -> PixelReading.of(seen, own), reading -> menu.show(reading, seen, own, at));
             }
         }
     }
@@ -391,8 +300,6 @@ public final class PhotographView implements AutoCloseable {
         controller.close();
         compared.close();
         screen.close();
-        hover.close();
-        pin.close();
-        picked.close();
+        asker.close();
     }
 }

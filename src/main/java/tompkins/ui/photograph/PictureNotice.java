@@ -2,7 +2,6 @@ package tompkins.ui.photograph;
 
 import java.awt.Color;
 import java.awt.Dimension;
-import java.util.function.Function;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JPanel;
@@ -26,24 +25,15 @@ final class PictureNotice {
     /** The largest share of pixels that may be brighter than white in a good picture. */
     private static final double MOST_WHITE = 0.1;
 
-    private static final String AT_TOP = "[20%!][top]";
-    private static final String IN_THE_MIDDLE = "[50%!][top]";
-
     private final StudioModel model;
     private final JPanel panel = new NoticePanel();
     private final Note problem = new Note("");
     private final JButton button = new JButton();
 
-    /** Below what is written at the top of the picture; a ride writes more there. */
-    private final MigLayout layout = new MigLayout("novisualpadding, insets 10, fill", "[center]", AT_TOP);
-
     private Studio noticed;
 
     /** What the button does. */
     private Runnable help = () -> {};
-
-    private Function<Picture, String> trouble = picture -> "";
-    private Runnable back = () -> {};
 
     /** A notice that is hidden. */
     PictureNotice(StudioModel model, PictureCanvas canvas) {
@@ -53,34 +43,15 @@ final class PictureNotice {
         panel.add(problem.component(), "growx, wmin 0");
         panel.add(button, "alignx center, wmin 0");
         panel.setVisible(false);
-        canvas.setLayout(layout);
+        // below what is written at the top of the picture
+        canvas.setLayout(new MigLayout("novisualpadding, insets 10, fill", "[center]", "[20%!][top]"));
         canvas.add(panel, "cell 0 1, wmin 0");
     }
 
-    /**
-     * Lets a ride say of its pictures why there is nothing to see.
-     *
-     * @param says gives a sentence, or nothing
-     * @param home leads back
-     */
-    void setRide(Function<Picture, String> says, Runnable home) {
-        trouble = says;
-        back = home;
-    }
-
-    /** Shows the messages about the picture on the screen; about an incomplete one only a ride knows. */
+    /** Shows the messages about the picture on the screen; about an incomplete one nothing is known. */
     void show(Picture picture) {
-        String said = trouble.apply(picture);
-        layout.setRowConstraints(said.isEmpty() ? AT_TOP : IN_THE_MIDDLE);
-        if (!said.isEmpty() || picture.complete()) {
+        if (picture.complete()) {
             noticed = picture.studio();
-        }
-        if (!said.isEmpty()) {
-            offer(said, Texts.get("ride.home"), () -> {
-                panel.setVisible(false);
-                back.run();
-            });
-        } else if (picture.complete()) {
             offerRemedy(picture);
         } else if (!picture.studio().equals(noticed)) {
             panel.setVisible(false);

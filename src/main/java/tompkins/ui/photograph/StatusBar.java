@@ -1,8 +1,6 @@
 package tompkins.ui.photograph;
 
 import com.formdev.flatlaf.FlatClientProperties;
-import com.formdev.flatlaf.ui.FlatUIUtils;
-import java.awt.Graphics;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JLabel;
@@ -11,7 +9,6 @@ import javax.swing.JProgressBar;
 import javax.swing.Timer;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
-import tompkins.image.PictureLabel;
 import tompkins.measure.Sighting;
 import tompkins.studio.PanoramaBackground;
 import tompkins.studio.StarSky;
@@ -23,6 +20,7 @@ import tompkins.ui.ray.PixelReading;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Part;
+import tompkins.ui.widget.ShortLabel;
 import tompkins.ui.widget.Texts;
 
 /** The line under the photograph: what is under the mouse, and how far the picture is. */
@@ -33,7 +31,7 @@ public final class StatusBar extends Part {
     /** How long a message about what has happened stays: enough to read a long path. */
     private static final int MESSAGE_MILLISECONDS = 8000;
 
-    private final JLabel what = new Line();
+    private final JLabel what = new ShortLabel("status.what");
     private final JLabel where = new JLabel(" ");
     private final JLabel picture = new JLabel(" ");
     private final JProgressBar progress = new JProgressBar(0, STEPS);
@@ -48,8 +46,8 @@ public final class StatusBar extends Part {
     /** The hint for the picture if there is nothing else to say; empty if there is none. */
     private String pictureHint = "";
 
-    private PhotographView.Click click = PhotographView.Click.PIN;
-    private boolean panelFolded;
+    /** What a click does; empty if there may be something better to say. */
+    private String click = "";
 
     /** The picture on the screen while the line says that it is being refined; otherwise null. */
     private Picture refining;
@@ -68,7 +66,6 @@ public final class StatusBar extends Part {
             show(read, false);
         });
         fading.setRepeats(false);
-        what.setName("status.what");
         where.setName("status.where");
         where.putClientProperty(FlatClientProperties.STYLE_CLASS, "small");
         picture.setName("status.picture");
@@ -105,19 +102,15 @@ public final class StatusBar extends Part {
 
     /** What is said if there is nothing else to say. */
     private String hint() {
-        String usual = Texts.get("status.idle." + click);
-        return switch (click) {
-            case PICK, MEASURE -> usual;
-            case CHOOSE -> pictureHint.isEmpty() ? usual : pictureHint;
-            case PIN -> panelFolded ? Texts.get("status.panelFolded") : pictureHint.isEmpty() ? usual : pictureHint;
-        };
+        if (!click.isEmpty()) {
+            return click;
+        }
+        return pictureHint.isEmpty() ? Texts.get("status.idle.PIN") : pictureHint;
     }
 
-    /** Sets the line; if it is too long for the window, its tooltip shows the rest. */
     private void setWhat(String text) {
         fading.stop();
         what.setText(text);
-        Naming.tip(what, text);
     }
 
     /** Says why there is no picture of the scene, until there is one. */
@@ -252,17 +245,11 @@ public final class StatusBar extends Part {
     }
 
     /** Says what a click does from now on. */
-    public void show(PhotographView.Click now) {
-        if (now != click) {
+    public void showHint(String now) {
+        if (!now.equals(click)) {
             click = now;
             showIdle();
         }
-    }
-
-    /** Says how to get at the panel, as long as it is folded for want of room. */
-    public void showPanelFolded(boolean isFolded) {
-        panelFolded = isFolded;
-        showIdle();
     }
 
     /** Shows one line of text, until there is something else to read under the mouse. */
@@ -279,22 +266,6 @@ public final class StatusBar extends Part {
         } else {
             say(message);
             fading.restart();
-        }
-    }
-
-    /** A line that leaves out its last parts where it has no room, and is not cut in a word. */
-    @SuppressWarnings("serial") // never written to a stream
-    private static final class Line extends JLabel {
-
-        @Override
-        protected void paintComponent(Graphics g) {
-            String fitting = PictureLabel.shortened(getText(), g.getFontMetrics(getFont()), getWidth());
-            if (fitting.equals(getText())) {
-                super.paintComponent(g);
-            } else {
-                g.setColor(getForeground());
-                FlatUIUtils.drawString(this, g, fitting, 0, getBaseline(getWidth(), getHeight()));
-            }
         }
     }
 }

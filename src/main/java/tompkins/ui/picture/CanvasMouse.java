@@ -21,9 +21,6 @@ public final class CanvasMouse extends MouseAdapter {
     private boolean draggingDivider;
     private boolean dragged;
 
-    /** Whether the press belongs to what is seen, and not to the camera. */
-    private boolean taken;
-
     /** By how much the wheel was turned since the last step; a touchpad makes many small turns for one step. */
     private double turned;
 
@@ -38,9 +35,9 @@ public final class CanvasMouse extends MouseAdapter {
         return Math.abs(point.x - canvas.dividerX()) <= GRIP;
     }
 
-    /** Whether a drag that begins at a point is not one of the divider, while no click is expected. */
+    /** Whether a drag that begins at a point turns the camera. */
     public boolean isFreeAt(Point point) {
-        return !canvas.isPicking() && !isNearDivider(point);
+        return !isNearDivider(point);
     }
 
     /** Whether the mouse has moved too far since its button was pressed for a click. */
@@ -48,25 +45,9 @@ public final class CanvasMouse extends MouseAdapter {
         return dragged;
     }
 
-    /** The present press is for what is seen, until it is given back or over: it does not turn the camera. */
-    public void take() {
-        taken = true;
-    }
-
-    /** The present press is for the camera again. */
-    public void give() {
-        taken = false;
-    }
-
-    /** Whether the present press is for what is seen. */
-    public boolean isTaken() {
-        return taken;
-    }
-
     @Override
     public void mousePressed(MouseEvent event) {
         canvas.requestFocusInWindow();
-        taken = false;
         draggingDivider = isNearDivider(event.getPoint());
         pressed = event.getPoint();
         dragged = false;
@@ -101,12 +82,10 @@ public final class CanvasMouse extends MouseAdapter {
 
     @Override
     public void mouseMoved(MouseEvent event) {
-        if (!canvas.isPicking()) {
-            canvas.setCursor(Cursor.getPredefinedCursor(
-                    isNearDivider(event.getPoint())
-                            ? Cursor.E_RESIZE_CURSOR
-                            : taken && dragged ? Cursor.MOVE_CURSOR : Cursor.DEFAULT_CURSOR));
-        }
+        canvas.setCursor(Cursor.getPredefinedCursor(
+                isNearDivider(event.getPoint())
+                        ? Cursor.E_RESIZE_CURSOR
+                        : canvas.tool().cursor()));
         canvas.pointMouse(event.getPoint());
         canvas.tellPointed();
     }
@@ -144,6 +123,5 @@ public final class CanvasMouse extends MouseAdapter {
             }
         }
         draggingDivider = false;
-        taken = false;
     }
 }

@@ -24,7 +24,7 @@ import tompkins.ui.widget.Texts;
 @SuppressWarnings("serial") // never written to a stream
 public final class PictureCanvas extends JPanel {
 
-    /** Told what the mouse does on the picture; places in pixels of the photograph. */
+    /** Told what the mouse points at; places in pixels of the photograph. */
     public interface Mouse {
 
         /**
@@ -34,14 +34,8 @@ public final class PictureCanvas extends JPanel {
          */
         void over(Point2D place, Picture seen, boolean rests);
 
-        /** The mouse was clicked at a place of the picture that is seen there. */
-        void clicked(Point2D place, Picture seen);
-
         /** A menu is asked for at a place of the picture that is seen there, which is a point of the canvas. */
-        default void asksForMenu(Point2D place, Picture seen, Point at) {}
-
-        /** What was taken for a click was the first half of a double click, which means something else. */
-        default void clickedTwice() {}
+        void asksForMenu(Point2D place, Picture seen, Point at);
     }
 
     /** The distance between two pictures side by side. */
@@ -55,8 +49,8 @@ public final class PictureCanvas extends JPanel {
     private double divider = 0.5;
     private final CanvasZoom zoom = new CanvasZoom(this);
     private Point2D pin;
-    private boolean picking;
-    private boolean measuring;
+    private transient PictureTool tool;
+    private transient Consumer<Point2D> centring = place -> {};
 
     /** What to write into a picture of a studio; null if nothing. */
     private Function<Studio, String> captions;
@@ -138,7 +132,15 @@ public final class PictureCanvas extends JPanel {
     void click() {
         Point2D place = pointedPlace();
         if (place != null) {
-            mouse.clicked(place, pointedPicture());
+            tool.click(place, pointedPicture());
+        }
+    }
+
+    /** Clicks there for the second time at once. */
+    void clickAgain() {
+        Point2D place = pointedPlace();
+        if (place != null && !tool.clickAgain(place, pointedPicture())) {
+            centring.accept(place);
         }
     }
 
@@ -154,15 +156,6 @@ public final class PictureCanvas extends JPanel {
             double y = place.getY() / shown.now().ownHeight();
             Point keys = new Point((int) (bounds.x + x * bounds.width), (int) (bounds.y + y * bounds.height));
             mouse.asksForMenu(place, pointedPicture(), keyPointer.place() != null ? keys : mouseAt);
-        }
-    }
-
-    /** Clicks for the second time at once: two points to measure between may be as close as that. */
-    void clickAgain() {
-        if (measuring) {
-            click();
-        } else {
-            mouse.clickedTwice();
         }
     }
 
@@ -212,20 +205,20 @@ public final class PictureCanvas extends JPanel {
         repaint();
     }
 
-    /** Whether the next click picks a point, which the cursor shows. */
-    public void setPicking(boolean pick) {
-        picking = pick;
-        showCursor();
+    /** Takes a tool into the hand. */
+    public void setTool(PictureTool taken) {
+        tool = taken;
+        setCursor(Cursor.getPredefinedCursor(tool.cursor()));
     }
 
-    /** Whether clicks mark places to measure between, which the cursor shows. */
-    public void setMeasuring(boolean measure) {
-        measuring = measure;
-        showCursor();
+    /** What is in the hand. */
+    PictureTool tool() {
+        return tool;
     }
 
-    private void showCursor() {
-        setCursor(Cursor.getPredefinedCursor(picking || measuring ? Cursor.CROSSHAIR_CURSOR : Cursor.DEFAULT_CURSOR));
+    /** Lets a double click turn the camera to a place of the photograph. */
+    public void setCentring(Consumer<Point2D> turn) {
+        centring = turn;
     }
 
     /** Where the picture lies in this component. */
@@ -345,12 +338,7 @@ public final class PictureCanvas extends JPanel {
 
     /** Where the divider is on this component; a point far away if there is none, or if a click is expected. */
     int dividerX() {
-        return splits() && !picking ? (int) Math.round(arrangement().dividerX() / scale()) : Integer.MIN_VALUE / 2;
-    }
-
-    /** Whether the next click picks a point. */
-    boolean isPicking() {
-        return picking;
+        return splits() ? (int) Math.round(arrangement().dividerX() / scale()) : Integer.MIN_VALUE / 2;
     }
 
     /** Where the mouse is; null if that is elsewhere. */

@@ -58,7 +58,7 @@ record PicturePainter(
         if (seen.showsDifference()) {
             return Texts.get("compare.differenceLabel", otherName);
         }
-        return pane.isOther() ? otherName : seen.showsTwo() ? Texts.get("compare.now") : "";
+        return pane.isOther() ? otherName : seen.showsTwo() ? seen.shown().nameOfNow() : "";
     }
 
     private Rectangle visible() {

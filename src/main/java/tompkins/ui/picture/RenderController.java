@@ -14,6 +14,7 @@ import tompkins.render.RenderReport;
 import tompkins.render.Renderer;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
+import tompkins.ui.model.Pace;
 
 /**
  * Makes the picture of the newest studio, away from the event thread. While a slider is dragged, or an animation runs,
@@ -48,7 +49,7 @@ public final class RenderController implements AutoCloseable {
     private final Renderer renderer = new Renderer();
     private final Consumer<Picture> pictures;
     private final Consumer<Throwable> failures;
-    private final NewestFirst planner;
+    private final Asker planner;
 
     /**
      * The picture that is wanted; null when it is there, cannot be made, or was stopped, even if it is still being
@@ -76,7 +77,7 @@ public final class RenderController implements AutoCloseable {
     public RenderController(Consumer<Picture> pictures, Consumer<Throwable> failures) {
         this.pictures = pictures;
         this.failures = failures;
-        planner = new NewestFirst("tompkins-plan", failures);
+        planner = new Asker("tompkins-plan", failures);
     }
 
     /**

@@ -5,6 +5,8 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
+import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Wording;
 
 /**
  * Pictures as the screen shows them.
@@ -20,6 +22,16 @@ public record ScreenPicture(
 
     /** Nothing yet. */
     static final ScreenPicture EMPTY = new ScreenPicture(null, null, null, null, null);
+
+    /** What the picture is called beside the other one: by its shutter, if that is what differs. */
+    public String nameOfNow() {
+        Class<?> shutter = shutter(now);
+        return shutter == shutter(other) ? Texts.get("compare.now") : Wording.label(shutter);
+    }
+
+    private static Class<?> shutter(Picture picture) {
+        return picture.studio().camera().shutter().getClass();
+    }
 
     /** The same place in another picture: a kept one may have another size. */
     public Point2D placeIn(Picture picture, Point2D place) {

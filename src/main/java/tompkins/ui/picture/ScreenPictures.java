@@ -22,7 +22,7 @@ public final class ScreenPictures implements AutoCloseable {
     private record Wanted(Picture now, Picture other, Room room, boolean difference) {}
 
     private final AtomicReference<ScreenPicture> ready = new AtomicReference<>();
-    private final NewestFirst worker;
+    private final Asker worker;
     private final Consumer<ScreenPicture> screen;
     private Wanted wanted = new Wanted(null, null, null, false);
     private Wanted doneFor;
@@ -34,7 +34,7 @@ public final class ScreenPictures implements AutoCloseable {
     /** Hands images to {@code screen} on the event thread; its own thread tells {@code failures} about trouble. */
     public ScreenPictures(Consumer<ScreenPicture> screen, Consumer<Throwable> failures) {
         this.screen = screen;
-        worker = new NewestFirst("tompkins-screen", failures);
+        worker = new Asker("tompkins-screen", failures);
     }
 
     /**

@@ -11,9 +11,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.function.BiConsumer;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -26,61 +24,57 @@ import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Texts;
 
-/**
- * Draws the space-time diagram of a ray: the event at the lens in the middle near the top, a unit of x as long as one
- * of time.
- */
+/** Draws a space-time diagram, a unit of x as long as one of time. */
 @SuppressWarnings("serial") // never written to a stream
 final class DiagramPane extends JPanel {
 
-    private static final double HEIGHT = 12.5;
-
-    /** The time that is shown after the ray reached the lens, as a share of the time that is shown before. */
-    private static final double AFTER = 0.22;
-
-    /** Room around the events of the ray, as a factor. */
-    private static final double ROOM = 1.12;
+    /** The most between two numbers of an axis, in sizes of the type. */
+    private static final double STEP = 4.6;
 
     private static final double DOT = 0.28;
 
     /** How far inwards from its end the name of an axis may be, in halves of the height of the type. */
     private static final int STEPS_INWARDS = 8;
 
-    private static final String PRIME = "\u2032";
     private static final float[] DASHES = {3, 4};
 
+    /** A word and its place in pixels, from the top of its letters to the line they stand on. */
+    record Word(String text, Rectangle2D place) {}
+
+    private final double size;
     private transient SpaceTimeDiagram diagram;
 
-    /** Empty at first. */
-    DiagramPane() {
+    /** Empty at first; its width and height are given in sizes of the type. */
+    DiagramPane(double size) {
+        this.size = size;
         Naming.name(this, Texts.get("ray.diagram"), "");
     }
 
     @Override
     public Dimension getPreferredSize() {
-        return new Dimension(Look.pixels(HEIGHT), Look.pixels(HEIGHT));
+        return new Dimension(Look.pixels(size), Look.pixels(size));
     }
 
-    /** Shows a diagram; null for none. */
-    void show(SpaceTimeDiagram other) {
+    /** Shows a diagram, which a text explains; null for none. */
+    void show(SpaceTimeDiagram other, String text) {
         diagram = other;
-        setVisible(other != null && Double.isFinite(other.reach()));
-        if (other != null) {
-            Naming.name(this, getName(), Texts.get("ray.diagram." + other.frame() + ".tip"));
-        }
+        setVisible(other != null && Double.isFinite(other.area().getWidth()));
+        Naming.name(this, getName(), text);
         repaint();
     }
 
     /** Pixels for a unit of length, or of time. */
     private double scale() {
-        double reach = diagram.reach() == 0 ? 1 : diagram.reach();
-        return Math.min(getWidth() / 2.0, getHeight() / (1 + AFTER)) / (ROOM * reach);
+        Rectangle2D area = diagram.area();
+        return Math.min(getWidth() / area.getWidth(), getHeight() / area.getHeight());
     }
 
     /** The place in this component of a point of the diagram. */
     private Point2D place(Point2D point) {
-        double lensY = getHeight() * AFTER / (1 + AFTER);
-        return new Point2D.Double(getWidth() / 2.0 + scale() * point.getX(), lensY - scale() * point.getY());
+        Rectangle2D area = diagram.area();
+        return new Point2D.Double(
+                scale() * point.getX() - getWidth() * area.getX() / area.getWidth(),
+                getHeight() * area.getMaxY() / area.getHeight() - scale() * point.getY());
     }
 
     @Override
@@ -100,12 +94,16 @@ final class DiagramPane extends JPanel {
         otherAxes().forEach(g::draw);
         g.setStroke(new BasicStroke(1));
         words(g.getFontMetrics())
-                .forEach((word, place) -> g.drawString(word, (float) place.getX(), (float) place.getMaxY()));
+                .forEach(word -> g.drawString(word.text, (float) word.place.getX(), (float) word.place.getMaxY()));
         int gap = g.getFontMetrics().getDescent();
-        ticks().forEach(tick -> {
-            Point2D at = place(new Point2D.Double(0, tick));
-            g.draw(new Line2D.Double(at.getX() - gap, at.getY(), at.getX() + gap, at.getY()));
-        });
+        for (boolean upright : new boolean[] {true, false}) {
+            for (double tick : ticks(upright)) {
+                Point2D at = place(onAxis(tick, upright));
+                double aside = upright ? gap : 0;
+                double up = upright ? 0 : gap;
+                g.draw(new Line2D.Double(at.getX() - aside, at.getY() - up, at.getX() + aside, at.getY() + up));
+            }
+        }
         g.setColor(UIManager.getColor("Component.accentColor"));
         g.setStroke(new BasicStroke(1.2f));
         object().forEach(g::draw);
@@ -118,11 +116,17 @@ final class DiagramPane extends JPanel {
     }
 
     private List<Line2D> light() {
-        return diagram.light().stream().map(this::through).toList();
+        return diagram.lightThrough().stream()
+                .flatMap(event -> diagram.light().stream().map(direction -> through(event, direction)))
+                .toList();
     }
 
     private List<Line2D> otherAxes() {
-        return List.of(through(diagram.otherTime()), through(diagram.otherSpace()));
+        return diagram.otherTime() == null
+                ? diagram.simultaneous().stream()
+                        .<Line2D>map(line -> new Line2D.Double(place(line.getP1()), place(line.getP2())))
+                        .toList()
+                : List.of(through(diagram.otherTime()), through(diagram.otherSpace()));
     }
 
     /** The worldline of the object at which the ray ends, if there is one. */
@@ -140,24 +144,32 @@ final class DiagramPane extends JPanel {
     }
 
     /**
-     * The numbers on the upright axis of time for which there is room, and the names of all axes near their ends; those
-     * of the camera have primes. Each with its place in pixels, from the top of its letters to the line they stand on.
+     * The notes, the numbers on the upright axes for which there is room, and the names of all axes near their ends;
+     * those of the camera have primes.
      */
-    Map<String, Rectangle2D> words(FontMetrics type) {
+    List<Word> words(FontMetrics type) {
         boolean ofScene = diagram.frame() == Frame.SCENE;
-        String own = ofScene ? "" : PRIME;
-        String other = ofScene ? PRIME : "";
+        String own = ofScene ? "" : SpaceTimeDiagram.PRIME;
+        String other = ofScene ? SpaceTimeDiagram.PRIME : "";
         LabelPlacer places = new LabelPlacer(new Rectangle(1, 1, getWidth() - 2, getHeight() - 2), lines());
-        Map<String, Rectangle2D> words = new LinkedHashMap<>();
-        for (double tick : ticks()) {
-            String number = Numbers.brief(tick, 3);
-            places.takeFree(besideTick(number, tick, type)).ifPresent(place -> words.put(number, place));
+        List<Word> words = new ArrayList<>();
+        for (SpaceTimeDiagram.Note note : diagram.notes()) {
+            words.add(new Word(note.text(), places.take(beside(note.event(), note.text(), type))));
+        }
+        for (boolean upright : new boolean[] {true, false}) {
+            for (double tick : ticks(upright)) {
+                String number = Numbers.brief(tick, 3);
+                List<Rectangle2D> beside = beside(onAxis(tick, upright), number, type);
+                // the first two are beside a point, the others above and below it
+                places.takeFree(upright ? beside.subList(0, 2) : beside.subList(2, 4))
+                        .ifPresent(place -> words.add(new Word(number, place)));
+            }
         }
         BiConsumer<String, Point2D> name =
-                (text, direction) -> words.put(text, places.take(besideAxis(text, direction, type)));
+                (text, direction) -> words.add(new Word(text, places.take(besideAxis(text, direction, type))));
         name.accept("t" + own, new Point2D.Double(0, 1));
         name.accept("x" + own, new Point2D.Double(1, 0));
-        if (diagram.otherTime().getX() != 0) {
+        if (diagram.otherTime() != null && diagram.otherTime().getX() != 0) {
             // there is more room below
             name.accept("t" + other, times(diagram.otherTime(), -1));
             name.accept("x" + other, diagram.otherSpace());
@@ -165,22 +177,35 @@ final class DiagramPane extends JPanel {
         return words;
     }
 
-    /** The times of the marks on the upright axis. */
-    private List<Double> ticks() {
-        double step = Numbers.niceFloor(diagram.reach() / 2);
-        return step > 0
-                ? IntStream.rangeClosed(1, (int) (diagram.reach() / step))
-                        .mapToObj(i -> -i * step)
-                        .toList()
-                : List.of();
+    private static Point2D onAxis(double tick, boolean upright) {
+        return new Point2D.Double(upright ? 0 : tick, upright ? tick : 0);
     }
 
-    /** To the right of a mark on the upright axis, or to the left. */
-    private List<Rectangle2D> besideTick(String number, double tick, FontMetrics type) {
-        Point2D at = place(new Point2D.Double(0, tick));
-        double away = 2 * type.getDescent() + type.stringWidth(number) / 2.0;
+    /** The marks on an axis but for that at the origin. */
+    private List<Double> ticks(boolean upright) {
+        Rectangle2D area = diagram.area();
+        double step = Numbers.niceFloor(STEP * getFont().getSize2D() / scale());
+        int first = (int) Math.ceil((upright ? area.getMinY() : area.getMinX()) / step);
+        int last = (int) Math.floor((upright ? area.getMaxY() : area.getMaxX()) / step);
+        return IntStream.rangeClosed(first, last)
+                .filter(i -> i != 0)
+                .mapToObj(i -> i * step)
+                // a note says it already
+                .filter(tick -> diagram.notes().stream()
+                        .noneMatch(note -> note.event().distance(onAxis(tick, upright)) < step / 2))
+                .toList();
+    }
+
+    /** To the left of an event, to the right, below and above it. */
+    private List<Rectangle2D> beside(Point2D event, String word, FontMetrics type) {
+        Point2D at = place(event);
+        double aside = 2 * type.getDescent() + type.stringWidth(word) / 2.0;
+        double below = 2 * type.getDescent() + type.getAscent() / 2.0;
         return List.of(
-                around(at.getX() + away, at.getY(), number, type), around(at.getX() - away, at.getY(), number, type));
+                around(at.getX() - aside, at.getY(), word, type),
+                around(at.getX() + aside, at.getY(), word, type),
+                around(at.getX(), at.getY() + below, word, type),
+                around(at.getX(), at.getY() - below, word, type));
     }
 
     /**
@@ -242,7 +267,10 @@ final class DiagramPane extends JPanel {
         g.setStroke(new BasicStroke(2.4f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND));
         g.draw(path);
         double radius = Look.pixels(DOT);
-        for (Point2D event : diagram.path()) {
+        List<Point2D> events = diagram.notes().isEmpty()
+                ? diagram.path()
+                : diagram.notes().stream().map(SpaceTimeDiagram.Note::event).toList();
+        for (Point2D event : events) {
             Point2D centre = place(event);
             g.fill(Drawing.circle(centre.getX(), centre.getY(), radius));
         }

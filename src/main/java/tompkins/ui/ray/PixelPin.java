@@ -10,13 +10,17 @@ import tompkins.camera.SamplePositions;
 import tompkins.measure.RayCone;
 import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
-import tompkins.ui.picture.NewestFirst;
+import tompkins.ui.picture.Asker;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.picture.PictureTool;
 import tompkins.ui.picture.ScreenPicture;
 
-/** A pinned place of the picture, or of the one beside it: its ray is followed again when the picture changes. */
-public final class PixelPin implements AutoCloseable {
+/**
+ * A pinned place of the picture, or of the one beside it: its ray is followed again when the picture changes. It is the
+ * tool that pins, which is in the hand if no other is wanted.
+ */
+public final class PixelPin implements PictureTool {
 
     /** How many rays a cone has. */
     private static final int RAYS_OF_CONE = 12;
@@ -24,7 +28,7 @@ public final class PixelPin implements AutoCloseable {
     private final PictureCanvas canvas;
     private final Function<Picture, String> names;
     private final BiConsumer<PixelReading, String> listener;
-    private final NewestFirst worker;
+    private final Asker asker;
     private Point2D place;
     private boolean inOther;
 
@@ -43,17 +47,17 @@ public final class PixelPin implements AutoCloseable {
      *
      * @param names gives the name of a picture; null for one that is seen alone
      * @param listener notified of what was read, and in which picture; a reading of null says that nothing is pinned
-     * @param failed notified of what goes wrong, by any thread
+     * @param asker follows the rays
      */
     public PixelPin(
             PictureCanvas canvas,
             Function<Picture, String> names,
             BiConsumer<PixelReading, String> listener,
-            Consumer<Throwable> failed) {
+            Asker asker) {
         this.canvas = canvas;
         this.names = names;
         this.listener = listener;
-        worker = new NewestFirst("tompkins-pin", failed);
+        this.asker = asker;
     }
 
     /** Pins a place of the picture, or of the one beside it; no place if it is null. */
@@ -66,9 +70,26 @@ public final class PixelPin implements AutoCloseable {
         read();
     }
 
-    /** Pins again what was pinned before the last {@link #set set}. */
-    public void putBack() {
+    @Override
+    public boolean isWanted() {
+        return true;
+    }
+
+    @Override
+    public String hint() {
+        return "";
+    }
+
+    @Override
+    public void click(Point2D clicked, Picture seen) {
+        set(clicked, seen != canvas.shown().now());
+    }
+
+    /** Pins again what was pinned before the first click. */
+    @Override
+    public boolean clickAgain(Point2D clicked, Picture seen) {
         set(placeBefore, beforeInOther);
+        return false;
     }
 
     /** Another picture is on the screen. */
@@ -93,7 +114,7 @@ public final class PixelPin implements AutoCloseable {
         Picture picture = picture();
         if (place != null && picture != null) {
             Point2D middle = picture.inPixels(canvas.shown().placeIn(picture, place));
-            worker.ask(() -> cone(picture.plan(), middle), answer);
+            asker.ask(RayCone.class, () -> cone(picture.plan(), middle), answer);
         }
     }
 
@@ -111,6 +132,7 @@ public final class PixelPin implements AutoCloseable {
         if (place == null || picture == null) {
             // the plan may hold a large scene
             readPlan = null;
+            asker.drop(this);
             listener.accept(null, null);
             return;
         }
@@ -118,12 +140,6 @@ public final class PixelPin implements AutoCloseable {
         String name = names.apply(picture);
         readName = name;
         Point2D own = canvas.shown().placeIn(picture, place);
-        worker.ask(
-                () -> PixelReading.of(picture, own), reading -> listener.accept(place == null ? null : reading, name));
-    }
-
-    @Override
-    public void close() {
-        worker.close();
+        asker.ask(this, () -> PixelReading.of(picture, own), reading -> listener.accept(reading, name));
     }
 }

@@ -31,12 +31,16 @@ import tompkins.ui.widget.Texts;
 /** The life of the ray of a pinned pixel, in a part of the side panel that is there only while a pixel is pinned. */
 public final class RaySection {
 
+    /** The size of the diagram, in sizes of the type. */
+    private static final double DIAGRAM = 12.5;
+
     private final StudioModel model;
     private final Runnable unpin;
     private final Consumer<Consumer<List<RayLife>>> cones;
     private final Consumer<StudioPath> editor;
     private final StoryPane story = new StoryPane();
-    private final DiagramPane diagram = new DiagramPane();
+    private final DiagramPane diagram = new DiagramPane(DIAGRAM);
+    private final DiagramWindow large = new DiagramWindow();
     private final JComponent frames = ChoiceRow.of(
             List.of(Frame.SCENE, Frame.CAMERA),
             each -> Texts.get("ray.diagram." + each),
@@ -80,6 +84,7 @@ public final class RaySection {
         buttons.add(button);
         buttons.add(drawRay);
         buttons.add(drawCone);
+        buttons.add(Buttons.of("ray.enlarge", () -> large.open(component())));
         JPanel content = Rows.column();
         content.add(frames, "wmin 0");
         content.add(diagram, "wmin 0");
@@ -127,7 +132,10 @@ public final class RaySection {
 
     private void draw(Frame upright) {
         frame = upright;
-        diagram.show(rays.isEmpty() ? null : SpaceTimeDiagram.of(rays.get(0), studio, frame));
+        SpaceTimeDiagram drawn = rays.isEmpty() ? null : SpaceTimeDiagram.of(rays.get(0), studio, frame);
+        String text = Texts.get("ray.diagram." + frame + ".tip");
+        diagram.show(drawn, text);
+        large.show(drawn, text);
     }
 
     /** The objects that the ray hit and that the studio still holds, with their names. */

@@ -25,7 +25,6 @@ import tompkins.ui.number.NumberProperty;
 import tompkins.ui.overlay.PictureOverlays;
 import tompkins.ui.photograph.Captions;
 import tompkins.ui.photograph.WindowParts;
-import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.EntryField;
@@ -45,7 +44,8 @@ public final class Motion {
     private final Captions captions;
     private final RidePilot pilot;
     private final SteeringMouse steering;
-    private final RideReading reading = new RideReading();
+    private final RideRate rate = new RideRate();
+    private final RideKeys keys;
     private final TabStrip strip;
 
     // made when they are first wanted
@@ -61,8 +61,8 @@ public final class Motion {
         canvas = window.view().canvas();
         pilot = new RidePilot(window.model(), window.status()::report);
         steering = new SteeringMouse(canvas, new Steering(window.model(), window.view(), pilot));
-        new RideKeys(canvas, pilot, steering::turn, letter -> ridePanel().offerKeyboard(letter));
-        canvas.addOverlay((g, picture, bounds, visible, free) -> paintLine(g, free));
+        keys = new RideKeys(canvas, pilot, steering::turn, letter -> ridePanel().offerKeyboard(letter));
+        canvas.addOverlay((g, picture, bounds, visible, free) -> paintLine(g, picture, free));
         captions.setRidden(this::isOnRide);
         pilot.addListener(canvas::repaint);
         pilot.addListener(this::complete);
@@ -75,17 +75,7 @@ public final class Motion {
                 () -> ridePanel().component(),
                 shown -> ridePanel().setShown(shown));
         window.view().setRideAtRest(pilot::atRest);
-        window.view().setRideNotice(this::trouble, this::goHome);
-    }
-
-    private String trouble(Picture picture) {
-        reading.note(picture);
-        return pilot.isRiding() ? reading.trouble(picture) : "";
-    }
-
-    private void goHome() {
-        pilot.home();
-        canvas.requestFocusInWindow();
+        window.model().addOpenListener(this::pause);
     }
 
     /** The picture is completed when a ride pauses. */
@@ -98,11 +88,6 @@ public final class Motion {
     /** Who steers the ride. */
     public RidePilot pilot() {
         return pilot;
-    }
-
-    /** How soon a picture of a change has to come. */
-    public Pace pace() {
-        return pilot.isAnswering() ? Pace.ANSWER : pilot.isRiding() ? Pace.RIDE : isPlaying() ? Pace.FILM : Pace.HAND;
     }
 
     /** Pauses what moves by itself. */
@@ -205,20 +190,26 @@ public final class Motion {
     private RidePanel ridePanel() {
         if (ride == null) {
             ride = new RidePanel(
-                    window.model(), window.settings(), pilot, canvas::requestFocusInWindow, export::askForRide);
+                    window.model(),
+                    window.settings(),
+                    pilot,
+                    canvas::requestFocusInWindow,
+                    export::askForRide,
+                    keys::setKeyboard);
         }
         return ride;
     }
 
-    private void paintLine(Graphics2D g, Rectangle free) {
+    private void paintLine(Graphics2D g, Picture picture, Rectangle free) {
+        rate.note(picture);
         List<String> parts = parts();
         if (!parts.isEmpty()) {
             Font font = Look.captions();
             Rectangle below = PictureLabel.paintParts(g, font, parts, free);
-            String news = pilot.task().news();
-            if (!news.isEmpty()) {
+            RideTask.Verdict verdict = pilot.task().verdict();
+            if (verdict != null) {
                 // below the rest, where it can be read from the back row
-                PictureLabel.paintParts(g, font, List.of(news), below);
+                PictureLabel.paintParts(g, font, List.of(verdict.text()), below);
             }
         }
     }
@@ -236,7 +227,7 @@ public final class Motion {
             parts.addAll(state(moment));
             parts.addAll(Captions.parts(moment, pilot.isRiding()));
             if (pilot.isRiding() && window.settings().number(PictureOverlays.RATE, 0) != 0) {
-                parts.add(reading.rate());
+                parts.add(rate.text());
             }
         }
         return parts;

@@ -18,7 +18,7 @@ import tompkins.ui.widget.Texts;
  * @param name what it is called; empty for one that somebody typed
  * @param letters seven small letters, in that order
  */
-record RideKeyboard(String name, String letters) {
+public record RideKeyboard(String name, String letters) {
 
     /** The command of the last letter; those before are the directions of thrust. */
     static final int BRAKE = 6;

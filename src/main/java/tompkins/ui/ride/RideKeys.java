@@ -61,6 +61,7 @@ final class RideKeys {
     private final KeyEventPostProcessor elsewhere = this::takeUnused;
     private final PropertyChangeListener focus = event -> letGo();
     private final Map<Integer, Held> held = new HashMap<>();
+    private RideKeyboard keyboard = RideKeyboard.common().get(0);
     private boolean listens;
 
     /** What turns the view by steps to the right and up. */
@@ -96,6 +97,11 @@ final class RideKeys {
             }
         });
         pilot.addListener(this::listenElsewhere);
+    }
+
+    /** Lets the letters of another keyboard steer from now on. */
+    void setKeyboard(RideKeyboard other) {
+        keyboard = other;
     }
 
     /** While the camera flies, keys that have no use where the focus is steer it: a switch was clicked, for example. */
@@ -140,7 +146,7 @@ final class RideKeys {
                 } else if (event.getModifiersEx() == 0 && event.getKeyCode() == KeyEvent.VK_HOME) {
                     // a ride that is paused begins anew, too, and a replay ends
                     pilot.home();
-                } else if (event.getModifiersEx() == 0 && pilot.keyboard().command(LatinKeys.letter(event)) >= 0) {
+                } else if (event.getModifiersEx() == 0 && keyboard.command(LatinKeys.letter(event)) >= 0) {
                     pilot.tellThatItPauses();
                 }
             }
@@ -165,7 +171,7 @@ final class RideKeys {
     private void press(KeyEvent event) {
         int code = event.getKeyCode();
         boolean shift = event.isShiftDown();
-        int letter = pilot.keyboard().command(LatinKeys.letter(event));
+        int letter = keyboard.command(LatinKeys.letter(event));
         Vector3dc thrust = letter >= 0 && letter < RideKeyboard.BRAKE
                 ? LETTERS.get(letter)
                 : (shift ? WITH_SHIFT : ARROWS).get(code);

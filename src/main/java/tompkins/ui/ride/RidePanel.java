@@ -1,21 +1,26 @@
 package tompkins.ui.ride;
 
+import java.awt.Color;
 import java.awt.Dimension;
 import java.util.List;
 import java.util.function.Consumer;
-import javax.swing.DefaultComboBoxModel;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JMenuItem;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
 import javax.swing.JToggleButton;
+import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 import tompkins.property.NumberText;
 import tompkins.studio.Ride;
+import tompkins.studio.RideMoment;
 import tompkins.studio.Studio;
+import tompkins.ui.editor.StudioRow;
 import tompkins.ui.model.Settings;
 import tompkins.ui.model.StudioModel;
-import tompkins.ui.panel.LawPanel;
 import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
@@ -23,11 +28,14 @@ import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Range;
 import tompkins.ui.widget.Rows;
+import tompkins.ui.widget.ShortLabel;
 import tompkins.ui.widget.Texts;
-import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.ValueSlider;
 
-/** The bar of a ride: it begins and pauses it, records, replays and exports it, and says how fast light is. */
+/**
+ * The bar of a ride, in one line: it begins and pauses it, leads back, offers the rides of the scene, and says what to
+ * try. What is needed less often comes with a button: the speed of light, recording, replay, and the keys.
+ */
 public final class RidePanel extends Part {
 
     /** How far light goes in a second, in scene units. */
@@ -38,18 +46,20 @@ public final class RidePanel extends Part {
     /** The setting of the keyboard. */
     private static final String KEYBOARD = "ride.keyboard";
 
+    private final StudioModel model;
     private final RidePilot pilot;
+    private final Runnable flown;
     private final JToggleButton ride = new JToggleButton();
     private final JToggleButton record = new JToggleButton(Texts.get("ride.record"));
+    private final JButton home;
+    private final JButton challenges;
     private final JButton replay;
     private final JButton export;
-
-    /** The rides that are offered. */
-    private List<Ride> shown = List.of();
-
     private final JLabel units = new JLabel();
-    private final JComboBox<Ride> rides = new JComboBox<>();
-    private final Note task = new Note("");
+
+    /** What to try, or how to steer; then how far that is done. */
+    private final JLabel task = new ShortLabel("ride.task");
+
     private final ValueSlider light;
 
     /** The names of keyboards have room in its list alone. */
@@ -61,7 +71,8 @@ public final class RidePanel extends Part {
         }
     };
 
-    private final Updating updating = new Updating();
+    private final Consumer<RideKeyboard> steerer;
+    private RideKeyboard letters;
     private double told;
     private final Note keys = new Note("");
     private final JButton otherKeyboard = new JButton();
@@ -73,11 +84,21 @@ public final class RidePanel extends Part {
      *
      * @param flown notified that keys are wanted for the ride
      * @param exporter asks where to save the film of the ride that begins with a studio
+     * @param steerer takes the keyboard whose letters steer
      */
-    public RidePanel(StudioModel model, Settings settings, RidePilot pilot, Runnable flown, Consumer<Studio> exporter) {
-        super(new JPanel(new MigLayout(
-                "novisualpadding, insets 0 4 0 4, fillx, hidemode 3, gap 6 4", "[pref!]12[pref!][grow,fill][][]")));
+    public RidePanel(
+            StudioModel model,
+            Settings settings,
+            RidePilot pilot,
+            Runnable flown,
+            Consumer<Studio> exporter,
+            Consumer<RideKeyboard> steerer) {
+        super(new JPanel(
+                new MigLayout("novisualpadding, insets 0 4 0 4, fillx, hidemode 3, gap 6 4", "[][][][grow,fill][][]")));
+        this.model = model;
         this.pilot = pilot;
+        this.flown = flown;
+        this.steerer = steerer;
         light = new ValueSlider(
                 Texts.get("ride.light"),
                 Texts.get("ride.lightTip"),
@@ -86,36 +107,25 @@ public final class RidePanel extends Part {
                 drag -> {});
         light.show(pilot.unitsPerSecond());
         Naming.name(ride, "ride.ride");
-        ride.addActionListener(event -> {
-            pilot.setRiding(ride.isSelected());
-            flown.run();
-        });
+        ride.addActionListener(event -> fly(() -> pilot.setRiding(ride.isSelected())));
         Naming.name(record, "ride.record");
-        record.addActionListener(event -> {
-            pilot.setRecording(record.isSelected());
-            flown.run();
-        });
-        replay = Buttons.of("ride.replay", () -> {
-            pilot.replay();
-            flown.run();
-        });
+        record.addActionListener(event -> fly(() -> pilot.setRecording(record.isSelected())));
+        home = Buttons.of("ride.home", () -> fly(pilot::home));
+        challenges = Buttons.of("ride.challenges", this::offerRides);
+        replay = Buttons.of("ride.replay", () -> fly(pilot::replay));
         export = Buttons.of("ride.export", () -> export(exporter));
-        offerKeyboards(settings, flown);
-        offerRides(model, flown);
+        offerKeyboards(settings);
+        JComponent more = more();
+        JToggleButton showMore = new JToggleButton(Texts.get("ride.more"));
+        Naming.name(showMore, "ride.more");
+        showMore.addActionListener(event -> more.setVisible(showMore.isSelected()));
         panel.add(ride);
-        Rows.add(panel, Texts.get("ride.light"), light.slider(), "wmin 60");
-        panel.add(units);
-        // a long name must leave room for the slider
-        panel.add(rides, "wmin 0, wmax 35%");
-        panel.add(record, "newline, span, split 4");
-        panel.add(replay);
-        panel.add(export);
-        panel.add(LawPanel.quickView(model), "gapleft push, wmin pref, wrap");
-        panel.add(task.component(), "span, growx, wmin 0");
-        panel.add(keyboard, "span, split 3, wmin pref");
+        panel.add(home);
+        panel.add(challenges);
+        panel.add(task, "wmin 0");
         panel.add(otherKeyboard);
-        panel.add(keys.component(), "growx, wmin 0, wrap");
-        panel.add(note.component(), "span, growx, wmin 0");
+        panel.add(showMore, "wrap");
+        panel.add(more, "span, growx");
         panel.setVisible(false);
         setUnits(pilot.unitsPerSecond());
         pilot.addListener(this::update);
@@ -123,28 +133,53 @@ public final class RidePanel extends Part {
         update();
     }
 
-    private void offerRides(StudioModel model, Runnable flown) {
-        Naming.name(rides, "ride.rides");
-        Naming.items(rides, Ride::name);
-        // arrow keys in the list only look for a ride; Enter begins it
-        rides.putClientProperty("JComboBox.isTableCellEditor", true);
-        Runnable update = () -> {
-            List<Ride> offered = model.studio().rides();
-            rides.setVisible(offered.size() > 1);
-            if (!offered.equals(shown)) {
-                shown = offered;
-                rides.setModel(new DefaultComboBoxModel<>(offered.toArray(Ride[]::new)));
+    private JComponent more() {
+        JPanel more = Rows.of("hidemode 3, gap 6 4", "[pref!][grow,fill][]");
+        Rows.add(more, Texts.get("ride.light"), light.slider(), "wmin 60");
+        more.add(units, "wrap");
+        more.add(record, "span, split 4");
+        more.add(replay);
+        more.add(export);
+        JPanel views = Rows.panel();
+        new StudioRow(model, "view", Texts.get("row.view")).addTo(views);
+        more.add(views, "gapleft push, wmin 0, wrap");
+        more.add(keyboard, "span, split 2, wmin pref");
+        more.add(keys.component(), "growx, wmin 0, wrap");
+        more.add(note.component(), "span, growx, wmin 0");
+        more.setVisible(false);
+        return more;
+    }
+
+    private void fly(Runnable action) {
+        action.run();
+        flown.run();
+    }
+
+    /** Lists the rides of the scene: each challenge with the way to go, or with what became of it. */
+    private void offerRides() {
+        JPopupMenu menu = new JPopupMenu();
+        for (Ride offer : model.studio().rides()) {
+            RideTask.Verdict verdict = pilot.task().verdict(offer);
+            String far = RideTask.distance(offer);
+            JMenuItem item = new JMenuItem();
+            String end = verdict == null ? far : verdict.text();
+            item.setText(end.isEmpty() ? offer.name() : offer.name() + "   (" + end + ")");
+            item.setName(offer.name());
+            if (verdict != null) {
+                item.setForeground(colour(verdict));
             }
-        };
-        rides.addActionListener(event -> updating.unless(() -> {
-            pilot.begin((Ride) rides.getSelectedItem());
-            flown.run();
-        }));
-        model.follow(update);
+            item.addActionListener(event -> fly(() -> pilot.begin(offer)));
+            menu.add(item);
+        }
+        menu.show(challenges, 0, challenges.getHeight());
+    }
+
+    private static Color colour(RideTask.Verdict verdict) {
+        return UIManager.getColor(verdict.met() ? "Tompkins.done" : "Tompkins.error");
     }
 
     /** The letters of common keyboards; others can be typed. */
-    private void offerKeyboards(Settings settings, Runnable flown) {
+    private void offerKeyboards(Settings settings) {
         Naming.name(keyboard, "ride.keyboard");
         List<RideKeyboard> common = RideKeyboard.common();
         common.forEach(known -> keyboard.addItem(known.text()));
@@ -165,7 +200,7 @@ public final class RidePanel extends Part {
             RideKeyboard chosen = RideKeyboard.of(String.valueOf(keyboard.getSelectedItem()));
             otherKeyboard.setVisible(false);
             // a text that is not seven letters is undone
-            steerBy(chosen == null ? pilot.keyboard() : chosen);
+            steerBy(chosen == null ? letters : chosen);
             if (chosen != null) {
                 settings.setText(KEYBOARD, chosen.letters());
                 settings.save();
@@ -175,7 +210,7 @@ public final class RidePanel extends Part {
 
     /** Offers, once, the keyboard on which a letter steers that does nothing on the present one. */
     void offerKeyboard(char letter) {
-        pilot.keyboard().other(letter).filter(other -> !offered).ifPresent(other -> {
+        letters.other(letter).filter(other -> !offered).ifPresent(other -> {
             offered = true;
             otherKeyboard.setText(Texts.get("ride.otherKeyboard", other.text(), other.name()));
             otherKeyboard.addActionListener(event -> keyboard.setSelectedItem(other.text()));
@@ -184,7 +219,8 @@ public final class RidePanel extends Part {
     }
 
     private void steerBy(RideKeyboard chosen) {
-        pilot.setKeyboard(chosen);
+        letters = chosen;
+        steerer.accept(chosen);
         if (!chosen.text().equals(keyboard.getSelectedItem())) {
             keyboard.setSelectedItem(chosen.text());
         }
@@ -217,11 +253,6 @@ public final class RidePanel extends Part {
         ride.setText(Texts.get(riding ? "ride.pause" : "ride.ride"));
         record.setSelected(pilot.isRecording());
         record.setText(Texts.get(pilot.isRecording() ? "ride.stopRecording" : "ride.record"));
-        if (pilot.task().ride() != null) {
-            // none while the camera flies from elsewhere
-            updating.during(
-                    () -> rides.setSelectedIndex(shown.indexOf(pilot.task().ride())));
-        }
         if (pilot.unitsPerSecond() != told) {
             light.show(pilot.unitsPerSecond());
             setUnits(pilot.unitsPerSecond());
@@ -231,13 +262,27 @@ public final class RidePanel extends Part {
 
     /** What can be done where the camera is: after an undo it may be on no ride. */
     private void updateTask() {
-        task.setText(
-                pilot.moment() == null
-                        ? ""
-                        : (pilot.task().text() + "\n" + pilot.task().news()).strip());
-        boolean flown = pilot.canReplay() && !pilot.isRecording();
-        replay.setEnabled(flown);
-        export.setEnabled(flown);
+        RideMoment now = pilot.moment();
+        RideTask.Verdict verdict = now == null ? null : pilot.task().verdict();
+        String text = verdict != null ? verdict.text() : task(now);
+        task.setText(text);
+        task.setForeground(verdict == null ? UIManager.getColor("Label.foreground") : colour(verdict));
+        home.setEnabled(now != null);
+        challenges.setVisible(!model.studio().rides().isEmpty());
+        boolean canReplay = pilot.canReplay() && !pilot.isRecording();
+        replay.setEnabled(canReplay);
+        export.setEnabled(canReplay);
+    }
+
+    /** What to try, and after the start how far that is done; without a task the keys. */
+    private String task(RideMoment now) {
+        if (now == null || pilot.task().text().isEmpty()) {
+            return keys.text();
+        }
+        String progress = pilot.task().progress(now);
+        return now.properTime() > 0 && !progress.isEmpty()
+                ? progress
+                : pilot.task().text();
     }
 
     private void export(Consumer<Studio> exporter) {

@@ -13,7 +13,11 @@ import tompkins.studio.Ride;
 import tompkins.studio.RideMoment;
 import tompkins.studio.RideRecorder;
 import tompkins.studio.Studio;
+import tompkins.ui.model.Pace;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.ride.RideState.Flying;
+import tompkins.ui.ride.RideState.Idle;
+import tompkins.ui.ride.RideState.Replaying;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
 
@@ -36,64 +40,68 @@ public final class RidePilot {
     private final Consumer<String> teller;
     private final List<Runnable> listeners = new ArrayList<>();
     private final Object gesture = new Object();
-    private final Timer timer = new Timer(TICK_MILLISECONDS, event -> tick());
-    private final Vector3d wish = new Vector3d();
-    private boolean braking;
-    private boolean answering;
-    private double unitsPerSecond = 1;
-    private RideKeyboard keyboard = RideKeyboard.common().get(0);
-
-    /** Where the ride began that is flown; null before the first. */
-    private Studio start;
-
+    private final Timer timer = new Timer(TICK_MILLISECONDS, event -> tick(Pace.RIDE));
     private final RideTask task = new RideTask();
-    private RideMoment moment;
+    private RideState state = new Idle(false);
 
-    /** Takes note of what is flown by hand; null before that. */
-    private RideRecorder recorder;
+    /** The last ride; null before the first. */
+    private RideTrip trip;
 
-    /** Whether that will be kept in the scene. */
-    private boolean keeps;
-
-    /** The ride that is shown, or was shown last; null if it was flown by hand. */
-    private RideFilm film;
-
-    private double filmTime;
+    private double unitsPerSecond = 1;
     private long lastTick;
+    private Runnable whenBegun = () -> {};
 
     /** A pilot for the camera of a model; messages about the ride go to {@code teller}. */
     public RidePilot(StudioModel model, Consumer<String> teller) {
         this.model = model;
         this.teller = teller;
+        model.addOpenListener(this::forget);
     }
 
-    /** Calls a listener when a ride begins or ends, or a recording does. */
+    /** Calls a listener when a ride begins or ends, or a recording does, and when a challenge has news. */
     public void addListener(Runnable listener) {
         listeners.add(listener);
+    }
+
+    /** Does something whenever a ride begins that was not there before, and does not only go on. */
+    public void setWhenBegun(Runnable listener) {
+        whenBegun = listener;
     }
 
     private void tell() {
         listeners.forEach(Runnable::run);
     }
 
+    private void forget() {
+        setRiding(false);
+        trip = null;
+        task.forget();
+        tell();
+    }
+
     /** Whether time runs. */
     public boolean isRiding() {
-        return timer.isRunning();
+        return !(state instanceof Idle);
     }
 
     /** Whether thrust and turns lead it. */
     boolean isFlying() {
-        return isRiding() && film == null;
+        return state instanceof Flying;
     }
 
     /** Whether the ride is recorded. */
     public boolean isRecording() {
-        return keeps;
+        return state instanceof Flying flying && flying.records();
     }
 
     /** Whether a recorded ride is shown. */
     public boolean isReplaying() {
-        return isRiding() && film != null;
+        return state instanceof Replaying;
+    }
+
+    /** Whether it brakes. */
+    public boolean isBraking() {
+        return state instanceof Flying flying && flying.brakes();
     }
 
     /** The gesture to which all changes of a ride belong. */
@@ -111,7 +119,7 @@ public final class RidePilot {
     /** The present moment of the ride, which may be paused; null if the camera has been moved elsewhere since. */
     public RideMoment moment() {
         Studio now = model.studio();
-        return moment == null || !moment.isOf(now) ? null : moment.with(now);
+        return trip == null || !trip.moment().isOf(now) ? null : trip.moment().with(now);
     }
 
     /**
@@ -125,7 +133,7 @@ public final class RidePilot {
 
     /** Where thrust is wished, at once: each component from -1 to 1, to the right, up and forwards. */
     public void setThrust(Vector3dc direction) {
-        steer(direction, braking && direction.lengthSquared() == 0);
+        steer(direction, isBraking() && direction.lengthSquared() == 0);
     }
 
     /** Ends thrust and braking. */
@@ -139,18 +147,10 @@ public final class RidePilot {
     }
 
     private void steer(Vector3dc direction, boolean brakes) {
-        wish.set(direction);
-        braking = brakes;
-        if (isRiding()) {
-            answering = true;
-            tick();
-            answering = false;
+        if (state instanceof Flying flying) {
+            state = flying.steered(direction, brakes);
+            tick(Pace.ANSWER);
         }
-    }
-
-    /** Whether the present change answers a hand, and has to be seen as soon as possible. */
-    boolean isAnswering() {
-        return answering;
     }
 
     /** What to try on the ride. */
@@ -160,32 +160,19 @@ public final class RidePilot {
 
     /** Goes back to where the ride began; a recording ends there, too. */
     public void home() {
-        if (keeps) {
+        if (isRecording()) {
             setRecording(false);
-        } else if (start != null && moment() != null) {
-            wish.zero();
-            braking = false;
-            flyFrom(RideMoment.start(model.studio().withCamera(start.camera()).withVelocity(start.velocity())));
-            task.restart(true);
-            teller.accept(task.news());
+        } else if (moment() != null) {
+            Studio start = trip.start();
+            flyFrom(
+                    start,
+                    RideMoment.start(model.studio().withCamera(start.camera()).withVelocity(start.velocity())));
+            state = isRiding() ? Flying.coasting(false) : new Idle(false);
+            task.restart();
+            teller.accept("");
             tell();
-            model.look(moment.studio(), gesture);
+            model.look(trip.moment().studio(), gesture);
         }
-    }
-
-    /** The keyboard whose letters steer. */
-    RideKeyboard keyboard() {
-        return keyboard;
-    }
-
-    /** Lets the letters of another keyboard steer from now on. */
-    void setKeyboard(RideKeyboard other) {
-        keyboard = other;
-    }
-
-    /** Whether it brakes. */
-    public boolean isBraking() {
-        return braking;
     }
 
     /** How far light goes in a second of the ride, in scene units; above 0. */
@@ -218,32 +205,33 @@ public final class RidePilot {
                 attempt(() -> goToStart(rides.get(0)));
             }
             if (moment() == null) {
-                startFrom(model.studio());
+                task.begin(Ride.DEFAULT);
+                flyFrom(model.studio(), RideMoment.start(model.studio()));
+                whenBegun.run();
             }
-        } else if (film != null) {
-            flyFrom(moment());
+        } else if (state.equals(new Idle(true))) {
+            flyFrom(trip.start(), moment());
         }
-        stopThrust();
+        run(Flying.coasting(false));
+    }
+
+    private void run(RideState next) {
+        state = next;
         lastTick = System.nanoTime();
         timer.start();
     }
 
-    private void startFrom(Studio beginning) {
-        start = beginning;
-        task.clear();
-        flyFrom(RideMoment.start(beginning));
-    }
-
-    private void flyFrom(RideMoment now) {
-        film = null;
-        moment = now;
-        recorder = new RideRecorder(now.studio());
+    private void flyFrom(Studio start, RideMoment now) {
+        trip = RideTrip.from(start, now);
     }
 
     private void goToStart(Ride ride) {
         unitsPerSecond = ride.lightSpeed();
-        startFrom(ride.start(model.atHome()));
-        model.look(moment.studio(), gesture);
+        Studio start = ride.start(model.atHome());
+        flyFrom(start, RideMoment.start(start));
+        state = new Idle(false);
+        whenBegun.run();
+        model.look(trip.moment().studio(), gesture);
         task.begin(ride);
     }
 
@@ -260,9 +248,10 @@ public final class RidePilot {
     /** After a recording the scene goes back to where the recorded ride begins, with the ride in it. */
     private void end() {
         timer.stop();
-        boolean kept = keeps && !recorder.isEmpty();
-        keeps = false;
+        boolean kept = isRecording() && !trip.recorder().isEmpty();
+        state = new Idle(isReplaying());
         if (kept) {
+            RideRecorder recorder = trip.recorder();
             model.adjust(recorder.studio(), gesture);
             teller.accept(Texts.get("ride.recorded", String.format(Locale.ROOT, "%.1f", recorder.seconds())));
         }
@@ -273,9 +262,9 @@ public final class RidePilot {
     public void setRecording(boolean recording) {
         setRiding(recording);
         if (recording) {
-            flyFrom(RideMoment.start(model.studio()));
-            task.restart(true);
-            keeps = true;
+            flyFrom(trip.start(), RideMoment.start(model.studio()));
+            state = Flying.coasting(true);
+            task.restart();
             tell();
         }
     }
@@ -284,12 +273,15 @@ public final class RidePilot {
     public boolean canReplay() {
         return moment() == null
                 ? !model.studio().ride().isEmpty()
-                : !start.ride().isEmpty() || !recorder.isEmpty();
+                : !trip.start().ride().isEmpty() || !trip.recorder().isEmpty();
     }
 
     /** Where what can be replayed begins: the flight that the ride comes with, or what was flown; else the present. */
     public Studio beginning() {
-        return moment() == null ? model.unmoved() : start.ride().isEmpty() ? recorder.studio() : start;
+        if (moment() == null) {
+            return model.unmoved();
+        }
+        return trip.start().ride().isEmpty() ? trip.recorder().studio() : trip.start();
     }
 
     /** Shows the ride that begins with {@link #beginning}. */
@@ -314,19 +306,22 @@ public final class RidePilot {
             return;
         }
         attempt(() -> {
-            film = new RideFilm(beginning);
-            filmTime = 0;
-            moment = film.moment(0.0);
-            start = same ? start : beginning;
-            task.restart(same);
-            model.look(moment.studio(), gesture);
-            lastTick = System.nanoTime();
-            timer.start();
+            RideFilm film = new RideFilm(beginning);
+            RideMoment first = film.moment(0.0);
+            trip = same ? trip.at(first) : RideTrip.from(beginning, first);
+            run(new Replaying(film, 0));
+            if (same) {
+                task.restart();
+            } else {
+                task.begin(Ride.DEFAULT);
+                whenBegun.run();
+            }
+            model.look(first.studio(), gesture);
         });
         tell();
     }
 
-    private void tick() {
+    private void tick(Pace pace) {
         long now = System.nanoTime();
         double seconds = Math.min(LONGEST_STEP_SECONDS, (now - lastTick) * 1e-9);
         lastTick = now;
@@ -335,14 +330,15 @@ public final class RidePilot {
             return;
         }
         attempt(() -> {
-            if (film != null) {
-                filmTime += seconds;
-                go(film.moment(filmTime));
-            } else {
-                ride(seconds);
+            if (state instanceof Flying flying) {
+                fly(flying, seconds);
+            } else if (state instanceof Replaying replaying) {
+                Replaying next = replaying.after(seconds);
+                state = next;
+                go(next.film().moment(next.seconds()));
             }
-            model.flow(moment.studio(), gesture);
-            if (film != null && filmTime >= film.seconds()) {
+            model.flow(trip.moment().studio(), gesture, pace);
+            if (state instanceof Replaying replaying && replaying.isOver()) {
                 setRiding(false);
             }
         });
@@ -350,40 +346,41 @@ public final class RidePilot {
 
     /** Takes changes by others: another view or other lights are part of the ride, another place is not; false then. */
     private boolean follow(Studio studio) {
-        boolean follows = film == null && moment.isOf(studio);
+        boolean follows = isFlying() && trip.moment().isOf(studio);
         if (follows) {
-            moment = moment.with(studio);
+            trip = trip.at(trip.moment().with(studio));
         }
-        return follows || studio.equals(moment.studio());
+        return follows || studio.equals(trip.moment().studio());
     }
 
-    private void ride(double seconds) {
+    private void fly(Flying flying, double seconds) {
         double strength = RAPIDITY_PER_SECOND / unitsPerSecond;
         double properTime = unitsPerSecond * seconds;
-        if (braking) {
-            double needed = moment.rider().rapidity() / strength;
+        if (flying.brakes()) {
+            double needed = trip.moment().rider().rapidity() / strength;
             double part = Math.min(needed, properTime);
-            step(moment.brake(strength), part);
+            step(trip.moment().brake(strength), part);
             step(new Vector3d(), properTime - part);
         } else {
-            double length = wish.length();
-            step(wish.mul(length > 1 ? strength / length : strength, new Vector3d()), properTime);
+            double length = flying.wish().length();
+            step(flying.wish().mul(length > 1 ? strength / length : strength, new Vector3d()), properTime);
         }
     }
 
     private void step(Vector3dc thrust, double properTime) {
         if (properTime > 0) {
-            RideMoment next = moment.after(thrust, properTime);
-            recorder.add(moment.studio(), thrust, properTime, properTime / unitsPerSecond, next.studio());
+            RideMoment before = trip.moment();
+            RideMoment next = before.after(thrust, properTime);
+            trip.recorder().add(before.studio(), thrust, properTime, properTime / unitsPerSecond, next.studio());
             go(next);
         }
     }
 
     private void go(RideMoment next) {
-        boolean hasNews = task.follow(moment, next);
-        moment = next;
+        boolean hasNews = task.follow(trip.moment(), next);
+        trip = trip.at(next);
         if (hasNews) {
-            teller.accept(task.news());
+            teller.accept(task.verdict().text());
             tell();
         }
     }

@@ -1,68 +1,163 @@
 package tompkins.ui.ride;
 
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import tompkins.studio.ChallengeProgress;
 import tompkins.studio.Ride;
+import tompkins.studio.RideGoal;
 import tompkins.studio.RideMoment;
 import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Texts;
 
-/** What to try on a ride, and how far that is done. */
+/** What to try on a ride, how far that is done, and what became of the challenges that were tried before. */
 final class RideTask {
 
-    private Ride ride;
+    private static final String GAP = "; ";
+
+    /** To be no faster means to stop. */
+    private static final double NEARLY_AT_REST = 1.01;
+
+    /**
+     * What became of a challenge.
+     *
+     * @param text what was measured, what was asked for, and the outcome
+     */
+    record Verdict(boolean met, String text) {}
+
+    private Ride ride = Ride.DEFAULT;
     private ChallengeProgress progress = ChallengeProgress.NONE;
-    private String news = "";
 
-    /** Begins the task of a ride. */
-    void begin(Ride begun) {
-        ride = begun;
-        progress = ChallengeProgress.start(begun);
-        news = "";
-    }
+    /** What was measured at the goals that were reached. */
+    private final List<String> reached = new ArrayList<>();
 
-    /** There is nothing to try from now on. */
-    void clear() {
+    /** On the present challenge; null while it is open. */
+    private Verdict verdict;
+
+    /** The best verdict on each challenge of the scene. */
+    private final Map<Ride, Verdict> verdicts = new HashMap<>();
+
+    /** Another scene has other challenges. */
+    void forget() {
+        verdicts.clear();
         begin(Ride.DEFAULT);
     }
 
-    /** The clocks begin again, on the same ride or on another one, of which nothing is known. */
-    void restart(boolean same) {
-        if (!same) {
-            clear();
-        }
-        progress = new ChallengeProgress(progress.goals(), 0);
-        news = "";
+    /** Begins the task of a ride; none if it is the usual ride. */
+    void begin(Ride begun) {
+        ride = begun;
+        restart();
     }
 
-    /** Follows a step of the ride; true if there is something new to say. */
+    /** The clocks begin again. */
+    void restart() {
+        progress = ChallengeProgress.start(ride);
+        reached.clear();
+        verdict = null;
+    }
+
+    /** Follows a step of the ride; true if there is a verdict now, and was none before. */
     boolean follow(RideMoment before, RideMoment now) {
-        progress = progress.after(before, now);
-        if (news.isEmpty() && progress.isMet()) {
-            news = told("ride.done", now);
-        } else if (news.isEmpty() && progress.isLost(now)) {
-            news = told("ride.late", now);
-        } else {
+        RideGoal next = next();
+        if (next == null || verdict != null) {
             return false;
         }
-        return true;
+        ChallengeProgress after = progress.after(before, now);
+        if (after.isLost(now)) {
+            settle(new Verdict(false, progress(now) + ": " + Texts.get("ride.missed")));
+        } else if (after.reached() > progress.reached()) {
+            reached.add(clocks(next, now));
+            if (after.isMet()) {
+                String place = Texts.get(place(next, ride));
+                settle(new Verdict(true, place + " " + String.join(GAP, reached) + ": " + Texts.get("ride.met")));
+            }
+        }
+        progress = after;
+        return verdict != null;
     }
 
-    private static String told(String key, RideMoment now) {
-        return Texts.get(key, Numbers.brief(now.properTime()), Numbers.brief(now.sceneTime()));
+    private void settle(Verdict found) {
+        verdict = found;
+        verdicts.merge(ride, found, (old, now) -> old.met && !now.met ? old : now);
     }
 
-    /** The ride that is flown, one of the scene or another; null before the first. */
-    Ride ride() {
-        return ride;
+    /** The goal that comes next; null if there is none. */
+    private RideGoal next() {
+        return progress.reached() < progress.goals().size() ? progress.goals().get(progress.reached()) : null;
     }
 
     /** What to try; empty if nothing is said. */
     String text() {
-        return ride == null ? "" : ride.task();
+        return ride.task();
     }
 
-    /** That the challenge is met, or can no more be; empty before. */
-    String news() {
-        return news;
+    /** On the present challenge; null while that is open. */
+    Verdict verdict() {
+        return verdict;
+    }
+
+    /** On the challenge of a ride, at best; null if it was not tried, or is open. */
+    Verdict verdict(Ride tried) {
+        return verdicts.get(tried);
+    }
+
+    /** How far it is to the next goal of the present challenge, and what the clocks say; empty without one. */
+    String progress(RideMoment now) {
+        RideGoal next = next();
+        if (next == null) {
+            return "";
+        }
+        double distance = next.position().distance(now.rider().event().position()) - next.within();
+        return toGo(distance, place(next, ride)) + GAP + clocks(next, now);
+    }
+
+    /** How far it is from the start of a ride to the farthest of its goals; empty without one. */
+    static String distance(Ride ride) {
+        return ride.challenge().stream()
+                .max(Comparator.comparingDouble(goal -> distance(goal, ride)))
+                .map(goal -> toGo(distance(goal, ride), place(goal, ride)))
+                .orElse("");
+    }
+
+    private static double distance(RideGoal goal, Ride ride) {
+        return goal.position().distance(ride.position()) - goal.within();
+    }
+
+    /** The key of the name of a place: a ride may lead home. */
+    private static String place(RideGoal goal, Ride ride) {
+        return goal.position().equals(ride.position()) ? "ride.homeAgain" : "ride.there";
+    }
+
+    /** The way to go, or the key of the place that is reached. */
+    private static String toGo(double distance, String place) {
+        return distance > 0 ? Texts.get("ride.toGo", Numbers.brief(distance, 3)) : Texts.get(place);
+    }
+
+    /** What is measured, and what is asked for: age, time, speed. */
+    private static String clocks(RideGoal goal, RideMoment now) {
+        double gamma = now.rider().gamma();
+        List<String> words = new ArrayList<>();
+        if (goal.younger() > 0) {
+            words.add(words("ride.younger", now.sceneTime() - now.properTime(), goal.younger()));
+        }
+        if (goal.latest() < RideGoal.DEFAULT.latest()) {
+            words.add(words("ride.aboard", now.properTime(), goal.latest()));
+        }
+        if (goal.leastGamma() > 1) {
+            words.add(words("ride.fast", gamma, goal.leastGamma()));
+        }
+        if (goal.mostGamma() < NEARLY_AT_REST) {
+            words.add(Texts.get(gamma <= goal.mostGamma() ? "ride.stopped" : "ride.stop"));
+        } else if (goal.mostGamma() < RideGoal.DEFAULT.mostGamma()) {
+            words.add(words("ride.slow", gamma, goal.mostGamma()));
+        }
+        return String.join(GAP, words);
+    }
+
+    private static String words(String key, double measured, double asked) {
+        return Texts.get(key, String.format(Locale.ROOT, "%.1f", measured), Numbers.brief(asked));
     }
 }

@@ -39,6 +39,7 @@ final class SteeringMouse extends MouseAdapter {
         this.steering = steering;
         pause = new Timer(PAUSE_MILLISECONDS, event -> begin(null));
         pause.setRepeats(false);
+        canvas.setCentring(this::lookAt);
         canvas.addMouseListener(this);
         canvas.addMouseMotionListener(this);
         canvas.addMouseWheelListener(this);
@@ -131,7 +132,7 @@ final class SteeringMouse extends MouseAdapter {
 
     @Override
     public void mouseDragged(MouseEvent event) {
-        if (dragged == null || !canvas.hand().isDragging() || canvas.hand().isTaken()) {
+        if (dragged == null || !canvas.hand().isDragging()) {
             return;
         }
         PicturePosition to = place(event.getPoint(), dragged);
@@ -149,17 +150,6 @@ final class SteeringMouse extends MouseAdapter {
             steering.letGo();
         }
         dragged = null;
-    }
-
-    @Override
-    public void mouseClicked(MouseEvent event) {
-        Rectangle bounds = canvas.boundsAt(event.getPoint());
-        if (event.getClickCount() == 2
-                && SwingUtilities.isLeftMouseButton(event)
-                && bounds != null
-                && canvas.hand().isFreeAt(event.getPoint())) {
-            steering.centre(place(event.getPoint(), bounds));
-        }
     }
 
     @Override

@@ -87,11 +87,6 @@ public enum Look {
         return font == null ? UIManager.getFont("Label.font").deriveFont(Font.BOLD) : font;
     }
 
-    /** Whether the panel shows only what is changed in front of a class. */
-    public static boolean isSlim() {
-        return UIManager.getBoolean("Tompkins.slimPanel");
-    }
-
     /** A length on the screen that grows with the type of the look: a multiple of the size of the type, in pixels. */
     public static int pixels(double sizes) {
         return (int) Math.round(sizes * UIManager.getFont("defaultFont").getSize2D());

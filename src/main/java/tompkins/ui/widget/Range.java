@@ -1,28 +1,26 @@
 package tompkins.ui.widget;
 
+import java.util.function.DoubleUnaryOperator;
 import tompkins.property.NumberText;
 
 /**
- * The values that a slider gives: from 0 at its left end to 1 at its right end.
+ * The values that a slider gives: from its left end, the position 0, to its right end, the position 1.
  *
  * @param minimum the value at the left end
  * @param maximum the value at the right end
- * @param power 1 for even steps; above 1 for steps that are finer near the minimum
- * @param bend the value at {@link #BEND} of the length, where even steps become larger; NaN if they do not
+ * @param values the value at a position
+ * @param positions the position of a value
  */
-public record Range(double minimum, double maximum, double power, double bend) {
+public record Range(double minimum, double maximum, DoubleUnaryOperator values, DoubleUnaryOperator positions) {
 
-    /** Where steps become larger, as a share of the length. */
-    private static final double BEND = 0.8;
-
-    /** Values without a bend. */
+    /** Values in steps that are finer near the minimum: power 1 gives even steps. */
     public Range(double minimum, double maximum, double power) {
-        this(minimum, maximum, power, Double.NaN);
-    }
-
-    /** Values in even steps up to one that is reached at four fifths of the length, and in larger ones from there. */
-    public static Range bent(double minimum, double bend, double maximum) {
-        return new Range(minimum, maximum, 1, bend);
+        this(
+                minimum,
+                maximum,
+                position ->
+                        rounded(minimum + (maximum - minimum) * Math.pow(position, power), maximum - minimum, power),
+                value -> Math.pow(Math.max(0, (value - minimum) / (maximum - minimum)), 1 / power));
     }
 
     /** Values in even steps. */
@@ -30,32 +28,38 @@ public record Range(double minimum, double maximum, double power, double bend) {
         return new Range(minimum, maximum, 1);
     }
 
-    /** The value at a place of the slider, with no more digits than a hand can choose; exact at both ends. */
-    double value(double place) {
-        if (place <= 0) {
-            return minimum;
-        }
-        if (place >= 1) {
-            return maximum;
-        }
-        double value = Double.isNaN(bend)
-                ? minimum + (maximum - minimum) * Math.pow(place, power)
-                : place < BEND
-                        ? minimum + (bend - minimum) * place / BEND
-                        : bend + (maximum - bend) * (place - BEND) / (1 - BEND);
-        double step = Math.pow(10, Math.floor(Math.log10(maximum - minimum)) - (power == 1 ? 3 : 4));
+    /**
+     * Speeds in units of c, from rest on, in even steps of rapidity: 1 - beta has the few digits that a hand can
+     * choose.
+     */
+    public static Range speeds(double fastest) {
+        return new Range(
+                0,
+                fastest,
+                position -> {
+                    double rest = 1 - Math.tanh(position * artanh(fastest));
+                    return NumberText.rounded(1 - NumberText.rounded(rest, rest > 0.1 ? 3 : 2), 12);
+                },
+                speed -> speed < 1 ? artanh(speed) / artanh(fastest) : 1);
+    }
+
+    private static double artanh(double speed) {
+        return (Math.log1p(speed) - Math.log1p(-speed)) / 2;
+    }
+
+    /** A value with no more digits than a hand can choose. */
+    private static double rounded(double value, double length, double power) {
+        double step = Math.pow(10, Math.floor(Math.log10(length)) - (power == 1 ? 3 : 4));
         return NumberText.rounded(Math.rint(value / step) * step, 12);
     }
 
-    /** The place of a value, inside the slider even if the value is not. */
-    double place(double value) {
-        if (!Double.isNaN(bend)) {
-            double share = value < bend
-                    ? BEND * (value - minimum) / (bend - minimum)
-                    : BEND + (1 - BEND) * (value - bend) / (maximum - bend);
-            return Math.max(0, Math.min(1, share));
-        }
-        double share = (value - minimum) / (maximum - minimum);
-        return Math.pow(Math.max(0, Math.min(1, share)), 1 / power);
+    /** The value at a position of the slider; exact at both ends. */
+    double value(double position) {
+        return position <= 0 ? minimum : position >= 1 ? maximum : values.applyAsDouble(position);
+    }
+
+    /** The position of a value, inside the slider even if the value is not. */
+    double position(double value) {
+        return Math.max(0, Math.min(1, positions.applyAsDouble(value)));
     }
 }

@@ -14,6 +14,7 @@ import java.util.ResourceBundle;
 import java.util.stream.Stream;
 import javax.swing.Icon;
 import javax.swing.UIManager;
+import tompkins.shutter.Shutter;
 
 /** Tiny drawings of objects, surfaces and shutters; the file of the drawings explains its letters. */
 public final class TinyDrawing {
@@ -22,39 +23,35 @@ public final class TinyDrawing {
 
     private static final int WIDTH = 26;
     private static final int HEIGHT = 18;
+    private static final int SHUTTER_WIDTH = 41;
+    private static final double SHUTTER_SCALE = HEIGHT / 28.0;
     private static final int OPACITY_OF_RAYS = 170;
 
     private TinyDrawing() {}
 
-    /** The drawing of a type of objects or surfaces, in the colour of the text beside it; null if it has none. */
+    /** The drawing of a type, in the colours of the look and of the text beside it; null if it has none. */
     public static Icon of(Class<?> type) {
         String name = type.getSimpleName();
-        return DRAWINGS.containsKey(name) ? of(name, WIDTH, HEIGHT, null) : null;
-    }
-
-    /**
-     * The drawing of a name.
-     *
-     * @param ink for all of it; null for the colours of the look, and that of the text beside it
-     */
-    public static Icon of(String name, int width, int height, Color ink) {
+        if (!DRAWINGS.containsKey(name)) {
+            return null;
+        }
+        // a camera is wide, and drawn in a larger square
+        double scale = Shutter.class.isAssignableFrom(type) ? SHUTTER_SCALE : 1;
         String[] strokes = DRAWINGS.getString(name).split(";");
-        return new Drawing(
-                width,
-                height,
-                (g, beside) -> Arrays.stream(strokes)
-                        .map(stroke -> stroke.strip().split(" "))
-                        .forEach(stroke -> paint(g, beside, ink, stroke)));
+        return new Drawing(scale < 1 ? SHUTTER_WIDTH : WIDTH, HEIGHT, (g, beside) -> {
+            g.scale(scale, scale);
+            Arrays.stream(strokes).map(stroke -> stroke.strip().split(" ")).forEach(stroke -> paint(g, beside, stroke));
+        });
     }
 
-    private static void paint(Graphics2D g, Component beside, Color ink, String[] stroke) {
+    private static void paint(Graphics2D g, Component beside, String[] stroke) {
         int letterAt = 0;
         while (stroke[letterAt].length() > 1) {
             letterAt++;
         }
         char letter = stroke[letterAt].charAt(0);
         boolean isRay = letter == 'r';
-        Color colour = ink == null ? beside.getForeground() : ink;
+        Color colour = beside.getForeground();
         float width = isRay ? 1 : 1.5f;
         int opacity = isRay ? OPACITY_OF_RAYS : 255;
         float[] dashes = null;
@@ -64,7 +61,7 @@ public final class TinyDrawing {
                 case 'w' -> width = Float.parseFloat(value);
                 case 't' -> opacity = Integer.parseInt(value);
                 case 'd' -> dashes = new float[] {Float.parseFloat(value), Float.parseFloat(value)};
-                default -> colour = ink == null ? UIManager.getColor(word) : ink;
+                default -> colour = UIManager.getColor(word);
             }
         }
         g.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), opacity));

@@ -49,7 +49,7 @@ public final class ValueSlider {
     }
 
     private int stepOf(double value) {
-        return (int) Math.round(range.place(value) * STEPS);
+        return (int) Math.round(range.position(value) * STEPS);
     }
 
     /** Sets other values at the ends, but not while a hand moves the slider. */

@@ -385,8 +385,12 @@ class SceneEditorTest {
         fresh.addElement(Sphere.class);
         assertThat(Components.notes(form)).noneMatch(note -> note.contains("lies outside"));
         fresh.addElement(Sphere.class);
-        // 14 degrees from the middle, where the edge is 10 degrees from it: before the first it would hide all else
+        // its left edge is 8.5 degrees from the middle, and that of the picture 10
         assertThat(((Sphere) model.studio().scene().get(1)).centre()).isEqualTo(new Vector3d(2.5, 0, 10));
+        assertThat(Components.notes(form)).noneMatch(note -> note.contains("lies outside"));
+        model.undo();
+        model.set(model.studio().withCamera(FieldOfView.with(model.studio().camera(), 4)));
+        fresh.addElement(Sphere.class);
         assertThat(Components.notes(form)).anyMatch(note -> note.contains("lies outside"));
         model.set(model.studio().withCamera(FieldOfView.with(model.studio().camera(), 120)));
         fresh.addElement(Sphere.class);

@@ -420,7 +420,7 @@ class LessonPanelTest {
     /** All pages, after a sure answer. */
     private List<JComponent> pages(Lesson lesson, Prediction chosen) {
         LessonQuestionPage.Answer answer = new LessonQuestionPage.Answer(chosen, true);
-        LessonReasonPage reason = new LessonReasonPage(lesson, false, shown -> {}, value -> {});
+        LessonReasonPage reason = new LessonReasonPage(lesson, false, shown -> {}, value -> {}, null);
         reason.show(answer);
         LessonNumbersPage numbers = new LessonNumbersPage(lesson);
         numbers.show(lesson.numbers().stream()

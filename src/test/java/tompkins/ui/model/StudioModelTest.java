@@ -26,7 +26,7 @@ class StudioModelTest {
         StudioModel model = new StudioModel(speed(0), null);
         Object hand = new Object();
         model.look(speed(0.1), hand);
-        model.flow(speed(0.2), hand);
+        model.flow(speed(0.2), hand, Pace.RIDE);
         model.endGesture(hand);
         assertThat(model.isModified()).isTrue();
         assertThat(model.isEdited()).isFalse();
@@ -70,14 +70,41 @@ class StudioModelTest {
     }
 
     @Test
+    void theLiveListenersAreToldThePace() {
+        List<Pace> paces = new ArrayList<>();
+        model.addLiveListener(paces::add);
+        Object gesture = new Object();
+        model.set(speed(0.1));
+        model.flow(speed(0.2), gesture, Pace.ANSWER);
+        model.flow(speed(0.3), gesture, Pace.RIDE);
+        model.adjust(speed(0.4), gesture, Pace.FILM);
+        model.undo();
+        assertThat(paces).containsExactly(Pace.HAND, Pace.ANSWER, Pace.RIDE, Pace.FILM, Pace.HAND);
+    }
+
+    /** What is put together from parts answers after them, and the changes follow. */
+    @Test
+    void theLastListenerIsToldFirstOfAnotherScene() {
+        List<String> told = new ArrayList<>();
+        model.addOpenListener(() -> told.add("window"));
+        model.addOpenListener(() -> told.add("part " + model.studio().velocity().speed()));
+        model.addListener(() -> told.add("change"));
+        model.set(speed(0.1));
+        model.open(speed(0.2), null);
+        // the same scene once more is opened, too
+        model.open(model.opened(), null);
+        assertThat(told).containsExactly("change", "part 0.2", "window", "change", "part 0.2", "window");
+    }
+
+    @Test
     void onlyLiveListenersKeepUpWithAFlow() {
         List<Double> live = new ArrayList<>();
         List<Double> others = new ArrayList<>();
         model.addListener(() -> others.add(model.studio().velocity().speed()));
-        model.addLiveListener(() -> live.add(model.studio().velocity().speed()));
+        model.addLiveListener(pace -> live.add(model.studio().velocity().speed()));
         Object ride = new Object();
         for (int i = 1; i <= 9; i++) {
-            model.flow(speed(i / 16.0), ride);
+            model.flow(speed(i / 16.0), ride, Pace.RIDE);
         }
         assertThat(live).hasSize(9);
         // at once, and never again in a moment as short as this

@@ -27,7 +27,6 @@ import tompkins.ui.Components;
 import tompkins.ui.SilentListener;
 import tompkins.ui.WindowDriver;
 import tompkins.ui.model.StudioModel;
-import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.widget.Look;
 
@@ -37,7 +36,7 @@ class PictureNoticeTest {
 
     private final StudioModel model = new StudioModel(Studios.sphere(), null);
     private final PhotographView view =
-            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener(), () -> Pace.HAND));
+            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener()));
 
     @BeforeAll
     static void look() {

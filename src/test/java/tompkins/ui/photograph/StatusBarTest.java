@@ -114,30 +114,18 @@ class StatusBarTest {
         return image.getRGB(0, 0, width, 20, null, 0, width);
     }
 
-    @Test
-    void howToGetAtAFoldedPanelIsSaidWhileItIsFolded() {
-        status.showPanelFolded(true);
-        status.show(picture(Studios.sphere()));
-        assertThat(what.getText()).isEqualTo(Texts.get("status.panelFolded"));
-        status.showPanelFolded(false);
-        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PIN"));
-    }
-
-    /** Neither a folded panel nor a warning may hide it: whoever measures waits for a click. */
+    /** A warning may not hide it: whoever measures waits for a click. */
     @Test
     void whatAClickDoesIsSaidInANarrowWindow() {
-        status.showPanelFolded(true);
         status.show(picture(Studios.sphere(), "all is black"));
-        status.show(PhotographView.Click.MEASURE);
+        status.showHint(Texts.get("status.idle.MEASURE"));
         assertThat(what.getText()).isEqualTo(Texts.get("status.idle.MEASURE"));
-        status.show(PhotographView.Click.PICK);
-        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PICK"));
-        status.show(PhotographView.Click.CHOOSE);
-        assertThat(what.getText()).isEqualTo("Warning: all is black.");
-        status.show(picture(Studios.sphere()));
+        status.showHint(Texts.get("status.idle.CHOOSE"));
         assertThat(what.getText()).isEqualTo(Texts.get("status.idle.CHOOSE"));
-        status.show(PhotographView.Click.PIN);
-        assertThat(what.getText()).isEqualTo(Texts.get("status.panelFolded"));
+        status.showHint(Texts.get("status.idle.CHOOSE"));
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.CHOOSE"));
+        status.showHint("");
+        assertThat(what.getText()).isEqualTo("Warning: all is black.");
     }
 
     @Test
@@ -177,20 +165,20 @@ class StatusBarTest {
     /** A reading under the mouse, or a message, comes between. */
     @Test
     void thatAPointIsToBePickedIsSaidUntilItIs() {
-        status.show(PhotographView.Click.CHOOSE);
+        status.showHint(Texts.get("status.idle.CHOOSE"));
         assertThat(what.getText()).contains("choose an object or a lamp").doesNotContain("ray");
-        status.show(PhotographView.Click.MEASURE);
+        status.showHint(Texts.get("status.idle.MEASURE"));
         assertThat(what.getText()).contains("measure there").doesNotContain("ray");
-        status.show(PhotographView.Click.PICK);
-        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PICK"));
+        status.showHint(Texts.get("status.idle.CHOOSE"));
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.CHOOSE"));
         status.say("something else");
         status.show(null, false);
         status.show(picture(Studios.sphere()));
-        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PICK"));
-        status.show(PhotographView.Click.PIN);
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle.CHOOSE"));
+        status.showHint("");
         assertThat(what.getText()).isEqualTo(Texts.get("status.idle.PIN"));
         status.say("nothing is there");
-        status.show(PhotographView.Click.PIN);
+        status.showHint("");
         assertThat(what.getText()).isEqualTo("nothing is there");
     }
 

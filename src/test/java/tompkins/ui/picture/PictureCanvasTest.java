@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.image.LinearImage;
+import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
@@ -45,7 +46,21 @@ class PictureCanvasTest {
             }
 
             @Override
-            public void clicked(Point2D place, Picture seen) {
+            public void asksForMenu(Point2D place, Picture seen, Point at) {}
+        });
+        made.setTool(new PictureTool() {
+            @Override
+            public boolean isWanted() {
+                return true;
+            }
+
+            @Override
+            public String hint() {
+                return "";
+            }
+
+            @Override
+            public void click(Point2D place, Picture seen) {
                 clicked.add(place);
             }
         });
@@ -113,6 +128,19 @@ class PictureCanvasTest {
         assertThat(rooms.get(0).getMaxY()).isEqualTo(HEIGHT);
         assertThat(rooms.get(rooms.size() - 1).getMaxY()).isLessThanOrEqualTo(caption.y);
         assertThat(rooms.get(rooms.size() - 1).y).isZero();
+    }
+
+    /** "Now" would not say which of two shutters it is. */
+    @Test
+    void picturesOfTwoShuttersAreCalledByThem() {
+        Picture lens = pictures(Studio.DEFAULT).now();
+        Studio other = Studio.DEFAULT.withCamera(Studio.DEFAULT.camera().withShutter(DetectorPlaneShutter.DEFAULT));
+        Picture detector = pictures(other).now();
+        assertThat(new ScreenPicture(lens, null, detector, null, null).nameOfNow())
+                .isEqualTo("Aperture plane");
+        assertThat(new ScreenPicture(detector, null, lens, null, null).nameOfNow())
+                .isEqualTo("Detector plane");
+        assertThat(new ScreenPicture(lens, null, lens, null, null).nameOfNow()).isEqualTo("Now");
     }
 
     @Test

@@ -23,7 +23,7 @@ class ScreenPicturesTest {
     private final BlockingQueue<Object> events = new LinkedBlockingQueue<>();
 
     private Object nextEvent() throws InterruptedException {
-        return events.poll(10, TimeUnit.SECONDS);
+        return events.poll(5, TimeUnit.MINUTES);
     }
 
     private static Picture picture(RenderPlan plan, LinearImage image) {

@@ -31,14 +31,29 @@ class DiagramPaneTest {
     }
 
     private static DiagramPane pane(SpaceTimeDiagram diagram) {
-        DiagramPane pane = new DiagramPane();
-        pane.show(diagram);
+        DiagramPane pane = new DiagramPane(10);
+        pane.show(diagram, "");
         return pane;
     }
 
     private static SpaceTimeDiagram along(List<Point2D> path, Point2D onwards) {
+        return diagram(Frame.SCENE, path, onwards, null, new Point2D.Double(0, 1), new Point2D.Double(1, 0));
+    }
+
+    private static SpaceTimeDiagram diagram(
+            Frame frame, List<Point2D> path, Point2D onwards, Point2D object, Point2D otherTime, Point2D otherSpace) {
         return new SpaceTimeDiagram(
-                Frame.SCENE, path, onwards, null, LIGHT, new Point2D.Double(0, 1), new Point2D.Double(1, 0));
+                frame,
+                SpaceTimeDiagram.around(path),
+                path,
+                onwards,
+                object,
+                LIGHT,
+                List.of(HERE),
+                otherTime,
+                otherSpace,
+                List.of(),
+                List.of());
     }
 
     private static BufferedImage painted(DiagramPane pane) {
@@ -84,12 +99,11 @@ class DiagramPaneTest {
     /** It passes the end of the ray, 40 pixels below and to the right of the lens, with half the speed of light. */
     @Test
     void theWorldLineOfTheObjectRunsThroughTheEnd() {
-        DiagramPane pane = pane(new SpaceTimeDiagram(
+        DiagramPane pane = pane(diagram(
                 Frame.SCENE,
                 List.of(HERE, new Point2D.Double(9, -9)),
                 null,
                 new Point2D.Double(-0.5, 1),
-                LIGHT,
                 new Point2D.Double(0, 1),
                 new Point2D.Double(1, 0)));
         BufferedImage image = painted(pane);
@@ -126,12 +140,11 @@ class DiagramPaneTest {
     @Test
     void theNameOfTheScenesTimeStandsBesideItsAxisAndInside() {
         double gamma = 1 / Math.sqrt(1 - 0.3 * 0.3);
-        BufferedImage image = painted(pane(new SpaceTimeDiagram(
+        BufferedImage image = painted(pane(diagram(
                 Frame.CAMERA,
                 List.of(HERE, new Point2D.Double(0, -9)),
                 null,
                 null,
-                LIGHT,
                 new Point2D.Double(-0.3 * gamma, gamma),
                 new Point2D.Double(gamma, -0.3 * gamma))));
         int axisAtTheEdge = SIZE / 2 + (int) (0.3 * (SIZE - lens(image)));
@@ -148,12 +161,11 @@ class DiagramPaneTest {
             for (Frame frame : Frame.values()) {
                 int sign = frame == Frame.SCENE ? 1 : -1;
                 for (double x : new double[] {-9, -3, 0, 5, 9}) {
-                    requireRoomForWords(new SpaceTimeDiagram(
+                    requireRoomForWords(diagram(
                             frame,
                             List.of(HERE, new Point2D.Double(x, -9)),
                             null,
                             new Point2D.Double(0.1 * x, 1),
-                            LIGHT,
                             new Point2D.Double(sign * gamma * beta, gamma),
                             new Point2D.Double(gamma, sign * gamma * beta)));
                 }
@@ -165,8 +177,9 @@ class DiagramPaneTest {
         DiagramPane pane = pane(diagram);
         Font font = UIManager.getFont("small.font");
         pane.setSize(24 * font.getSize(), 13 * font.getSize());
-        List<Rectangle2D> words =
-                List.copyOf(pane.words(pane.getFontMetrics(font)).values());
+        List<Rectangle2D> words = pane.words(pane.getFontMetrics(font)).stream()
+                .map(DiagramPane.Word::place)
+                .toList();
         assertThat(words).as("four names, and numbers").hasSizeGreaterThanOrEqualTo(5);
         for (Rectangle2D word : words) {
             assertThat(pane.getBounds().contains(word)).isTrue();

@@ -3,14 +3,19 @@ package tompkins.ui.ray;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
+import java.io.IOException;
 import java.util.List;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import tompkins.camera.Camera;
+import tompkins.io.BundledScenes;
 import tompkins.measure.Sighting;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.Rotating;
+import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
@@ -56,7 +61,7 @@ class SpaceTimeDiagramTest {
         assertPlace(diagram.otherTime(), 4 / 3.0, 5 / 3.0);
         assertPlace(diagram.otherSpace(), 5 / 3.0, 4 / 3.0);
         assertThat(diagram.onwards()).isNull();
-        assertThat(diagram.reach()).isEqualTo(9, within(1e-12));
+        assertThat(diagram.area().getMaxX()).as("with some room").isEqualTo(1.12 * 9, within(1e-12));
     }
 
     @Test
@@ -176,12 +181,26 @@ class SpaceTimeDiagramTest {
         assertPlaces(diagram.path(), 0, 0, 0, -6);
     }
 
+    /** The front of a ball, (2, 0, -1) from an axis along y, runs with 0.25 times (-1, 0, -2) when its light leaves. */
+    @Test
+    void theWorldLineOfWhatTurnsIsThatOfItsPoint() {
+        Rotating turning = new Rotating(
+                "turning",
+                new Vector3d(-2, 0, 10),
+                new Vector3d(0, 1, 0),
+                0.25,
+                Math.toDegrees(0.25 * 9),
+                List.of(new Sphere("ball", new Vector3d(0, 0, 10), 1, ColouredSurface.DEFAULT)));
+        Studio scene = Studios.sphere().withScene(List.of(turning));
+        assertSlope(diagram(scene).object(), 0.25 * Math.sqrt(5));
+    }
+
     @Test
     void aRayThatMeetsNothingGoesOn() {
         SpaceTimeDiagram diagram = diagram(Studios.sphere().withScene(List.of()));
         assertPlaces(diagram.path(), 0, 0);
         assertPlace(diagram.onwards(), 1, -1);
-        assertThat(diagram.reach()).isZero();
+        assertThat(diagram.area().getWidth()).isEqualTo(2 * 1.12, within(1e-12));
     }
 
     /** Back from a mirror that faces the camera. */
@@ -191,5 +210,29 @@ class SpaceTimeDiagramTest {
         SpaceTimeDiagram diagram = diagram(Studios.sphere().withScene(List.of(mirror)));
         assertPlaces(diagram.path(), 0, 0, 6, -6);
         assertPlace(diagram.onwards(), -1, -1);
+    }
+
+    /**
+     * Home is 4 away at the turn, at time 5: what is simultaneous there is 5 - 0.8 * 4 before and 5 + 0.8 * 4 after.
+     */
+    @Test
+    void nowAtHomeJumpsWhenATwinTurns() throws IOException {
+        SpaceTimeDiagram twins = SpaceTimeDiagram.ofRide(BundledScenes.studio("lesson-18-twins.json"));
+
+        Point2D end = twins.path().get(twins.path().size() - 1);
+        assertThat(end.distance(0, 10)).isLessThan(1e-4);
+        assertThat(twins.lightThrough())
+                .singleElement()
+                .satisfies(turn -> assertThat(turn.distance(4, 5)).isLessThan(1e-4));
+        assertThat(twins.simultaneous()).hasSize(2);
+        assertThat(twins.simultaneous().get(0).getP2().distance(0, 1.8)).isLessThan(1e-4);
+        assertThat(twins.simultaneous().get(1).getP2().distance(0, 8.2)).isLessThan(1e-4);
+        // light that is seen at the turn left home at 1; the turn is seen there at 9
+        assertThat(twins.notes())
+                .extracting(SpaceTimeDiagram.Note::text)
+                .containsExactlyInAnyOrder(
+                        "t\u2032 = 3", "t = 1.8", "t = 1", "t = 9", "t = 8.2", "t\u2032 = 6", "t = 10");
+        assertThat(twins.area().contains(new Line2D.Double(0, 0, 4, 10).getBounds2D()))
+                .isTrue();
     }
 }

@@ -13,11 +13,8 @@ import tompkins.property.Descriptions;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.RenderSettings;
-import tompkins.studio.Studios;
 import tompkins.ui.Components;
 import tompkins.ui.editor.RecordForm;
-import tompkins.ui.model.StudioModel;
-import tompkins.ui.panel.LensPanel;
 
 /** Fields for numbers, in forms and in the panel, used with the keys. */
 class NumberFieldTest {
@@ -181,18 +178,5 @@ class NumberFieldTest {
         JTextField z = Components.enter(fields, "Points z", "2.5");
         assertThat(Components.isMarked(z)).isTrue();
         assertThat(Components.notes(fields)).contains("\u26a0 Points (z) must be a whole number, was 2.5");
-    }
-
-    @Test
-    void theSamplesOfTheLensAreWhole() {
-        StudioModel model = new StudioModel(Studios.sphere(), null);
-        Container lens = (Container) new LensPanel(model, picking -> {}).component();
-        JTextField samples = Components.enter(lens, "Samples", "4");
-        Components.press(samples, "UP");
-        assertThat(samples.getText()).isEqualTo("5");
-        assertThat(model.studio().settings().samples()).isEqualTo(5);
-        Components.enter(lens, "Samples", "6.3");
-        assertThat(Components.isMarked(samples)).isTrue();
-        assertThat(model.studio().settings().samples()).isEqualTo(5);
     }
 }

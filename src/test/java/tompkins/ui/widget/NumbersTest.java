@@ -121,15 +121,22 @@ class NumbersTest {
     @Test
     void slidersReachTheirEndsAndComeBack() {
         for (Range range :
-                new Range[] {Range.even(-20, 20), new Range(0, 0.5, 2), new Range(1, 256, 4), Range.bent(0, 3, 6)}) {
+                new Range[] {Range.even(-20, 20), new Range(0, 0.5, 2), new Range(1, 256, 4), Range.speeds(0.995)}) {
             assertThat(range.value(0)).isEqualTo(range.minimum());
             assertThat(range.value(1)).isEqualTo(range.maximum());
-            for (double place = 0; place <= 1; place += 0.125) {
-                assertThat(range.place(range.value(place))).isCloseTo(place, within(0.03));
+            for (double position = 0; position <= 1; position += 0.125) {
+                assertThat(range.position(range.value(position))).isCloseTo(position, within(0.03));
             }
-            assertThat(range.place(range.maximum() * 7)).isEqualTo(1);
+            assertThat(range.position(range.maximum() * 7)).isEqualTo(1);
         }
-        assertThat(Range.bent(0, 3, 6).value(0.4)).isEqualTo(1.5);
-        assertThat(Range.bent(0, 3, 6).value(0.9)).isEqualTo(4.5);
+    }
+
+    /** Half of the way is half of the rapidity, whose speeds add as (u + u) / (1 + u u). */
+    @Test
+    void aSliderOfSpeedsHasEvenStepsOfRapidity() {
+        double half = Range.speeds(0.995).value(0.5);
+        assertThat(2 * half / (1 + half * half)).isCloseTo(0.995, within(1e-4));
+        assertThat(Range.speeds(0.995).value(0.95)).as("few digits").isEqualTo(0.9933);
+        assertThat(Range.speeds(0.995).position(1.5)).isEqualTo(1);
     }
 }
