@@ -107,7 +107,7 @@ class MeasureCommandTest {
         assertThat(cell(csv, 1, "hit_scene_z [scene units]")).isEqualTo("10");
         assertThat(cell(csv, 5, "pixel_x [pixels]")).isEqualTo("54");
         assertThat(csv.get(1)).contains("\"wall, \"\"white\"\"\"");
-        assertThat(ProgramRun.of(with(profile, "--json")).out()).contains("\"hit_scene_z\" : 10");
+        assertThat(ProgramRun.of(with(profile, "--json")).out()).contains("\"hit_scene_z\": 10");
         List<String> text = ProgramRun.of(profile).out().lines().toList();
         assertThat(text.get(0)).matches("column +row +Doppler factor +object +time \\(scene\\) +red +green +blue");
         assertThat(text.get(1)).matches("50 +50 +3 +wall, \"white\" +-10 +1 +1 +1");
@@ -207,9 +207,9 @@ class MeasureCommandTest {
         assertThat(csv.get(2)).endsWith(",false,turns");
         assertThat(Double.parseDouble(csv.get(2).split(",")[3])).isCloseTo(Math.sqrt(19), within(1e-12));
         assertThat(json)
-                .contains("\"agrees\" : true")
-                .contains("\"agrees\" : false")
-                .contains("\"unit\" : \"turns\"");
+                .contains("\"agrees\": true")
+                .contains("\"agrees\": false")
+                .contains("\"unit\": \"turns\"");
         assertThat(ProgramRun.of("check", lesson).err())
                 .contains("lesson.json:5:33: lesson.numbers[1].value: must be within 0.002");
     }
@@ -259,7 +259,7 @@ class MeasureCommandTest {
     }
 
     private static double number(String json, String key, String part) {
-        Matcher matcher = Pattern.compile('"' + key + "\" : \\{[^}]*\"" + part + "\" : ([^,\\s}]*)")
+        Matcher matcher = Pattern.compile('"' + key + "\": \\{[^}]*\"" + part + "\": ([^,\\s}]*)")
                 .matcher(json);
         assertThat(matcher.find()).as(json).isTrue();
         return Double.parseDouble(matcher.group(1));

@@ -49,8 +49,7 @@ class TraceCommandTest {
         assertThat(numbers(json, "distance").get(0)).isCloseTo(10, within(1e-13));
         assertThat(numbers(json, "hits", "time").get(0)).isCloseTo(-10, within(1e-13));
         assertThat(numbers(json, "hits", "position").get(0)).isCloseTo(10 * Math.sqrt(0.19), within(1e-13));
-        assertThat(json)
-                .contains("\"object\" : \"plane\"", "\"frame\" : \"scene\"", "\"surface\" : \"ColouredSurface\"");
+        assertThat(json).contains("\"object\": \"plane\"", "\"frame\": \"scene\"", "\"surface\": \"ColouredSurface\"");
     }
 
     /** Pixels of a picture 90 degrees and three pixels wide look 2/3 to the left of the axis, and 2/3 to the right. */
@@ -141,7 +140,7 @@ class TraceCommandTest {
         ProgramRun json = ProgramRun.of("trace", scene, "--pixel", "0,0", "--json");
 
         assertThat(json.code()).as(json.err()).isZero();
-        assertThat(json.out()).contains("\"frequencyRatio\" : null");
+        assertThat(json.out()).contains("\"frequencyRatio\": null");
         // d - n beta = (0, 0, 1) - 2 (0, 0.5, 0.5)
         assertThat(numbers(json.out(), "scene", "direction")).containsExactly(0.0, -1.0, 0.0);
     }
@@ -316,7 +315,7 @@ class TraceCommandTest {
         String json = ProgramRun.of("trace", scene, "--pixel", "0,0", "--json").out();
 
         assertThat(text).contains("(camera/scene)  none: measured").doesNotContain("NaN", "(camera/object)");
-        assertThat(json).contains("\"frequencyRatio\" : null").doesNotContain("NaN");
+        assertThat(json).contains("\"frequencyRatio\": null").doesNotContain("NaN");
         // z = gamma (z' + beta t'), t = gamma (t' + beta z') with t' = 2 lies on z = 9 - 0.8 t
         double place = ((9 / 1.25) - 2 * (0.6 + 0.8)) / (1 + 0.8 * 0.6);
         assertThat(numbers(json, "wall", "camera", "position").get(2)).isCloseTo(place, within(1e-12));
@@ -371,7 +370,7 @@ class TraceCommandTest {
                 .map(ball -> ((Sphere) ball).centre())
                 .map(centre -> List.of(centre.x(), centre.y(), centre.z()))
                 .toList();
-        String[] hits = traced.out().split("\"object\" :");
+        String[] hits = traced.out().split("\"object\":");
         assertThat(balls).hasSize(hits.length - 1).hasSizeGreaterThan(4);
         for (int i = 0; i < balls.size(); i++) {
             assertThat(balls.get(i)).isEqualTo(numbers(hits[i + 1], "position"));
