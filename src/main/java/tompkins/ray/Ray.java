@@ -59,7 +59,7 @@ public final class Ray {
     /** The factor by which windows have divided small angles between rays, as motion does; 1 at the camera. */
     public double windowFactor;
 
-    /** The largest share of the sample's light that the ray can still bring, 1 at the camera. */
+    /** The largest fraction of the sample's light that the ray can still bring, 1 at the camera. */
     public double throughput;
 
     /**
@@ -169,9 +169,9 @@ public final class Ray {
         part = onPart;
     }
 
-    /** The ray that goes on from a hit in a new unit direction, with a share of this ray's light. */
-    public Ray bent(Hit hit, double newDx, double newDy, double newDz, double share) {
-        return bent(hit, newDx, newDy, newDz, lightSlowness(), 1, share);
+    /** The ray that goes on from a hit in a new unit direction, with a fraction of this ray's light. */
+    public Ray bent(Hit hit, double newDx, double newDy, double newDz, double fraction) {
+        return bent(hit, newDx, newDy, newDz, lightSlowness(), 1, fraction);
     }
 
     /** The slowness of this ray; if it measures, the slowness 1 of the light that goes on where a surface bends it. */
@@ -185,7 +185,13 @@ public final class Ray {
      * @param angleFactor small angles between rays are divided by it
      */
     public Ray bent(
-            Hit hit, double newDx, double newDy, double newDz, double newSlowness, double angleFactor, double share) {
+            Hit hit,
+            double newDx,
+            double newDy,
+            double newDz,
+            double newSlowness,
+            double angleFactor,
+            double fraction) {
         Ray ray = copy();
         ray.startOn(hit);
         if (hit.contact != null) {
@@ -199,7 +205,7 @@ public final class Ray {
         ray.slowness = newSlowness;
         ray.width += ray.spread * hit.distance;
         ray.spread /= angleFactor;
-        ray.throughput *= share;
+        ray.throughput *= fraction;
         ray.depth++;
         return ray;
     }
@@ -247,16 +253,16 @@ public final class Ray {
         return this;
     }
 
-    /** Leaves this ray, which has just begun, a share of its light. */
-    public Ray dim(double share) {
-        throughput *= share;
+    /** Leaves this ray, which has just begun, a fraction of its light. */
+    public Ray dim(double fraction) {
+        throughput *= fraction;
         return this;
     }
 
-    /** The same ray with a share of its light. */
-    public Ray dimmed(double share) {
+    /** The same ray with a fraction of its light. */
+    public Ray dimmed(double fraction) {
         Ray dimmed = copy();
-        dimmed.throughput *= share;
+        dimmed.throughput *= fraction;
         return dimmed;
     }
 
@@ -294,9 +300,9 @@ public final class Ray {
         return this;
     }
 
-    /** The same ray beyond a hit, with a share of its light. */
-    public Ray straightOn(Hit hit, double share) {
-        Ray ray = bent(hit, dx, dy, dz, slowness, 1, share);
+    /** The same ray beyond a hit, with a fraction of its light. */
+    public Ray straightOn(Hit hit, double fraction) {
+        Ray ray = bent(hit, dx, dy, dz, slowness, 1, fraction);
         ray.measures = measures;
         return ray;
     }
