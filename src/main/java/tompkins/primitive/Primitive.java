@@ -278,6 +278,11 @@ public abstract class Primitive implements Boundary, Cloneable {
         return object.description();
     }
 
+    @Override
+    public final String toString() {
+        return '"' + description() + "\", " + surface;
+    }
+
     /** The object that a scene file describes, whose primitive this is. */
     public final Described object() {
         return object;

@@ -214,17 +214,27 @@ public final class Descriptions {
         return type.isRecord() || type.isSealed() && !type.isEnum();
     }
 
-    /** The records of a sealed family, in the order in which it names them; the type itself if it is a record. */
+    /**
+     * The records of a sealed family, in the order in which it names them, with those that other jars add; the type
+     * itself if it is a record.
+     *
+     * @throws MistakeException if a jar adds what cannot be used
+     */
     public static List<Class<?>> members(Class<?> family) {
         return MEMBERS.get(family);
     }
 
     private static List<Class<?>> readMembers(Class<?> family) {
-        return family.isRecord()
-                ? List.of(family)
-                : Arrays.stream(family.getPermittedSubclasses())
-                        .<Class<?>>flatMap(type -> type.isSealed() ? members(type).stream() : Stream.of(type))
-                        .toList();
+        if (family.isRecord()) {
+            return List.of(family);
+        }
+        List<Class<?>> members = Arrays.stream(family.getPermittedSubclasses())
+                .<Class<?>>flatMap(type -> type.isSealed()
+                        ? members(type).stream()
+                        : type.isInterface() ? AddedTypes.of(type).stream() : Stream.of(type))
+                .toList();
+        AddedTypes.requireDistinct(members);
+        return members;
     }
 
     /** The type of the elements if a type is a list. */

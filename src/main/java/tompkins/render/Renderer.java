@@ -3,6 +3,7 @@ package tompkins.render;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.List;
+import java.util.Locale;
 import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -14,6 +15,7 @@ import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import tompkins.image.ToneCurve;
+import tompkins.property.MistakeException;
 import tompkins.studio.RenderSettings;
 import tompkins.trace.RenderPlan;
 
@@ -148,6 +150,26 @@ public final class Renderer implements AutoCloseable {
         int picture = 3 * Float.BYTES;
         int levels = 3 * Short.BYTES;
         return settings.pixels() * (Film.bytesPerPixel(needsHalves(settings, quality)) + picture + levels);
+    }
+
+    /**
+     * Refuses pictures that the memory of this Java machine cannot hold, before any time is spent on them.
+     *
+     * @throws MistakeException with what is needed and what there is
+     */
+    public static void requireMemory(RenderSettings settings, Quality quality) {
+        long needed = bytesOfMemory(settings, quality);
+        long most = Runtime.getRuntime().maxMemory();
+        if (needed > most) {
+            throw new MistakeException(String.format(
+                    Locale.ROOT,
+                    "a picture of %d x %d pixels needs about %d MB of memory, and Java may use %d MB;"
+                            + " take a smaller --size, or start java with a larger -Xmx",
+                    settings.width(),
+                    settings.height(),
+                    needed >> 20,
+                    most >> 20));
+        }
     }
 
     private static Schedule schedule(RenderPlan plan, Quality quality, boolean coarseFirst, Film film) {

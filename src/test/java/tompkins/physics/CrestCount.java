@@ -8,12 +8,6 @@ import org.joml.Vector3dc;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Event;
 import tompkins.studio.Studio;
-import tompkins.surface.ComplexRefraction;
-import tompkins.surface.ConfocalLensletArray;
-import tompkins.surface.GalileoWindow;
-import tompkins.surface.IdealLens;
-import tompkins.surface.LorentzWindow;
-import tompkins.surface.Surface;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleHistory;
 
@@ -90,18 +84,7 @@ final class CrestCount {
 
     /** Windows and lenses turn rays and leave the time of light as it is, which no wave can do. */
     private static boolean turnsWithoutPhase(List<SampleHistory.Encounter> hits) {
-        return hits.stream()
-                .map(SampleHistory.Encounter::surface)
-                .flatMap(Surface::parts)
-                .anyMatch(CrestCount::isWindow);
-    }
-
-    private static boolean isWindow(Surface surface) {
-        return surface instanceof LorentzWindow
-                || surface instanceof GalileoWindow
-                || surface instanceof ComplexRefraction
-                || surface instanceof ConfocalLensletArray
-                || surface instanceof IdealLens;
+        return hits.stream().anyMatch(hit -> !hit.surface().keepsPhase());
     }
 
     private SampleHistory life(int plan, double x, double y) {
