@@ -121,7 +121,7 @@ public final class RayHistory {
         facts.add(new Vector("position", "", hit.event().position()));
         facts.add(number("time", "", hit.event().time()));
         facts.add(number("distance", "distance (" + name(hit.frame()) + ")", hit.distance()));
-        facts.add(number("share", hit.share() < 1 ? "throughput" : "", hit.share()));
+        facts.add(number("share", hit.fraction() < 1 ? "throughput" : "", hit.fraction()));
         facts.add(number("branch", "", hit.branch()));
         facts.add(new Word("surface", "surface", hit.surface().getClass().getSimpleName()));
         facts.add(new Vector("normal", "", rest.normal()));

@@ -59,7 +59,7 @@ public final class Ray {
     /** The factor by which windows have divided small angles between rays, as motion does; 1 at the camera. */
     public double windowFactor;
 
-    /** The largest share of the sample's light that the ray can still bring, 1 at the camera. */
+    /** The largest fraction of the sample's light that the ray can still bring, 1 at the camera. */
     public double throughput;
 
     /**
@@ -169,8 +169,8 @@ public final class Ray {
         part = onPart;
     }
 
-    /** The ray that goes on from a hit in a new unit direction, with a share of this ray's light. */
-    public Ray bent(Hit hit, double newDx, double newDy, double newDz, double share) {
+    /** The ray that goes on from a hit in a new unit direction, with a fraction of this ray's light. */
+    public Ray bent(Hit hit, double newDx, double newDy, double newDz, double fraction) {
         assert Math.abs(newDx * newDx + newDy * newDy + newDz * newDz - 1) < 1e-6
                 : "direction (" + newDx + ", " + newDy + ", " + newDz + ") is no unit vector, at " + hit.boundary;
         Ray ray = copy();
@@ -185,7 +185,7 @@ public final class Ray {
         ray.dz = newDz;
         ray.slowness = lightSlowness();
         ray.width += ray.spread * hit.distance;
-        ray.throughput *= share;
+        ray.throughput *= fraction;
         ray.depth++;
         return ray;
     }
@@ -250,16 +250,16 @@ public final class Ray {
         return this;
     }
 
-    /** Leaves this ray, which has just begun, a share of its light. */
-    public Ray dim(double share) {
-        throughput *= share;
+    /** Leaves this ray, which has just begun, a fraction of its light. */
+    public Ray dim(double fraction) {
+        throughput *= fraction;
         return this;
     }
 
-    /** The same ray with a share of its light. */
-    public Ray dimmed(double share) {
+    /** The same ray with a fraction of its light. */
+    public Ray dimmed(double fraction) {
         Ray dimmed = copy();
-        dimmed.throughput *= share;
+        dimmed.throughput *= fraction;
         return dimmed;
     }
 
@@ -297,9 +297,9 @@ public final class Ray {
         return this;
     }
 
-    /** The same ray beyond a hit, with a share of its light. */
-    public Ray straightOn(Hit hit, double share) {
-        Ray ray = bent(hit, dx, dy, dz, share).slowed(slowness);
+    /** The same ray beyond a hit, with a fraction of its light. */
+    public Ray straightOn(Hit hit, double fraction) {
+        Ray ray = bent(hit, dx, dy, dz, fraction).slowed(slowness);
         ray.measures = measures;
         return ray;
     }

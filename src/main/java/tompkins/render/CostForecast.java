@@ -95,8 +95,8 @@ public record CostForecast(double samplesPerPixel, double seconds) {
         RenderListener notes = RenderListener.afterEachPass(part -> {
             double planning = part.planningSeconds();
             double wait = secondsSince(start);
-            double share = renderer.share(renderer.processorSeconds() - before, wait, planning);
-            costs.note(part.samples(), share * (wait - planning));
+            double fraction = renderer.fraction(renderer.processorSeconds() - before, wait, planning);
+            costs.note(part.samples(), fraction * (wait - planning));
         });
         RenderJob job = renderer.start(plan, quality, false, blocks, notes);
         job.await(LONGEST_PART);
@@ -104,14 +104,14 @@ public record CostForecast(double samplesPerPixel, double seconds) {
         job.await();
         double planning = job.planningSeconds();
         double wait = secondsSince(start);
-        double share = renderer.share(renderer.processorSeconds() - before, wait, planning);
+        double fraction = renderer.fraction(renderer.processorSeconds() - before, wait, planning);
         RenderReport report = job.report();
         costs.add(
                 blocks.stream().mapToInt(Tile::pixels).sum(),
                 report.counts().samples,
                 job.progress(),
-                share * wait,
-                share * planning);
+                fraction * wait,
+                fraction * planning);
         return blocks.size();
     }
 

@@ -67,17 +67,17 @@ final class EdgeSchedule implements Schedule {
         if (stride == 0) {
             return null;
         }
-        double share = 1.0 / (WIDEST * WIDEST);
+        double fraction = 1.0 / (WIDEST * WIDEST);
         long[] chosen = null;
         if (stride < WIDEST) {
             most = most == 0 ? budget.most(taken, clock.spent()) : most;
             // each finer net needs as many samples
             BitSet next = choose(cell, (most - taken) / Integer.numberOfTrailingZeros(cell));
-            share = (double) next.cardinality() / glimpse.pixels();
+            fraction = (double) next.cardinality() / glimpse.pixels();
             chosen = next.toLongArray();
         }
-        taken += Math.round(share * glimpse.pixels());
-        return new Pass(stride, 0, PixelSampler.CENTRE, 1, 1, chosen, share);
+        taken += Math.round(fraction * glimpse.pixels());
+        return new Pass(stride, 0, PixelSampler.CENTRE, 1, 1, chosen, fraction);
     }
 
     /**

@@ -36,7 +36,7 @@ final class ForecastSamples {
      *
      * @param partPixels pixels of the part
      * @param partSamples samples that were taken; a part without any only takes time
-     * @param progress the share of its samples that were taken, up to 1
+     * @param progress the fraction of its samples that were taken, up to 1
      * @param seconds how long it took
      * @param planningSeconds how much of this was spent between the passes, which takes as long for all of the picture
      */

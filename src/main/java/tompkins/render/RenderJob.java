@@ -224,7 +224,7 @@ public final class RenderJob extends Padded {
         return complete;
     }
 
-    /** The share of the work that is done, from 0 to 1. */
+    /** The fraction of the work that is done, from 0 to 1. */
     public double progress() {
         return isComplete() ? 1 : Math.min(1, schedule.progress((double) samples() / pixels));
     }

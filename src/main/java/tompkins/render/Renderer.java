@@ -198,7 +198,7 @@ public final class Renderer implements AutoCloseable {
      *
      * @param processorSeconds how much they got
      */
-    double share(double processorSeconds, double seconds, double planningSeconds) {
+    double fraction(double processorSeconds, double seconds, double planningSeconds) {
         return Math.min(1, processorSeconds / (threads * (seconds - planningSeconds) + planningSeconds));
     }
 

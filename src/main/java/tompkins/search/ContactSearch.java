@@ -40,7 +40,7 @@ public final class ContactSearch {
         }
 
         /** The distance in units that are the same in all frames. */
-        double share() {
+        double fraction() {
             return hit.distance / ray.directionLength;
         }
 
@@ -51,7 +51,7 @@ public final class ContactSearch {
         }
 
         boolean isAtPlaceOf(Met other) {
-            return !isApart((share() - other.share()) * ray.directionLength, other.cosine);
+            return !isApart((fraction() - other.fraction()) * ray.directionLength, other.cosine);
         }
 
         /** Whether the ray, which has just left the camera, starts at this place. */
@@ -146,7 +146,7 @@ public final class ContactSearch {
      * there, or where media of one index touch.
      */
     public Contact contact() {
-        met.sort(Comparator.comparingDouble(Met::share).thenComparingInt(each -> each.primitive.order()));
+        met.sort(Comparator.comparingDouble(Met::fraction).thenComparingInt(each -> each.primitive.order()));
         List<Met> here =
                 met.stream().filter(each -> each.isAtPlaceOf(met.get(0))).toList();
         List<Hit> all = here.stream().map(Met::hit).toList();

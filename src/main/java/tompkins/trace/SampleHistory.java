@@ -87,7 +87,7 @@ public record SampleHistory(
      * @param frame the frame of place, time and distance
      * @param event where and when
      * @param distance distance from the start of the ray that hit, in that frame
-     * @param share the largest share of the sample's light that the ray that hit can still bring
+     * @param fraction the largest fraction of the sample's light that the ray that hit can still bring
      * @param branch 0 on the main branch, 1 on a weaker one that left it, 2 on a weaker one of that, and so on
      * @param surface the surface
      * @param rest the same hit in the frame in which the object rests
@@ -98,7 +98,7 @@ public record SampleHistory(
             Frame frame,
             Event event,
             double distance,
-            double share,
+            double fraction,
             int branch,
             Surface surface,
             Rest rest,

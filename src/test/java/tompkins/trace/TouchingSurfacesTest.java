@@ -227,7 +227,7 @@ class TouchingSurfacesTest {
             assertThat(hits).hasSize(4);
             assertThat(hits.get(3).event().position().x()).isCloseTo(x, within(1e-12));
             double normalShare = Math.pow((1.5 - 1.333) / (1.5 + 1.333), 2);
-            double passed = middle(studio).mainHits().get(2).share();
+            double passed = middle(studio).mainHits().get(2).fraction();
             assertThat(passed).isCloseTo(0.96 * (1 - normalShare), within(1e-12));
         }
     }
@@ -264,7 +264,7 @@ class TouchingSurfacesTest {
         List<SampleHistory.Encounter> hits = middle(studio(layer(4, 5, GLASS), layer(5, 7, GLASS), WHITE_WALL))
                 .mainHits();
         assertThat(hits).hasSize(3);
-        assertThat(hits.get(2).share()).isCloseTo(0.96 * 0.96, within(1e-12));
+        assertThat(hits.get(2).fraction()).isCloseTo(0.96 * 0.96, within(1e-12));
     }
 
     @Test
