@@ -35,6 +35,7 @@ import tompkins.property.InvalidPropertyException;
 import tompkins.property.MistakeException;
 import tompkins.property.Require;
 import tompkins.render.Quality;
+import tompkins.render.Renderer;
 import tompkins.studio.RideLeg;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
@@ -352,7 +353,7 @@ final class AnimateCommand extends ProgramCommand {
         Photographer.info(first, scene);
         RenderPlan begin = ScenePlan.of(first, scene);
         RenderPlan end = ScenePlan.of(last, begin, scene);
-        Photographer.requireMemory(first.settings(), Quality.of(first));
+        Renderer.requireMemory(first.settings(), Quality.of(first));
         return Stream.of(begin, end)
                 .flatMap(plan -> new Explanation(plan).warnings().stream())
                 .toList();

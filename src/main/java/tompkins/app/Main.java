@@ -9,8 +9,13 @@ import java.nio.charset.Charset;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import picocli.CommandLine;
+import tompkins.property.Descriptions;
 import tompkins.property.MistakeException;
+import tompkins.sceneobject.SceneObject;
+import tompkins.shutter.Shutter;
+import tompkins.surface.Surface;
 import tompkins.ui.Displays;
 import tompkins.ui.TompkinsWindow;
 
@@ -30,6 +35,7 @@ public final class Main {
      */
     public static void main(String[] arguments) {
         giveHome();
+        readAddedTypes();
         if (TompkinsCommand.isNamedBy(arguments)) {
             // no command shows anything, and a display that is set but dead would be an error
             System.setProperty("java.awt.headless", "true");
@@ -66,6 +72,16 @@ public final class Main {
         if (System.getProperty("user.home", "?").equals("?")) {
             String home = System.getenv("HOME");
             System.setProperty("user.home", home != null && home.startsWith("/") ? home : "/dev/null");
+        }
+    }
+
+    /** Reads the types that other jars add, before any argument: what is wrong with one ends the program. */
+    private static void readAddedTypes() {
+        try {
+            Stream.of(Surface.class, SceneObject.class, Shutter.class).forEach(Descriptions::members);
+        } catch (MistakeException wrong) {
+            System.err.println(wrong.getMessage());
+            System.exit(Failures.MISTAKE);
         }
     }
 

@@ -129,7 +129,7 @@ final class Photographer implements AutoCloseable {
         Path target = order.target;
         boolean isPiped = target.equals(OutputOption.PIPE);
         if (isPiped) {
-            requireMemory(studio.settings(), order.quality);
+            Renderer.requireMemory(studio.settings(), order.quality);
         } else {
             requirePossible(order, mayReplace);
         }
@@ -239,7 +239,7 @@ final class Photographer implements AutoCloseable {
         if (!mayReplace.getAsBoolean()) {
             requireFree(order.target);
         }
-        requireMemory(order.studio.settings(), order.quality);
+        Renderer.requireMemory(order.studio.settings(), order.quality);
         requireWritable(order.target);
     }
 
@@ -277,22 +277,6 @@ final class Photographer implements AutoCloseable {
             return SelfDescription.of(studio);
         } catch (InvalidPropertyException tooLong) {
             throw new MistakeException(scene + ": the " + tooLong.getMessage());
-        }
-    }
-
-    /** Refuses pictures that the memory of this Java machine cannot hold, before any time is spent on them. */
-    static void requireMemory(RenderSettings settings, Quality quality) {
-        long needed = Renderer.bytesOfMemory(settings, quality);
-        long most = Runtime.getRuntime().maxMemory();
-        if (needed > most) {
-            throw new MistakeException(String.format(
-                    Locale.ROOT,
-                    "a picture of %d x %d pixels needs about %d MB of memory, and Java may use %d MB;"
-                            + " take a smaller --size, or start java with a larger -Xmx",
-                    settings.width(),
-                    settings.height(),
-                    needed >> 20,
-                    most >> 20));
         }
     }
 

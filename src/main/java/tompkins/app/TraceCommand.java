@@ -19,8 +19,8 @@ import tompkins.measure.Sighting;
 import tompkins.property.MistakeException;
 import tompkins.property.Require;
 import tompkins.studio.Studio;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** Traces rays and tells their histories. */
 @Command(
@@ -130,7 +130,7 @@ final class TraceCommand extends ProgramCommand {
     }
 
     private void draw(RenderPlan plan, PixelChoice choice, double[] lens) throws IOException {
-        List<RayLife> rays = choice.stream()
+        List<SampleHistory> rays = choice.stream()
                 .flatMap(place -> cone == null
                         ? Stream.ofNullable(
                                 follow(plan, place[0], place[1], lens).life())
@@ -146,7 +146,7 @@ final class TraceCommand extends ProgramCommand {
     private Sighting follow(RenderPlan plan, int column, int row, double[] lens) {
         double x = column + 0.5;
         double y = row + 0.5;
-        return new Sighting(plan.studio(), x, y, RayLife.of(plan, x, y, lens[0], lens[1], moment));
+        return new Sighting(plan.studio(), x, y, SampleHistory.of(plan, x, y, lens[0], lens[1], moment));
     }
 
     private Stream<String> lines(Stream<Sighting> sightings, boolean single) {

@@ -28,7 +28,6 @@ import tompkins.ui.help.HelpWindow;
 import tompkins.ui.help.KeyTable;
 import tompkins.ui.number.NumberProperty;
 import tompkins.ui.overlay.MapAxis;
-import tompkins.ui.overlay.PictureOverlays;
 import tompkins.ui.panel.CameraViews;
 import tompkins.ui.panel.QualityChart;
 import tompkins.ui.picture.CanvasZoom;
@@ -265,9 +264,8 @@ final class Menus {
         add(menu, "menu.zoomToFit", "ctrl 0", zoom::fit);
         menu.addSeparator();
         add(menu, caption, "menu.caption", "F7", () -> window.captions.setShown(caption.isSelected()));
-        addOverlay(menu, "menu.arrow", PictureOverlays.ARROW);
+        addSwitch(menu, "menu.arrow", window.overlays::isArrowShown, window.overlays::setArrowShown);
         menu.add(mapMenu());
-        addOverlay(menu, "menu.rate", PictureOverlays.RATE);
         menu.add(overlayMenu());
         add(menu, "menu.measure", "F4", () -> window.strip.toggle(TabStrip.Tab.MEASURE));
         add(menu, "menu.quality", null, () -> QualityChart.open(window.model(), window.frame()));
@@ -330,10 +328,6 @@ final class Menus {
                     shown -> window.overlays.setShown(kind, shown));
         }
         return menu;
-    }
-
-    private void addOverlay(JMenu menu, String key, String name) {
-        addSwitch(menu, key, () -> window.overlays.isShown(name), shown -> window.overlays.setShown(name, shown));
     }
 
     /** What the item shows may also be switched elsewhere. */

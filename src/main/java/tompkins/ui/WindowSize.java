@@ -97,6 +97,5 @@ final class WindowSize {
         settings.setNumber("width", normal.width);
         settings.setNumber("height", normal.height);
         settings.setNumber(MAXIMISED, maximised());
-        settings.save();
     }
 }

@@ -24,8 +24,8 @@ import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Event;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 class AnimateCommandTest {
 
@@ -82,7 +82,7 @@ class AnimateCommandTest {
         assertThat(run.err()).isEmpty();
         List<Studio> moments = moments("frames");
         for (int i = 0; i < moments.size(); i++) {
-            RayLife middle = RayLife.of(RenderPlan.of(moments.get(i)), 16, 12, 0, 0);
+            SampleHistory middle = SampleHistory.of(RenderPlan.of(moments.get(i)), 16, 12, 0, 0);
             assertThat(middle.end().event().time()).isCloseTo(-4 / (1 + 0.2 * i), within(1e-12));
         }
         ProgramRun tooFast = animate("never", "--number", "scene[0].velocity.beta", "--from", "0", "--to", "1");

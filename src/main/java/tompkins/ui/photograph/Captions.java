@@ -57,7 +57,6 @@ public final class Captions {
     /** Shows captions from now on, or hides them. */
     public void setShown(boolean shown) {
         settings.setNumber(SETTING, shown ? 1 : 0);
-        settings.save();
         update();
     }
 

@@ -20,7 +20,7 @@ import tompkins.primitive.Described;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.trace.Frame;
-import tompkins.trace.RayLife;
+import tompkins.trace.SampleHistory;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.ChoiceRow;
@@ -36,7 +36,7 @@ public final class RaySection {
 
     private final StudioModel model;
     private final Runnable unpin;
-    private final Consumer<Consumer<List<RayLife>>> cones;
+    private final Consumer<Consumer<List<SampleHistory>>> cones;
     private final Consumer<StudioPath> editor;
     private final StoryPane story = new StoryPane();
     private final DiagramPane diagram = new DiagramPane(DIAGRAM);
@@ -54,7 +54,7 @@ public final class RaySection {
     private final Section section;
 
     /** The pinned ray, if it has a life. */
-    private List<RayLife> rays = List.of();
+    private List<SampleHistory> rays = List.of();
 
     /** What is photographed in its picture; null if nothing is pinned. */
     private Studio studio;
@@ -69,7 +69,10 @@ public final class RaySection {
      * @param editor opens the editor for an object that the ray hit
      */
     public RaySection(
-            StudioModel model, Runnable unpin, Consumer<Consumer<List<RayLife>>> cones, Consumer<StudioPath> editor) {
+            StudioModel model,
+            Runnable unpin,
+            Consumer<Consumer<List<SampleHistory>>> cones,
+            Consumer<StudioPath> editor) {
         this.model = model;
         this.unpin = unpin;
         this.cones = cones;
@@ -107,7 +110,7 @@ public final class RaySection {
     public void show(PixelReading reading, String picture) {
         section.component().setVisible(reading != null);
         // an unpinned ray must not keep its scene in memory
-        RayLife life = reading == null ? null : reading.sighting().life();
+        SampleHistory life = reading == null ? null : reading.sighting().life();
         rays = life == null ? List.of() : List.of(life);
         edit.setEnabled(!objects().isEmpty());
         drawRay.setEnabled(RayTubes.canDraw(rays));
@@ -143,7 +146,7 @@ public final class RaySection {
         Map<StudioPath, String> objects = new LinkedHashMap<>();
         // glass is hit again and again, and finding it in a large scene takes time
         Set<Described> sought = Collections.newSetFromMap(new IdentityHashMap<>());
-        for (RayLife.Encounter hit :
+        for (SampleHistory.Encounter hit :
                 rays.stream().flatMap(ray -> ray.hits().stream()).toList()) {
             if (sought.add(hit.object())) {
                 StudioPath.to(model.studio(), hit.object())
@@ -167,7 +170,7 @@ public final class RaySection {
     }
 
     /** Draws rays in one step that can be undone. Their pixel shows the end of a rod now, and so is no more pinned. */
-    private void draw(String kind, List<RayLife> drawn) {
+    private void draw(String kind, List<SampleHistory> drawn) {
         String name = Texts.get("ray.drawn." + kind, pixel);
         unpin.run();
         model.set(RayTubes.addedTo(model.studio(), name, drawn));

@@ -1,8 +1,6 @@
 package tompkins.ui.ride;
 
 import java.awt.Color;
-import java.awt.Dimension;
-import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
@@ -62,21 +60,12 @@ public final class RidePanel extends Part {
 
     private final ValueSlider light;
 
-    /** The names of keyboards have room in its list alone. */
-    private final JComboBox<String> keyboard = new JComboBox<>() {
-        @Override
-        public Dimension getPreferredSize() {
-            int height = super.getPreferredSize().height;
-            return new Dimension(getFontMetrics(getFont()).stringWidth("W W W W W W W") + 2 * height, height);
-        }
-    };
+    private final JComboBox<RideKeyboard> keyboard =
+            new JComboBox<>(RideKeyboard.common().toArray(RideKeyboard[]::new));
 
     private final Consumer<RideKeyboard> steerer;
-    private RideKeyboard letters;
     private double told;
     private final Note keys = new Note("");
-    private final JButton otherKeyboard = new JButton();
-    private boolean offered;
     private final Note note = new Note("");
 
     /**
@@ -94,7 +83,7 @@ public final class RidePanel extends Part {
             Consumer<Studio> exporter,
             Consumer<RideKeyboard> steerer) {
         super(new JPanel(
-                new MigLayout("novisualpadding, insets 0 4 0 4, fillx, hidemode 3, gap 6 4", "[][][][grow,fill][][]")));
+                new MigLayout("novisualpadding, insets 0 4 0 4, fillx, hidemode 3, gap 6 4", "[][][][grow,fill][]")));
         this.model = model;
         this.pilot = pilot;
         this.flown = flown;
@@ -123,7 +112,6 @@ public final class RidePanel extends Part {
         panel.add(home);
         panel.add(challenges);
         panel.add(task, "wmin 0");
-        panel.add(otherKeyboard);
         panel.add(showMore, "wrap");
         panel.add(more, "span, growx");
         panel.setVisible(false);
@@ -143,7 +131,7 @@ public final class RidePanel extends Part {
         JPanel views = Rows.panel();
         new StudioRow(model, "view", Texts.get("row.view")).addTo(views);
         more.add(views, "gapleft push, wmin 0, wrap");
-        more.add(keyboard, "span, split 2, wmin pref");
+        more.add(keyboard, "span, split 2, wmin 0");
         more.add(keys.component(), "growx, wmin 0, wrap");
         more.add(note.component(), "span, growx, wmin 0");
         more.setVisible(false);
@@ -178,53 +166,20 @@ public final class RidePanel extends Part {
         return UIManager.getColor(verdict.met() ? "Tompkins.done" : "Tompkins.error");
     }
 
-    /** The letters of common keyboards; others can be typed. */
+    /** The letters of common keyboards. */
     private void offerKeyboards(Settings settings) {
         Naming.name(keyboard, "ride.keyboard");
-        List<RideKeyboard> common = RideKeyboard.common();
-        common.forEach(known -> keyboard.addItem(known.text()));
-        Naming.items(
-                keyboard,
-                text -> common.stream()
-                        .filter(known -> known.text().equals(text))
-                        .map(known -> text + "   " + known.name())
-                        .findFirst()
-                        .orElse(text));
-        keyboard.setEditable(true);
-        RideKeyboard kept = RideKeyboard.of(settings.text(KEYBOARD, ""));
-        steerBy(kept == null ? RideKeyboard.usual() : kept);
-        otherKeyboard.setName("ride.otherKeyboard");
-        otherKeyboard.setVisible(false);
-        otherKeyboard.addActionListener(event -> flown.run());
-        keyboard.addActionListener(event -> {
-            RideKeyboard chosen = RideKeyboard.of(String.valueOf(keyboard.getSelectedItem()));
-            otherKeyboard.setVisible(false);
-            // a text that is not seven letters is undone
-            steerBy(chosen == null ? letters : chosen);
-            if (chosen != null) {
-                settings.setText(KEYBOARD, chosen.letters());
-                settings.save();
-            }
-        });
+        Naming.items(keyboard, known -> known.text() + "   " + known.name());
+        keyboard.setSelectedItem(RideKeyboard.of(settings.text(KEYBOARD, "")));
+        steer();
+        keyboard.addActionListener(event -> settings.setText(KEYBOARD, steer().letters()));
     }
 
-    /** Offers, once, the keyboard on which a letter steers that does nothing on the present one. */
-    void offerKeyboard(char letter) {
-        letters.other(letter).filter(other -> !offered).ifPresent(other -> {
-            offered = true;
-            otherKeyboard.setText(Texts.get("ride.otherKeyboard", other.text(), other.name()));
-            otherKeyboard.addActionListener(event -> keyboard.setSelectedItem(other.text()));
-            otherKeyboard.setVisible(true);
-        });
-    }
-
-    private void steerBy(RideKeyboard chosen) {
-        letters = chosen;
+    private RideKeyboard steer() {
+        RideKeyboard chosen = (RideKeyboard) keyboard.getSelectedItem();
         steerer.accept(chosen);
-        if (!chosen.text().equals(keyboard.getSelectedItem())) {
-            keyboard.setSelectedItem(chosen.text());
-        }
         keys.setText(Texts.get("ride.keys", (Object[]) chosen.text().split(" ")));
+        return chosen;
     }
 
     /** Shows the bar, or hides it and pauses. */

@@ -407,6 +407,6 @@ class OverlayTest {
         assertThat(overlays.ofScene()).isEmpty();
         assertThat(overlays.isShown(OverlayKind.OUTLINES)).isFalse();
         assertThat(overlays.map()).isEmpty();
-        assertThat(overlays.isShown(PictureOverlays.ARROW)).isTrue();
+        assertThat(overlays.isArrowShown()).isTrue();
     }
 }
