@@ -1,5 +1,6 @@
 package tompkins.ui.ray;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
@@ -10,6 +11,7 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
@@ -24,12 +26,12 @@ import tompkins.trace.RayLife;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.ChoiceRow;
+import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
-import tompkins.ui.widget.Section;
 import tompkins.ui.widget.Texts;
 
 /** The life of the ray of a pinned pixel, in a part of the side panel that is there only while a pixel is pinned. */
-public final class RaySection {
+public final class RaySection extends Part {
 
     /** The size of the diagram, in sizes of the type. */
     private static final double DIAGRAM = 12.5;
@@ -51,7 +53,6 @@ public final class RaySection {
     private final JButton edit = Buttons.of("ray.edit", this::edit);
     private final JButton drawRay = Buttons.of("ray.draw", this::drawRay);
     private final JButton drawCone = Buttons.of("ray.cone", this::drawCone);
-    private final Section section;
 
     /** The pinned ray, if it has a life. */
     private List<RayLife> rays = List.of();
@@ -70,6 +71,7 @@ public final class RaySection {
      */
     public RaySection(
             StudioModel model, Runnable unpin, Consumer<Consumer<List<RayLife>>> cones, Consumer<StudioPath> editor) {
+        super(Rows.column());
         this.model = model;
         this.unpin = unpin;
         this.cones = cones;
@@ -85,18 +87,14 @@ public final class RaySection {
         buttons.add(drawRay);
         buttons.add(drawCone);
         buttons.add(Buttons.of("ray.enlarge", () -> large.open(component())));
-        JPanel content = Rows.column();
-        content.add(frames, "wmin 0");
-        content.add(diagram, "wmin 0");
-        content.add(story, "wmin 0");
-        content.add(buttons, "wmin 0");
-        section = new Section(Texts.get("ray.title"), content, true);
-        section.component().setVisible(false);
-    }
-
-    /** The section itself. */
-    public JComponent component() {
-        return section.component();
+        JLabel title = new JLabel(Texts.get("ray.title"));
+        title.putClientProperty(FlatClientProperties.STYLE, "font: bold");
+        panel.add(title);
+        panel.add(frames, "wmin 0");
+        panel.add(diagram, "wmin 0");
+        panel.add(story, "wmin 0");
+        panel.add(buttons, "wmin 0");
+        panel.setVisible(false);
     }
 
     /**
@@ -105,7 +103,7 @@ public final class RaySection {
      * @param picture name of the picture to which the ray belongs, or null if it is the studio's
      */
     public void show(PixelReading reading, String picture) {
-        section.component().setVisible(reading != null);
+        panel.setVisible(reading != null);
         // an unpinned ray must not keep its scene in memory
         RayLife life = reading == null ? null : reading.sighting().life();
         rays = life == null ? List.of() : List.of(life);

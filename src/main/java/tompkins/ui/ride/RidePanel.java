@@ -143,15 +143,13 @@ public final class RidePanel extends Part {
         flown.run();
     }
 
-    /** Lists the rides of the scene: each challenge with the way to go, or with what became of it. */
+    /** Lists the rides of the scene: each challenge that was tried with what became of it. */
     private void offerRides() {
         JPopupMenu menu = new JPopupMenu();
         for (Ride offer : model.studio().rides()) {
             RideTask.Verdict verdict = pilot.task().verdict(offer);
-            String far = RideTask.distance(offer);
             JMenuItem item = new JMenuItem();
-            String end = verdict == null ? far : verdict.text();
-            item.setText(end.isEmpty() ? offer.name() : offer.name() + "   (" + end + ")");
+            item.setText(verdict == null ? offer.name() : offer.name() + "   (" + verdict.text() + ")");
             item.setName(offer.name());
             if (verdict != null) {
                 item.setForeground(colour(verdict));
