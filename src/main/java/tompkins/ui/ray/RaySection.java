@@ -3,18 +3,15 @@ package tompkins.ui.ray;
 import com.formdev.flatlaf.FlatClientProperties;
 import java.util.Collections;
 import java.util.IdentityHashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
-import javax.swing.JMenuItem;
 import javax.swing.JPanel;
-import javax.swing.JPopupMenu;
 import tompkins.io.FactText;
 import tompkins.measure.RayHistory;
 import tompkins.measure.RayTubes;
@@ -107,7 +104,7 @@ public final class RaySection extends Part {
         // an unpinned ray must not keep its scene in memory
         RayLife life = reading == null ? null : reading.sighting().life();
         rays = life == null ? List.of() : List.of(life);
-        edit.setEnabled(!objects().isEmpty());
+        edit.setEnabled(object().isPresent());
         drawRay.setEnabled(RayTubes.canDraw(rays));
         drawCone.setEnabled(RayTubes.canDraw(rays));
         studio = reading == null ? null : reading.sighting().studio();
@@ -136,19 +133,16 @@ public final class RaySection extends Part {
         large.show(drawn, text);
     }
 
-    /** The objects that the ray hit and that the studio still holds, with their names. */
-    private Map<StudioPath, String> objects() {
-        Map<StudioPath, String> objects = new LinkedHashMap<>();
+    /** The first object that the ray hit and that the studio still holds. */
+    private Optional<StudioPath> object() {
         // glass is hit again and again, and finding it in a large scene takes time
         Set<Described> sought = Collections.newSetFromMap(new IdentityHashMap<>());
-        for (RayLife.Encounter hit :
-                rays.stream().flatMap(ray -> ray.hits().stream()).toList()) {
-            if (sought.add(hit.object())) {
-                StudioPath.to(model.studio(), hit.object())
-                        .ifPresent(path -> objects.put(path, hit.object().description()));
-            }
-        }
-        return objects;
+        return rays.stream()
+                .flatMap(ray -> ray.hits().stream())
+                .map(RayLife.Encounter::object)
+                .filter(sought::add)
+                .flatMap(object -> StudioPath.to(model.studio(), object).stream())
+                .findFirst();
     }
 
     private void drawRay() {
@@ -172,23 +166,9 @@ public final class RaySection extends Part {
     }
 
     private void edit() {
-        Map<StudioPath, String> objects = objects();
-        // they may have been deleted since
-        edit.setEnabled(!objects.isEmpty());
-        if (objects.size() == 1) {
-            editor.accept(objects.keySet().iterator().next());
-            return;
-        }
-        if (objects.isEmpty()) {
-            return;
-        }
-        JPopupMenu menu = new JPopupMenu();
-        objects.forEach((path, name) -> {
-            JMenuItem item = new JMenuItem();
-            item.setText(name);
-            item.addActionListener(event -> editor.accept(path));
-            menu.add(item);
-        });
-        menu.show(edit, 0, edit.getHeight());
+        Optional<StudioPath> object = object();
+        // it may have been deleted since
+        edit.setEnabled(object.isPresent());
+        object.ifPresent(editor);
     }
 }

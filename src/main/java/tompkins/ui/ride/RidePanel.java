@@ -64,7 +64,6 @@ public final class RidePanel extends Part {
             new JComboBox<>(RideKeyboard.common().toArray(RideKeyboard[]::new));
 
     private final Consumer<RideKeyboard> steerer;
-    private double told;
     private final Note keys = new Note("");
     private final Note note = new Note("");
 
@@ -196,7 +195,6 @@ public final class RidePanel extends Part {
     private void setUnits(double exact) {
         double rounded = NumberText.rounded(exact, 2);
         pilot.setUnitsPerSecond(rounded);
-        told = rounded;
         units.setText(Texts.get(rounded == 1 ? "ride.unit" : "ride.units", Numbers.brief(rounded)));
     }
 
@@ -206,10 +204,8 @@ public final class RidePanel extends Part {
         ride.setText(Texts.get(riding ? "ride.pause" : "ride.ride"));
         record.setSelected(pilot.isRecording());
         record.setText(Texts.get(pilot.isRecording() ? "ride.stopRecording" : "ride.record"));
-        if (pilot.unitsPerSecond() != told) {
-            light.show(pilot.unitsPerSecond());
-            setUnits(pilot.unitsPerSecond());
-        }
+        light.show(pilot.unitsPerSecond());
+        setUnits(pilot.unitsPerSecond());
         updateTask();
     }
 
