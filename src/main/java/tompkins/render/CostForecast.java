@@ -57,7 +57,7 @@ public record CostForecast(double samplesPerPixel, double seconds) {
             throws InterruptedException {
         Quality wish = quality instanceof Quality.TimeLimit ? Quality.TargetError.DEFAULT : quality;
         List<Tile> blocks = spread(plan);
-        PartCosts costs = new PartCosts();
+        ForecastSamples costs = new ForecastSamples();
         long start = System.nanoTime();
         int taken = take(blocks.subList(0, Math.min(blocks.size(), FIRST_BLOCKS)), plan, wish, renderer, costs);
         double seconds = costs.tracing();
@@ -87,7 +87,8 @@ public record CostForecast(double samplesPerPixel, double seconds) {
     }
 
     /** Takes some blocks, and says how many. */
-    private static int take(List<Tile> blocks, RenderPlan plan, Quality quality, Renderer renderer, PartCosts costs)
+    private static int take(
+            List<Tile> blocks, RenderPlan plan, Quality quality, Renderer renderer, ForecastSamples costs)
             throws InterruptedException {
         long start = System.nanoTime();
         double before = renderer.processorSeconds();

@@ -6,8 +6,9 @@ import java.util.List;
 import tompkins.camera.PixelSampler;
 
 /**
- * One pass over the picture. Coarse passes take the first sample of every 8th, 4th, 2nd pixel in both directions, and
- * each leaves out what the coarser ones took; later passes take further samples of all pixels, or of chosen ones.
+ * One pass over the picture. Coarse passes take the first samples of every 8th, 4th, 2nd pixel in both directions, or
+ * of one pixel in each tile, and each leaves out what the coarser ones took; later passes take further samples of all
+ * pixels, or of chosen ones.
  *
  * @param stride distance between pixels, 1 for all of them
  * @param coarserStride stride of the pass before this one, or 0 if this is the first
@@ -33,7 +34,8 @@ record Pass(int stride, int coarserStride, int firstSample, int samples, int inA
 
     /**
      * The passes that take the given number of samples of each pixel: 16, 16, 32, 64, 64, ..., and at the end an eighth
-     * of those before.
+     * of those before. A pixel of each tile is the first to get its first samples, so that code that runs for the first
+     * time soon meets all that is in the picture.
      *
      * @param inAll samples that pixels may have after later passes
      * @param coarseFirst whether somebody watches: the first sample is taken coarse to fine, and those after it are 1,
@@ -43,7 +45,8 @@ record Pass(int stride, int coarserStride, int firstSample, int samples, int inA
         List<Pass> passes = new ArrayList<>();
         int coarser = 0;
         int done = coarseFirst ? 1 : Math.min(FIRST, samples);
-        for (int stride = coarseFirst ? COARSEST : 1; stride >= 1; stride /= 2) {
+        int factor = coarseFirst ? 2 : Tile.SIZE;
+        for (int stride = coarseFirst ? COARSEST : Tile.SIZE; stride >= 1; stride /= factor) {
             double share = 1.0 / (stride * stride) - (coarser == 0 ? 0 : 1.0 / (coarser * coarser));
             passes.add(new Pass(stride, coarser, PixelSampler.firstOf(samples), done, inAll, null, share));
             coarser = stride;
@@ -67,7 +70,11 @@ record Pass(int stride, int coarserStride, int firstSample, int samples, int inA
         if (chosen != null) {
             return (chosenFrom(pixel) & 1) != 0;
         }
-        return coarserStride == 0 || column % coarserStride != 0 || row % coarserStride != 0;
+        return isOnGrid(column, row, stride) && (coarserStride == 0 || !isOnGrid(column, row, coarserStride));
+    }
+
+    private static boolean isOnGrid(int column, int row, int step) {
+        return column % step == 0 && row % step == 0;
     }
 
     /** Whether this pass takes samples of some of the pixels from one on, at most 64 of them. */

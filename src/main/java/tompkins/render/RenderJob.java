@@ -271,7 +271,7 @@ public final class RenderJob extends Padded {
 
     /** The picture so far as the screen shows it. */
     public FramePicture levels() {
-        return buffer instanceof Glimpse glimpse
+        return buffer instanceof PreviewFilm glimpse
                 ? glimpse.levels()
                 : FramePicture.of(image(), plan.studio().settings().toneCurve());
     }

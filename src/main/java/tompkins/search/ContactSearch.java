@@ -11,7 +11,7 @@ import tompkins.primitive.Primitive;
 import tompkins.ray.Contact;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
-import tompkins.spacetime.PointFrame;
+import tompkins.spacetime.MomentaryRestFrame;
 import tompkins.surface.Refractive;
 import tompkins.surface.Shadow;
 import tompkins.surface.Surface;
@@ -30,11 +30,11 @@ public final class ContactSearch {
 
         static Met of(Ray ray, Hit hit) {
             Primitive primitive = (Primitive) hit.boundary;
-            if (!hit.runs) {
+            if (!hit.pointMoves) {
                 return new Met(primitive, hit, ray, hit.cosine(ray));
             }
-            PointFrame point =
-                    new PointFrame(hit, primitive.restFrame().rotation().law());
+            MomentaryRestFrame point =
+                    new MomentaryRestFrame(hit, primitive.restFrame().rotation().law());
             Ray inside = point.enter(ray);
             return new Met(primitive, hit, ray, point.normal().dot(inside.dx, inside.dy, inside.dz));
         }

@@ -71,4 +71,9 @@ public sealed interface CompositeSurface extends Surface permits Tiling, CutOut,
     default Continuation continuation() {
         return first().continuation().orElsewhere(second().continuation());
     }
+
+    @Override
+    default boolean keepsPhase() {
+        return first().keepsPhase() && second().keepsPhase();
+    }
 }

@@ -42,7 +42,8 @@ public record Mirror(
             return null;
         }
         Vector3dc direction = back.direction();
-        return ray.bent(hit, direction.x(), direction.y(), direction.z(), back.slowness(), 1, share)
+        return ray.bent(hit, direction.x(), direction.y(), direction.z(), share)
+                .slowed(back.slowness())
                 .stretched(wave.frequency() * back.length());
     }
 
@@ -59,6 +60,11 @@ public record Mirror(
     @Override
     public Continuation continuation() {
         return Continuation.TURNED;
+    }
+
+    @Override
+    public boolean keepsPhase() {
+        return true;
     }
 
     @Override

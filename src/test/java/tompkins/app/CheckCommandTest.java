@@ -80,22 +80,6 @@ class CheckCommandTest {
         assertThat(Files.readAllBytes(again)).isEqualTo(bytes);
     }
 
-    /** A photograph must hold its scene; one that is too long for that is a mistake for both. */
-    @Test
-    void checkAndRenderAgreeOnLongScenes() throws IOException {
-        Path title =
-                Files.writeString(folder.resolve("title.json"), "{ \"title\": \"" + "a".repeat(17_000_000) + "\" }");
-
-        ProgramRun check = ProgramRun.of("check", title, FIG1B);
-        ProgramRun render = ProgramRun.of("render", title, "-o", folder.resolve("a.png"));
-
-        assertThat(check.code()).isEqualTo(2);
-        assertThat(check.err()).contains("title.json: the scene must be at most 16777216 characters long");
-        assertThat(check.err()).isEqualTo(render.err());
-        assertThat(render.code()).isEqualTo(2);
-        assertThat(check.out().strip()).isEqualTo(FIG1B + ": no mistakes");
-    }
-
     @Test
     void checkAndRenderAgreeOnPicturesBeyondTheMemory() throws IOException {
         Path large = Files.writeString(

@@ -32,7 +32,7 @@ class ExplainCommandTest {
                 "scenes/fig1b.json | --samples 5 | 5 samples per pixel, spread evenly over the pixel.",
                 "scenes/fig3a.json | --samples 5 | 5 samples per pixel, spread evenly over pixel and lens.",
                 "scenes/fig1b.json | --error 0.25 | until the estimated error is 0.25.",
-                "scenes/fig3a.json | --seconds 1 | spread evenly over pixel and lens, until 1 s are over."
+                "scenes/fig3a.json | --seconds 0.1 | spread evenly over pixel and lens, until 0.1 s are over."
             })
     void explainTellsOfTheSamplesThatAreTaken(String scene, String wish, String said) {
         String[] words = wish.split(" ");
@@ -91,23 +91,6 @@ class ExplainCommandTest {
                 .startsWith("The same time and the same position as in Fig. 1(a)");
     }
 
-    @ParameterizedTest
-    @CsvSource({"lorentz, gamma 1.25", "galilean, beta 0.6", "none, beta 0.6"})
-    void explainTellsTheSpeedAsItsLawDoes(String law, String speed) throws IOException {
-        Path scene = Files.writeString(
-                folder.resolve("law.json"), "{\"velocity\": [0, 0, 0.6], \"transformation\": \"" + law + "\"}");
-
-        assertThat(ProgramRun.of("explain", scene, "--size", "8x6").out()).contains("(" + speed + ")");
-    }
-
-    /** Beyond a window a ray goes on from where it left it, which differs from pixel to pixel. */
-    @ParameterizedTest
-    @CsvSource({"scenes/fig1b.json, true", "scenes/surface-lorentz-window.json, false"})
-    void onlyABarePinholeKeepsItsPointOfView(String scene, boolean keeps) {
-        assertThat(ProgramRun.of("explain", scene, "--size", "64x48").out().contains("not the point of view"))
-                .isEqualTo(keeps);
-    }
-
     /** What needs no focus says nothing of a missing one. */
     @ParameterizedTest
     @CsvSource(
@@ -144,11 +127,11 @@ class ExplainCommandTest {
             'camera': {'apertureRadius': 0.1} | 'scene': [{'type': 'Plane'}], 'camera': {'apertureRadius': 0.1}
             leave its frequency as it is | 'velocity': [0, 0, 0.5], 'colours': 'doppler', 'cameraFrame': [WINDOW] \
             | 'velocity': [0, 0, 0.5], 'colours': 'doppler'
-            no wave optics stands behind them, and no light is delayed | 'scene': [{'type': 'Disc', 'surface': {'type': 'IdealLens'}}] \
+            do nothing else to it: IdealLens. A wave would be delayed | 'scene': [{'type': 'Disc', 'surface': {'type': 'IdealLens'}}] \
             | 'scene': [{'type': 'Disc'}]
-            no wave optics stands behind them | 'cameraFrame': [{'type': 'Disc', 'surface': {'type': 'Tiling', \
+            do nothing else to it: ConfocalLensletArray. | 'cameraFrame': [{'type': 'Disc', 'surface': {'type': 'Tiling', \
             'second': {'type': 'ConfocalLensletArray'}}}] | 'cameraFrame': [WINDOW]
-            they mirror no part of what passes | 'scene': [{'type': 'Disc', 'surface': {'type': 'ComplexRefraction'}}] \
+            and a part of it mirrored | 'scene': [{'type': 'Disc', 'surface': {'type': 'ComplexRefraction'}}] \
             | 'scene': [{'type': 'Disc', 'surface': {'type': 'Refractive'}}]
             The focus ignores windows, glass and mirrors | 'cameraFrame': [WINDOW], 'camera': {'apertureRadius': 0.1} \
             | 'cameraFrame': [WINDOW]
@@ -200,18 +183,6 @@ class ExplainCommandTest {
                 .replace('\'', '"');
         return ProgramRun.of("explain", Files.writeString(folder.resolve("left.json"), whole), "--size", "8x8")
                 .out();
-    }
-
-    /** Straight behind the pinhole of a panoramic camera all pixels have the same time. */
-    @Test
-    void explainPromisesNoDifferentPlacesWhereThereMayBeOne() throws IOException {
-        Path scene = Files.writeString(folder.resolve("panorama.json"), """
-                { "velocity": [0, 0, 0.5],
-                  "camera": { "type": "PanoramicCamera", "shutter": { "type": "DetectorPlaneShutter" } } }
-                """);
-
-        assertThat(ProgramRun.of("explain", scene, "--size", "8x6").out())
-                .contains("pixels can have different viewpoints in the scene");
     }
 
     @ParameterizedTest
@@ -269,15 +240,6 @@ class ExplainCommandTest {
         assertThat(ProgramRun.of("render", scene, "-o", folder.resolve("light.png"), "--size", "8x6")
                         .err())
                 .doesNotContain("warning");
-    }
-
-    @Test
-    void explainReadsWellForAnEmptyScene() throws IOException {
-        Path empty = Files.writeString(folder.resolve("empty.json"), "{}");
-
-        String out = ProgramRun.of("explain", empty).out();
-
-        assertThat(out).contains("The scene holds no objects").doesNotContain("primitive");
     }
 
     @Test

@@ -306,7 +306,10 @@ class AdaptiveRenderTest {
         Film film = new Film(64, 48, 1, true);
         AdaptiveSchedule schedule =
                 new AdaptiveSchedule(film, false, false, 0.01, new TimeBudget(Double.POSITIVE_INFINITY));
-        assertThat(schedule.next(() -> false)).as("the centres").isNotNull();
+        assertThat(schedule.next(() -> false))
+                .as("the first centre of each tile")
+                .isNotNull();
+        assertThat(schedule.next(() -> false)).as("the other centres").isNotNull();
 
         assertThatThrownBy(() -> schedule.next(() -> true)).isInstanceOf(CancellationException.class);
     }

@@ -24,7 +24,7 @@ class AdaptiveScheduleTest {
         Pass first = schedule.next(() -> false);
 
         assertThat(first).isNotNull();
-        assertThat(first.share()).as("of all pixels").isEqualTo(1);
+        assertThat(first.stride()).as("coarse, so that it soon ends").isEqualTo(8);
         assertThat(schedule.isOver()).as("while the first pass is taken").isFalse();
         schedule.next(() -> false);
         assertThat(schedule.isOver()).as("while the second pass is taken").isTrue();
@@ -47,7 +47,9 @@ class AdaptiveScheduleTest {
     void nothingIsPlannedWhenTheTimeIsOver() {
         Film film = new Film(4, 4, 1, true);
         AdaptiveSchedule schedule = schedule(film, false, 10);
-        assertThat(schedule.next(() -> false)).isNotNull();
+        for (int stride = 8; stride >= 1; stride /= 2) {
+            assertThat(schedule.next(() -> false).stride()).isEqualTo(stride);
+        }
         now = 10_000_000_000L;
 
         assertThat(schedule.next(() -> false)).isNull();
@@ -68,7 +70,7 @@ class AdaptiveScheduleTest {
     void oneOfSeventeenIsLookedAtAfterTheCentres() {
         Film film = new Film(60, 50, 1, true);
         AdaptiveSchedule schedule = new AdaptiveSchedule(film, false, false, 0.01, endless());
-        schedule.next(() -> false);
+        takeFirstPasses(schedule);
         fill(film, 1, 1);
         Films.add(film, film.pixel(34, 0), 1, 1, 1, 1);
 
@@ -96,7 +98,7 @@ class AdaptiveScheduleTest {
     void roughPixelsGetTwiceAsManySamples() {
         Film film = new Film(20, 10, 1, true);
         AdaptiveSchedule schedule = new AdaptiveSchedule(film, true, false, 0.05, endless());
-        schedule.next(() -> false);
+        takeFirstPasses(schedule);
         fill(film, 1, 8);
         for (int pixel = 0; pixel < 200; pixel++) {
             double light = pixel % 20 >= 12 ? 16 : 8;
@@ -125,7 +127,7 @@ class AdaptiveScheduleTest {
     void nothingIsTakenWhenTheErrorIsReached() {
         Film film = new Film(8, 8, 1, true);
         AdaptiveSchedule schedule = new AdaptiveSchedule(film, true, false, 0.05, endless());
-        assertThat(schedule.next(() -> false).samples()).isEqualTo(16);
+        takeFirstPasses(schedule);
         fill(film, 1, 8);
         fill(film, 1.01, 8);
 
@@ -137,18 +139,18 @@ class AdaptiveScheduleTest {
     void smallPicturesGetMoreFirstSamples() {
         Film film = new Film(16, 1, 1, true);
         AdaptiveSchedule schedule = new AdaptiveSchedule(film, true, false, 0.05, endless());
-        int samples = 0;
-        for (int pass = 0; pass < 3; pass++) {
-            samples += schedule.next(() -> false).samples();
+        double work = 0;
+        for (int pass = 0; pass < 4; pass++) {
+            work += schedule.next(() -> false).work();
         }
-        assertThat(samples).isEqualTo(64);
+        assertThat(work).isEqualTo(64);
     }
 
     @Test
     void whoIsStoppedPlansNoMore() {
         Film film = new Film(4, 4, 1, true);
         AdaptiveSchedule schedule = new AdaptiveSchedule(film, false, false, 0.05, endless());
-        schedule.next(() -> false);
+        takeFirstPasses(schedule);
         fill(film, 1, 1);
 
         assertThatThrownBy(() -> schedule.next(() -> true)).isInstanceOf(CancellationException.class);
@@ -158,12 +160,12 @@ class AdaptiveScheduleTest {
     void fixedSamplesAreWhatWasAskedFor() {
         FixedSchedule schedule = new FixedSchedule(Pass.of(4, 4, false));
 
-        int samples = 0;
+        double work = 0;
         for (Pass pass = schedule.next(() -> false); pass != null; pass = schedule.next(() -> false)) {
-            samples += pass.samples();
+            work += pass.work();
         }
 
-        assertThat(samples).isEqualTo(4);
+        assertThat(work).isEqualTo(4);
         assertThat(schedule.progress(1)).isEqualTo(0.25);
         assertThat(schedule.wantedError()).isZero();
         assertThat(schedule.isOver()).isFalse();
@@ -182,6 +184,14 @@ class AdaptiveScheduleTest {
         assertThat(endless().isOver()).isFalse();
     }
 
+    /** A pixel of each tile, and all others. */
+    private static void takeFirstPasses(AdaptiveSchedule schedule) {
+        Pass first = schedule.next(() -> false);
+        Pass others = schedule.next(() -> false);
+        assertThat(first.share() + others.share()).isEqualTo(1);
+        assertThat(others.samples()).isEqualTo(first.samples());
+    }
+
     private TimeBudget endless() {
         return new TimeBudget(Double.POSITIVE_INFINITY, () -> now);
     }
@@ -193,6 +203,6 @@ class AdaptiveScheduleTest {
     }
 
     private AdaptiveSchedule schedule(Film film, boolean severalFirst, double seconds) {
-        return new AdaptiveSchedule(film, severalFirst, false, 0, new TimeBudget(seconds, () -> now));
+        return new AdaptiveSchedule(film, severalFirst, true, 0, new TimeBudget(seconds, () -> now));
     }
 }

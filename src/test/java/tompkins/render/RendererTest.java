@@ -210,25 +210,28 @@ class RendererTest {
         double whole = 0;
         double ended = 0;
         for (int attempt = 0; attempt < 4; attempt++) {
-            whole += secondsAfterFirstPass(plan, false);
-            ended += secondsAfterFirstPass(plan, true);
+            whole += secondsAfterCentres(plan, false);
+            ended += secondsAfterCentres(plan, true);
         }
         assertThat(ended).isLessThan(whole / 3);
     }
 
-    /** Processor time from the end of the first pass until the job has ended, or else the first tile of the second. */
-    private static double secondsAfterFirstPass(RenderPlan plan, boolean cancels) throws InterruptedException {
-        CountDownLatch firstPass = new CountDownLatch(1);
+    /**
+     * Processor time from when each pixel has a sample until the job has ended, or else the first tile of the next
+     * pass.
+     */
+    private static double secondsAfterCentres(RenderPlan plan, boolean cancels) throws InterruptedException {
+        CountDownLatch centres = new CountDownLatch(2);
         AtomicBoolean isOver = new AtomicBoolean();
         RenderListener listener = new RenderListener() {
             @Override
             public void passDone(RenderJob job) {
-                firstPass.countDown();
+                centres.countDown();
             }
 
             @Override
             public void tileDone(RenderJob job) {
-                isOver.set(firstPass.getCount() == 0);
+                isOver.set(centres.getCount() == 0);
             }
 
             @Override
@@ -238,7 +241,7 @@ class RendererTest {
         };
         try (Renderer renderer = new Renderer(2)) {
             RenderJob job = renderer.start(plan, new Quality.TargetError(1e-6), listener);
-            firstPass.await();
+            centres.await();
             return ProcessorTime.ofProcess(() -> {
                 if (cancels) {
                     job.cancel();

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -27,5 +29,12 @@ class NeedsDisplayTest {
         assertThatThrownBy(() -> NeedsDisplay.Condition.decide(false, "required"))
                 .isInstanceOf(AssertionError.class)
                 .hasMessageContaining("xvfb-run");
+    }
+
+    /** As after the connection of an ssh with forwarding has ended. */
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void aDisplayThatIsDeadIsNone() {
+        assertThat(DisplayProbe.answers(":4242")).isFalse();
     }
 }

@@ -20,7 +20,7 @@ import tompkins.studio.StudioPath;
 import tompkins.studio.View;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.widget.Numbers;
-import tompkins.world.SeenFrame;
+import tompkins.world.FrameAppearance;
 
 /** Finds out whether an object of the scene lies within the edges of the picture, and brings objects there. */
 final class InPicture {
@@ -62,7 +62,7 @@ final class InPicture {
     }
 
     private static boolean shows(Projection projection, FrameMotion motion, Vector3dc point) {
-        return projection.shows(projection.position(new SeenFrame(projection.studio(), motion), point));
+        return projection.shows(projection.position(new FrameAppearance(projection.studio(), motion), point));
     }
 
     private static SceneShapes alone(Studio studio, SceneObject object) {
@@ -113,7 +113,7 @@ final class InPicture {
         RenderPlan after = RenderPlan.of(studio.withScene(longer));
         Projection projection = Projection.of(studio);
         double changed = alone(studio, object).objects().stream()
-                        .map(part -> projection.position(new SeenFrame(studio, part.motion()), part.middle()))
+                        .map(part -> projection.position(new FrameAppearance(studio, part.motion()), part.middle()))
                         .filter(projection::shows)
                         .anyMatch(middle -> differ(before, after, middle.x(), middle.y()))
                 ? 1
@@ -149,7 +149,7 @@ final class InPicture {
         }
         FrameMotion motion = parts.get(0).motion();
         Vector3d middle = parts.get(0).middle();
-        Event wanted = new SeenFrame(studio, motion).fromCamera(ahead(studio, aside));
+        Event wanted = new FrameAppearance(studio, motion).fromCamera(ahead(studio, aside));
         Vector3d shift = ObjectShift.of(studio.withScene(List.of(object)), FIRST, FIRST, motion)
                 .bringing(new Event(middle.x, middle.y, middle.z, wanted.time()), null, 0, wanted);
         return object.shifted(Numbers.rounded(shift, 3));

@@ -19,7 +19,7 @@ import tompkins.primitive.Described;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.trace.Frame;
-import tompkins.trace.RayLife;
+import tompkins.trace.SampleHistory;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.ChoiceRow;
@@ -35,7 +35,7 @@ public final class RaySection extends Part {
 
     private final StudioModel model;
     private final Runnable unpin;
-    private final Consumer<Consumer<List<RayLife>>> cones;
+    private final Consumer<Consumer<List<SampleHistory>>> cones;
     private final Consumer<StudioPath> editor;
     private final StoryPane story = new StoryPane();
     private final DiagramPane diagram = new DiagramPane(DIAGRAM);
@@ -52,7 +52,7 @@ public final class RaySection extends Part {
     private final JButton drawCone = Buttons.of("ray.cone", this::drawCone);
 
     /** The pinned ray, if it has a life. */
-    private List<RayLife> rays = List.of();
+    private List<SampleHistory> rays = List.of();
 
     /** What is photographed in its picture; null if nothing is pinned. */
     private Studio studio;
@@ -67,7 +67,10 @@ public final class RaySection extends Part {
      * @param editor opens the editor for an object that the ray hit
      */
     public RaySection(
-            StudioModel model, Runnable unpin, Consumer<Consumer<List<RayLife>>> cones, Consumer<StudioPath> editor) {
+            StudioModel model,
+            Runnable unpin,
+            Consumer<Consumer<List<SampleHistory>>> cones,
+            Consumer<StudioPath> editor) {
         super(Rows.column());
         this.model = model;
         this.unpin = unpin;
@@ -102,7 +105,7 @@ public final class RaySection extends Part {
     public void show(PixelReading reading, String picture) {
         panel.setVisible(reading != null);
         // an unpinned ray must not keep its scene in memory
-        RayLife life = reading == null ? null : reading.sighting().life();
+        SampleHistory life = reading == null ? null : reading.sighting().life();
         rays = life == null ? List.of() : List.of(life);
         edit.setEnabled(object().isPresent());
         drawRay.setEnabled(RayTubes.canDraw(rays));
@@ -139,7 +142,7 @@ public final class RaySection extends Part {
         Set<Described> sought = Collections.newSetFromMap(new IdentityHashMap<>());
         return rays.stream()
                 .flatMap(ray -> ray.hits().stream())
-                .map(RayLife.Encounter::object)
+                .map(SampleHistory.Encounter::object)
                 .filter(sought::add)
                 .flatMap(object -> StudioPath.to(model.studio(), object).stream())
                 .findFirst();
@@ -159,7 +162,7 @@ public final class RaySection extends Part {
     }
 
     /** Draws rays in one step that can be undone. Their pixel shows the end of a rod now, and so is no more pinned. */
-    private void draw(String kind, List<RayLife> drawn) {
+    private void draw(String kind, List<SampleHistory> drawn) {
         String name = Texts.get("ray.drawn." + kind, pixel);
         unpin.run();
         model.set(RayTubes.addedTo(model.studio(), name, drawn));

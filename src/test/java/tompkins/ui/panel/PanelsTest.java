@@ -43,8 +43,8 @@ import tompkins.studio.Studios;
 import tompkins.studio.View;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.LorentzWindow;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 import tompkins.ui.Components;
 import tompkins.ui.compare.ComparePanel;
 import tompkins.ui.compare.Compared;
@@ -341,8 +341,8 @@ class PanelsTest {
         // it passes the middle at time 80, its light comes 10 later
         Components.enter(panel, "Opening time", "89");
         assertThat(model.studio().camera().shutter().openingTime()).isEqualTo(89);
-        RayLife before = RayLife.of(RenderPlan.of(studio), 320, 240, 0, 0);
-        RayLife now = RayLife.of(RenderPlan.of(model.studio()), 320, 240, 0, 0);
+        SampleHistory before = SampleHistory.of(RenderPlan.of(studio), 320, 240, 0, 0);
+        SampleHistory now = SampleHistory.of(RenderPlan.of(model.studio()), 320, 240, 0, 0);
         assertThat(before.end()).isNull();
         assertThat(now.end().object().description()).isEqualTo("sphere");
         assertThat(new SceneSize().times(studio).maximum()).isGreaterThanOrEqualTo(40);

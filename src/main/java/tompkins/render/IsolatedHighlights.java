@@ -17,7 +17,7 @@ import tompkins.trace.Cancellation;
  * own. What the specks of a region cover of their pixels says how many samples it takes to find such specks: one that
  * covers the share c of its pixel is missed by n samples with the probability exp(-c n).
  */
-final class Specks {
+final class IsolatedHighlights {
 
     /** What covers more of its pixel is found by a few samples. */
     private static final double LARGEST = 0.25;
@@ -35,9 +35,9 @@ final class Specks {
     private static final double ENOUGH = 4;
 
     /**
-     * Specks count as found, each in its pixel, once it is likely that as many as this are all found. Until then they
-     * count alike in all pixels of a region, which get the same samples. If only pixels with a speck that was found by
-     * luck got more, its light would be corrected, and that of the missed ones never found.
+     * IsolatedHighlights count as found, each in its pixel, once it is likely that as many as this are all found. Until
+     * then they count alike in all pixels of a region, which get the same samples. If only pixels with a speck that was
+     * found by luck got more, its light would be corrected, and that of the missed ones never found.
      */
     private static final int ALL_OF = 32;
 
@@ -68,7 +68,7 @@ final class Specks {
      * @param stopped whether they are no longer wanted
      * @throws java.util.concurrent.CancellationException if they are not
      */
-    Specks(Film film, PixelVariance pixels, BooleanSupplier stopped) {
+    IsolatedHighlights(Film film, PixelVariance pixels, BooleanSupplier stopped) {
         this.film = film;
         this.pixels = pixels;
         found = new BitSet(film.width() * film.height());

@@ -6,7 +6,7 @@ package tompkins.render;
  * took, and the next ones get more samples or fewer. A busy machine shows fewer pictures rather than blurred ones: they
  * get the samples that the greatest recent speed would allow, until they are good enough.
  */
-final class GlimpseBudget {
+final class PreviewBudget {
 
     /** With this many samples of a pixel a picture is good enough to be looked at. */
     private static final double GOOD_ENOUGH = 0.165;

@@ -1,7 +1,7 @@
 package tompkins.render;
 
 /** What the rendered parts of a picture have cost, and what the whole picture will therefore cost. */
-final class PartCosts {
+final class ForecastSamples {
 
     /** A time, in seconds, long enough that a pause of the machine hardly matters. */
     private static final double LONG_ENOUGH = 0.2;
