@@ -189,15 +189,6 @@ final class Menus {
             }
         }
         topics.values().forEach(examples::add);
-        List.of(examples, lessons).forEach(Menus::showAgain);
-    }
-
-    /** Shows a menu that is open in the size of its new items. */
-    private static void showAgain(JMenu menu) {
-        if (menu.isPopupMenuVisible()) {
-            menu.setPopupMenuVisible(false);
-            menu.setPopupMenuVisible(true);
-        }
     }
 
     private static JMenuItem add(JMenu topic, String title, Runnable action) {
@@ -359,7 +350,6 @@ final class Menus {
 
     private void showKeys() {
         KeyTable keys = new KeyTable(itemsWithKeys());
-        keys.fitInto(Messages.width(window.frame()));
         Messages.tell(window.frame(), Texts.get("menu.keys"), keys.component());
     }
 

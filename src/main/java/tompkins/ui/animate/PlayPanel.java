@@ -200,7 +200,7 @@ public final class PlayPanel extends Part {
     }
 
     private void showTime() {
-        value.setText(property().text().apply(model.studio()));
+        value.setText(property().text(model.studio()));
         scrubber.show(time);
     }
 

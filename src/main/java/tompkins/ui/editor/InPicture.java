@@ -2,7 +2,6 @@ package tompkins.ui.editor;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
@@ -64,23 +63,6 @@ final class InPicture {
 
     private static boolean shows(Projection projection, FrameMotion motion, Vector3dc point) {
         return projection.shows(projection.position(new FrameAppearance(projection.studio(), motion), point));
-    }
-
-    /** Whether no part of an object that is added to a studio lies in the picture; what hides it does not count. */
-    static boolean liesOutside(Studio studio, SceneObject object) {
-        Projection projection = Projection.of(studio);
-        return alone(studio, object).objects().stream().noneMatch(part -> reaches(projection, part))
-                && !isSeen(studio, object);
-    }
-
-    /** Whether a point of the box around a part lies in the picture. */
-    private static boolean reaches(Projection projection, SceneShapes.Thing part) {
-        Vector3d[] corners = part.bounds().corners();
-        FrameAppearance frame = new FrameAppearance(projection.studio(), part.motion());
-        return Stream.of(corners)
-                .flatMap(from -> Stream.of(corners)
-                        .map(to -> from.add(to, new Vector3d()).mul(0.5)))
-                .anyMatch(point -> projection.shows(projection.position(frame, point)));
     }
 
     private static SceneShapes alone(Studio studio, SceneObject object) {

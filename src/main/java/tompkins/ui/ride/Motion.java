@@ -98,18 +98,9 @@ public final class Motion {
 
     /** Pauses what moves by itself; false if nothing did. */
     public boolean pauseIfMoving() {
-        boolean moves = isMoving();
+        boolean moves = play != null && play.isPlaying() || pilot.isRiding();
         pause();
         return moves;
-    }
-
-    /** Whether something moves by itself. */
-    public boolean isMoving() {
-        return isPlaying() || pilot.isRiding();
-    }
-
-    private boolean isPlaying() {
-        return play != null && play.isPlaying();
     }
 
     private PlayPanel playPanel() {

@@ -64,7 +64,6 @@ public final class RidePanel extends Part {
             new JComboBox<>(RideKeyboard.common().toArray(RideKeyboard[]::new));
 
     private final Consumer<RideKeyboard> steerer;
-    private double told;
     private final Note keys = new Note("");
     private final Note note = new Note("");
 
@@ -143,15 +142,13 @@ public final class RidePanel extends Part {
         flown.run();
     }
 
-    /** Lists the rides of the scene: each challenge with the way to go, or with what became of it. */
+    /** Lists the rides of the scene: each challenge that was tried with what became of it. */
     private void offerRides() {
         JPopupMenu menu = new JPopupMenu();
         for (Ride offer : model.studio().rides()) {
             RideTask.Verdict verdict = pilot.task().verdict(offer);
-            String far = RideTask.distance(offer);
             JMenuItem item = new JMenuItem();
-            String end = verdict == null ? far : verdict.text();
-            item.setText(end.isEmpty() ? offer.name() : offer.name() + "   (" + end + ")");
+            item.setText(verdict == null ? offer.name() : offer.name() + "   (" + verdict.text() + ")");
             item.setName(offer.name());
             if (verdict != null) {
                 item.setForeground(colour(verdict));
@@ -198,7 +195,6 @@ public final class RidePanel extends Part {
     private void setUnits(double exact) {
         double rounded = NumberText.rounded(exact, 2);
         pilot.setUnitsPerSecond(rounded);
-        told = rounded;
         units.setText(Texts.get(rounded == 1 ? "ride.unit" : "ride.units", Numbers.brief(rounded)));
     }
 
@@ -208,10 +204,8 @@ public final class RidePanel extends Part {
         ride.setText(Texts.get(riding ? "ride.pause" : "ride.ride"));
         record.setSelected(pilot.isRecording());
         record.setText(Texts.get(pilot.isRecording() ? "ride.stopRecording" : "ride.record"));
-        if (pilot.unitsPerSecond() != told) {
-            light.show(pilot.unitsPerSecond());
-            setUnits(pilot.unitsPerSecond());
-        }
+        light.show(pilot.unitsPerSecond());
+        setUnits(pilot.unitsPerSecond());
         updateTask();
     }
 

@@ -149,17 +149,6 @@ public final class EntryField {
         }
     }
 
-    /** What the field showed before something was typed. */
-    public String displayed() {
-        return displayed;
-    }
-
-    /** Takes a text as if it had been typed. */
-    public void enter(String text) {
-        field.setText(text);
-        commit();
-    }
-
     /** Whether something was typed but not taken, because it was refused or is not finished. */
     public boolean isPending() {
         return isWrong() || !field.getText().equals(displayed);

@@ -17,7 +17,6 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.FocusDistance;
 import tompkins.camera.PanoramicCamera;
@@ -414,25 +413,6 @@ class PanelsTest {
         assertThat(compared.studio(now).camera().shutter())
                 .as("who wants the same may have it")
                 .isInstanceOf(shutter);
-    }
-
-    @ParameterizedTest
-    @EnumSource(names = {"AT_REST", "GALILEAN_CAMERA", "UNCHANGED_COLOURS", "MEASURED"})
-    void theSamePictureTwiceIsSaidToBe(ComparePanel.Other other) {
-        Studio moving = Studios.lattice().withVelocity(Velocity.of(0, 0, 0.5));
-        ComparePanel panel = comparePanel();
-        compareWith(panel, other);
-        Container shown = (Container) panel.component();
-        model.set(moving.withColours(ColourLaw.DOPPLER));
-        assertThat(Components.notes(shown)).containsExactly(Texts.get("compare.splitHint"));
-        model.set(
-                switch (other) {
-                    case AT_REST -> moving.withVelocity(Velocity.of(SpeedScale.BETA, 0, new Vector3d(0, 1, 0)));
-                    case MEASURED -> moving.withView(View.MEASURED);
-                    case GALILEAN_CAMERA -> moving.withTransformation(TransformationLaw.GALILEAN);
-                    default -> moving.withColours(ColourLaw.UNCHANGED);
-                });
-        assertThat(Components.notes(shown)).containsExactly("Both pictures are the same.");
     }
 
     @Test

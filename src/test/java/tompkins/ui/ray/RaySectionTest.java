@@ -127,6 +127,15 @@ class RaySectionTest {
     private static Picture picture(Studio studio) {
         LinearImage image = new LinearImage(64, 48, new float[3 * 64 * 48]);
         return new Picture(
-                studio, RenderPlan.of(studio), image, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
+                studio,
+                RenderPlan.of(studio),
+                image,
+                null,
+                true,
+                Duration.ZERO,
+                1,
+                Double.NaN,
+                List.of(),
+                Picture.Flaw.NONE);
     }
 }

@@ -9,8 +9,11 @@ import tompkins.spacetime.SpaceTimeTransformation;
 /** An iris in the aperture that opens from its centre. */
 @Meaning("An iris in the plane of the aperture that opens from its centre")
 public record IrisShutter(
-        @Meaning(value = "Time at which the centre opens", unit = "time") double openingTime,
-        @Meaning("Time by which a point opens later that lies one scene unit farther out, 0 or more") double delay)
+        @Meaning(value = "Time at which the centre opens", unit = "time")
+        double openingTime,
+
+        @Meaning("Time by which a point opens later that lies one scene unit farther out, 0 or more")
+        double delay)
         implements AddedShutter {
 
     /** Opens in a tenth of a time unit for each scene unit. */

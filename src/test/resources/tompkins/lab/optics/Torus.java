@@ -14,10 +14,19 @@ import tompkins.surface.Surface;
 @Meaning("A ring with a round tube; u runs once around its axis, v once around the tube, both from 0 to 1")
 public record Torus(
         @Meaning("Name of the object") String description,
-        @Meaning(value = "Centre", unit = "length", place = true) Vector3dc centre,
-        @Meaning("Vector along the axis, of any length but 0") Vector3dc axis,
-        @Meaning(value = "Radius of the line in the middle of the tube", unit = "length") double radius,
-        @Meaning(value = "Radius of the tube, below that of the ring", unit = "length") double tubeRadius,
+
+        @Meaning(value = "Centre", unit = "length", place = true)
+        Vector3dc centre,
+
+        @Meaning("Vector along the axis, of any length but 0")
+        Vector3dc axis,
+
+        @Meaning(value = "Radius of the line in the middle of the tube", unit = "length")
+        double radius,
+
+        @Meaning(value = "Radius of the tube, below that of the ring", unit = "length")
+        double tubeRadius,
+
         @Meaning("What it looks like") Surface surface)
         implements AddedObject {
 

@@ -56,7 +56,8 @@ final class TorusShape extends Primitive {
         };
         // where the ray starts on the torus, that root is divided out
         boolean again = ray.boundary == this;
-        for (double root : roots(again ? divided(torus, start) : torus, again ? start : Math.max(start, -reach), reach)) {
+        for (double root :
+                roots(again ? divided(torus, start) : torus, again ? start : Math.max(start, -reach), reach)) {
             if (root > start && root - start <= limit) {
                 return root - start;
             }
