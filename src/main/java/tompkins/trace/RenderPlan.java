@@ -61,7 +61,6 @@ public final class RenderPlan {
     private final World world;
     private final FrameRoutes routes;
     private final ObjectTree cameraFrame;
-
     /** The medium around the lens, if it need not be known how it moves there; null otherwise, and in vacuum. */
     private final Medium lensMedium;
 
