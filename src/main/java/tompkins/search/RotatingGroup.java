@@ -25,7 +25,7 @@ import tompkins.surface.Shadow;
 final class RotatingGroup extends Primitive {
 
     /** The most pieces of a ray; beyond this they get longer, and more is missed. */
-    private static final int MOST_CHORDS = 1 << 18;
+    private static final int MOST_CHORDS = 1 << 12;
 
     /** The most surfaces with gaps for light that are examined one behind the other. */
     private static final int MOST_PASSED = 1000;
