@@ -72,6 +72,7 @@ class ArchitectureTest {
             "io",
             "animation",
             "study",
+            "lab",
             "ui.widget",
             "ui.model",
             "ui.file",

@@ -38,7 +38,8 @@ class RoomSizeTest {
                 arguments("lesson, measure, animation", 5_071),
                 arguments("io, app", 8_284),
                 arguments("study", 3_410),
-                arguments("ui", 21_122));
+                arguments("ui", 21_122),
+                arguments("lab", 400));
     }
 
     @ParameterizedTest

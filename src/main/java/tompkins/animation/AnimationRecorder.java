@@ -27,14 +27,12 @@ import tompkins.studio.Studio;
  * @param film the sequence
  * @param caption what is written into each photograph
  * @param decorations what is drawn over the photograph of a studio
- * @param sameNoise whether all have the seed of the scene; otherwise that of a frame is larger by its number
  * @param threads number of threads, 1 or more
  */
 public record AnimationRecorder(
         FrameSequence film,
         FrameSequence.Caption caption,
         Function<Studio, PictureDecoration> decorations,
-        boolean sameNoise,
         int threads) {
 
     /** What a folder has under the name of a frame: nothing or a damaged picture; the same frame; or anything else. */
@@ -119,10 +117,11 @@ public record AnimationRecorder(
         return warnings;
     }
 
+    /** The seed of a frame is that of the scene, larger by its number. */
     private Studio moment(int frame) {
         Studio studio = film.studio(frame);
         RenderSettings settings = studio.settings();
-        return sameNoise ? studio : studio.withSettings(settings.withSeed(settings.seed() + frame));
+        return studio.withSettings(settings.withSeed(settings.seed() + frame));
     }
 
     private FramePicture painted(RenderJob photograph, Studio moment, int frame) {

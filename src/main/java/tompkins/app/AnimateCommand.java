@@ -35,6 +35,7 @@ import tompkins.property.InvalidPropertyException;
 import tompkins.property.MistakeException;
 import tompkins.property.Require;
 import tompkins.render.Quality;
+import tompkins.render.Renderer;
 import tompkins.studio.RideLeg;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
@@ -109,17 +110,11 @@ final class AnimateCommand extends ProgramCommand {
     @Option(names = "--back", description = "go back to the first value in the same time, so that it can run in a loop")
     private boolean back;
 
-    @Option(names = "--same-noise", description = "one seed; else that of picture k is larger by k")
-    private boolean sameNoise;
-
     @Option(names = "--caption", description = "write beta, gamma and the number into the pictures")
     private boolean captioned;
 
     @Mixin
     private FrameOptions frames;
-
-    @Option(names = "--list", description = "print the number of frames, and take none")
-    private boolean listed;
 
     @Option(
             names = "--assemble",
@@ -141,15 +136,11 @@ final class AnimateCommand extends ProgramCommand {
         }
         Studio studio = options.read(scene, quality.assignments());
         Recording recording = ride.isGiven() ? ofRide(ride.start(studio, scene)) : ofNumber(studio);
-        if (listed) {
-            out().println(frames.choose(recording.film.frames()).frames().size());
-            return 0;
-        }
         if (captioned) {
             Fonts.require();
         }
         AnimationRecorder recorder = new AnimationRecorder(
-                recording.film, recording.caption, moment -> PictureDecoration.NONE, sameNoise, threads.number());
+                recording.film, recording.caption, moment -> PictureDecoration.NONE, threads.number());
         Set<String> warnings = new LinkedHashSet<>(requirePossible(recording.film));
         if (frames.areGiven()) {
             requireFolder();
@@ -168,7 +159,7 @@ final class AnimateCommand extends ProgramCommand {
         } else if (scene == null) {
             throw needed("SCENE: scene file, or saved photograph");
         }
-        if (output == null && !listed) {
+        if (output == null) {
             throw needed("--output=FILE: the animation, or a folder for its frames");
         }
     }
@@ -352,7 +343,7 @@ final class AnimateCommand extends ProgramCommand {
         Photographer.info(first, scene);
         RenderPlan begin = ScenePlan.of(first, scene);
         RenderPlan end = ScenePlan.of(last, begin, scene);
-        Photographer.requireMemory(first.settings(), Quality.of(first));
+        Renderer.requireMemory(first.settings(), Quality.of(first));
         return Stream.of(begin, end)
                 .flatMap(plan -> new Explanation(plan).warnings().stream())
                 .toList();

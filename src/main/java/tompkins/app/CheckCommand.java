@@ -13,6 +13,7 @@ import tompkins.io.StudioWriter;
 import tompkins.measure.LessonStudio;
 import tompkins.property.MistakeException;
 import tompkins.render.Quality;
+import tompkins.render.Renderer;
 import tompkins.studio.Studio;
 
 /** Looks for mistakes in scene files, and for damage in saved photographs. */
@@ -46,7 +47,7 @@ final class CheckCommand extends ProgramCommand {
                 StudioWriter.notes(studio).forEach(note -> err().println(scene + ": note: " + note));
                 requireWhatIsTaught(studio);
                 Photographer.info(studio, scene);
-                Photographer.requireMemory(studio.settings(), Quality.of(studio));
+                Renderer.requireMemory(studio.settings(), Quality.of(studio));
                 if (!scene.equals(StudioReader.PIPE)) {
                     PhotographFile.requireWhole(scene);
                 }

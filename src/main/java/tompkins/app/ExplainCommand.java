@@ -36,7 +36,7 @@ final class ExplainCommand extends ProgramCommand {
         RenderPlan plan = ScenePlan.of(studio, scene);
         // everything that may be refused comes before the first word
         Quality wish = quality.of(studio);
-        Photographer.requireMemory(studio.settings(), wish);
+        Renderer.requireMemory(studio.settings(), wish);
         out().println(studio.title());
         studio.remarks().lines().forEach(out()::println);
         new Explanation(plan).sentences().forEach(sentence -> out().println("- " + sentence));

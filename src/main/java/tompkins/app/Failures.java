@@ -113,6 +113,9 @@ final class Failures {
         if (mistake.getCause() instanceof TypeConversionException refused) {
             ArgSpec argument = mistake.getArgSpec();
             String name = argument instanceof OptionSpec option ? option.longestName() : argument.paramLabel();
+            if (argument.arity().max() == 0) {
+                return name + " takes no value";
+            }
             String refusal = refused.getMessage();
             return name
                     + (refusal.startsWith("must") ? " " : ": ")

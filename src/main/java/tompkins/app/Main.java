@@ -2,25 +2,22 @@ package tompkins.app;
 
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
-import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import picocli.CommandLine;
+import tompkins.property.Descriptions;
 import tompkins.property.MistakeException;
+import tompkins.sceneobject.SceneObject;
+import tompkins.shutter.Shutter;
+import tompkins.surface.Surface;
 import tompkins.ui.Displays;
 import tompkins.ui.TompkinsWindow;
 
 /** Starts the program: a command line with its sub-commands, or the window. */
 public final class Main {
-
-    /** What a command says that computes for a while, after so many seconds. */
-    static final String SLOW = "note: this takes a while; Ctrl-C stops it";
-
-    private static final int PATIENCE = 2;
 
     private Main() {}
 
@@ -30,25 +27,17 @@ public final class Main {
      */
     public static void main(String[] arguments) {
         giveHome();
+        readAddedTypes();
         if (TompkinsCommand.isNamedBy(arguments)) {
             // no command shows anything, and a display that is set but dead would be an error
             System.setProperty("java.awt.headless", "true");
-            if (TompkinsCommand.takesPhotograph(arguments)) {
-                Rehearsal.begin();
-            }
         } else if (TompkinsCommand.opensWindow(arguments) && Displays.usable()) {
             TompkinsWindow.prepare();
-            if (opensAtOnce(arguments)) {
-                return;
-            }
         }
         // help keeps to the width of the terminal
         System.setProperty("picocli.usage.width", "AUTO");
         WatchedStream out = new WatchedStream(new FileOutputStream(FileDescriptor.out));
         PrintWriter err = printer(System.err);
-        if (TompkinsCommand.isQuiet(arguments)) {
-            CompletableFuture.delayedExecutor(PATIENCE, TimeUnit.SECONDS).execute(() -> err.println(SLOW));
-        }
         int code = run(printer(out), err, Displays::usable, arguments);
         if (out.failure() != null) {
             code = Failures.reportLostOutput(out.failure(), err, code);
@@ -69,17 +58,13 @@ public final class Main {
         }
     }
 
-    /**
-     * Opens the window, if it can, without the command line, for a scene that is right or for none: this saves a tenth
-     * of a second of the start.
-     */
-    private static boolean opensAtOnce(String... arguments) {
+    /** Reads the types that other jars add, before any argument: what is wrong with one ends the program. */
+    private static void readAddedTypes() {
         try {
-            TompkinsCommand.openWindow(arguments.length == 0 ? null : NamedFile.of(arguments[0]));
-            return true;
-        } catch (IOException | MistakeException | OutOfMemoryError wrong) {
-            // the command line reports it
-            return false;
+            Stream.of(Surface.class, SceneObject.class, Shutter.class).forEach(Descriptions::members);
+        } catch (MistakeException wrong) {
+            System.err.println(wrong.getMessage());
+            System.exit(Failures.MISTAKE);
         }
     }
 

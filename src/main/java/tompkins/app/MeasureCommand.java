@@ -60,12 +60,6 @@ final class MeasureCommand extends ProgramCommand {
                     + " on the edge between 3 and 4")
     private List<String> pixels = new ArrayList<>();
 
-    @Option(
-            names = "--count",
-            paramLabel = "N",
-            description = "number of points of a profile, 2 to 10000; default: one for each pixel on its way")
-    private Long count;
-
     @Mixin
     private TextOutput output;
 
@@ -101,12 +95,6 @@ final class MeasureCommand extends ProgramCommand {
             throw new MistakeException(kind + " needs " + kind.fewest()
                     + (kind.most() == kind.fewest() ? "" : " or more") + " --pixel, was " + pixels.size());
         }
-        if (count != null && kind != MeasureKind.PROFILE) {
-            throw new MistakeException("--count is for a profile; leave it out of " + what);
-        }
-        if (count != null && (count < 2 || count > Profile.MOST)) {
-            throw new MistakeException("--count must be from 2 to " + Profile.MOST + ", was " + count);
-        }
     }
 
     private static Vector2dc point(String pixel, RenderSettings settings) {
@@ -124,7 +112,7 @@ final class MeasureCommand extends ProgramCommand {
         List<Vector2dc> points = pixels.stream()
                 .map(pixel -> point(pixel, plan.studio().settings()))
                 .toList();
-        int number = count == null ? Profile.count(points.get(0), points.get(1)) : count.intValue();
+        int number = kind == MeasureKind.PROFILE ? Profile.count(points.get(0), points.get(1)) : 0;
         try {
             return Measurements.measure(plan, kind, points, number, () -> true);
         } catch (ArithmeticException noFit) {

@@ -8,8 +8,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.ForkJoinPool;
-import java.util.concurrent.ForkJoinTask;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
@@ -25,7 +23,6 @@ import tompkins.io.StudioWriter;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.MistakeException;
 import tompkins.property.NumberText;
-import tompkins.render.CostForecast;
 import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderReport;
@@ -57,12 +54,6 @@ final class Photographer implements AutoCloseable {
             }
         }
     }
-
-    /** Who waits longer for the first tile of a picture is told what the whole will take. */
-    private static final double PATIENCE = 1;
-
-    /** Larger pictures are safe on the disk before the estimate of their error takes memory. */
-    private static final long MOST_REPORTED_EARLY = 1 << 19;
 
     private final PrintWriter out;
     private final PrintWriter err;
@@ -129,7 +120,7 @@ final class Photographer implements AutoCloseable {
         Path target = order.target;
         boolean isPiped = target.equals(OutputOption.PIPE);
         if (isPiped) {
-            requireMemory(studio.settings(), order.quality);
+            Renderer.requireMemory(studio.settings(), order.quality);
         } else {
             requirePossible(order, mayReplace);
         }
@@ -142,10 +133,6 @@ final class Photographer implements AutoCloseable {
         ToneCurve curve = studio.settings().toneCurve();
         RenderSettings kept = kept(job, order);
         PhotographInfo info = kept == studio.settings() ? before : info(studio.withSettings(kept), order.scene);
-        // the other processors have nothing to do while the file is written
-        ForkJoinTask<RenderReport> early = studio.settings().pixels() <= MOST_REPORTED_EARLY
-                ? ForkJoinPool.commonPool().submit(job::report)
-                : null;
         if (isPiped) {
             OutputOption.toPipe(out -> PhotographFile.encode(out, job.image(), order.format, curve, info));
         }
@@ -153,8 +140,7 @@ final class Photographer implements AutoCloseable {
                 ? target
                 : PhotographFile.write(target, job.image(), order.format, curve, info, mayReplace.getAsBoolean());
         ScenePlan.warn(plan, err);
-        RenderReport report = early == null ? job.report() : early.join();
-        report(place, report, studio.view());
+        report(place, job.report(), studio.view());
         if (order.quality instanceof Quality.TimeLimit) {
             err.println("note: taken again it has " + samples(kept.samples()) + " of each pixel");
         }
@@ -191,36 +177,13 @@ final class Photographer implements AutoCloseable {
         progress.clear();
     }
 
-    /** Renders a picture. Where no tile is done for a while, it begins again with an estimate of the time. */
     private RenderJob traced(RenderPlan plan, Quality quality) throws InterruptedException {
         try (Renderer renderer = new Renderer(threads)) {
             progress.begin("tracing rays");
-            RenderJob job = begun(renderer, plan, quality);
-            if (job == null) {
-                progress.begin("tracing rays, to estimate how long all of them take");
-                Optional<CostForecast> forecast = CostForecast.of(plan, quality, renderer);
-                progress.begin("tracing rays: "
-                        + forecast.map(CostForecast::duration).orElse("too long to predict") + " in all");
-                job = renderer.start(plan, quality, progress);
-            }
+            RenderJob job = renderer.start(plan, quality, progress);
             job.await();
             return job;
         }
-    }
-
-    /** A picture that has begun; null if somebody waits for its first tile in vain, and then its memory is free. */
-    private RenderJob begun(Renderer renderer, RenderPlan plan, Quality quality) throws InterruptedException {
-        RenderJob job = renderer.start(plan, quality, progress);
-        if (!progress.watched() || quality instanceof Quality.TimeLimit) {
-            return job;
-        }
-        job.await(PATIENCE);
-        if (job.isComplete() || job.samples() > 0) {
-            return job;
-        }
-        job.cancel();
-        job.await();
-        return null;
     }
 
     /** Names the files of a scene that are too large to travel inside its photographs. */
@@ -239,7 +202,7 @@ final class Photographer implements AutoCloseable {
         if (!mayReplace.getAsBoolean()) {
             requireFree(order.target);
         }
-        requireMemory(order.studio.settings(), order.quality);
+        Renderer.requireMemory(order.studio.settings(), order.quality);
         requireWritable(order.target);
     }
 
@@ -277,22 +240,6 @@ final class Photographer implements AutoCloseable {
             return SelfDescription.of(studio);
         } catch (InvalidPropertyException tooLong) {
             throw new MistakeException(scene + ": the " + tooLong.getMessage());
-        }
-    }
-
-    /** Refuses pictures that the memory of this Java machine cannot hold, before any time is spent on them. */
-    static void requireMemory(RenderSettings settings, Quality quality) {
-        long needed = Renderer.bytesOfMemory(settings, quality);
-        long most = Runtime.getRuntime().maxMemory();
-        if (needed > most) {
-            throw new MistakeException(String.format(
-                    Locale.ROOT,
-                    "a picture of %d x %d pixels needs about %d MB of memory, and Java may use %d MB;"
-                            + " take a smaller --size, or start java with a larger -Xmx",
-                    settings.width(),
-                    settings.height(),
-                    needed >> 20,
-                    most >> 20));
         }
     }
 

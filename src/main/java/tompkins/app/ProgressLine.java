@@ -3,12 +3,9 @@ package tompkins.app;
 import java.io.Console;
 import java.io.PrintWriter;
 import java.util.Locale;
-import java.util.function.Supplier;
 import tompkins.render.Progress;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderListener;
-import tompkins.study.StudyKind;
-import tompkins.study.StudyPoint;
 
 /** One line on a terminal that says what is being done, how far a picture or an animation is, and how long it takes. */
 final class ProgressLine implements RenderListener, Progress {
@@ -49,11 +46,6 @@ final class ProgressLine implements RenderListener, Progress {
         }
     }
 
-    /** Whether somebody at a terminal looks on. */
-    boolean watched() {
-        return watched;
-    }
-
     /** Says at once what is being done; the time that is left counts from here. */
     synchronized void begin(String doing) {
         start = System.nanoTime();
@@ -63,40 +55,17 @@ final class ProgressLine implements RenderListener, Progress {
 
     @Override
     public synchronized void tileDone(RenderJob job) {
-        show(
-                job.progress(),
-                () -> String.format(Locale.ROOT, "%.2f million camera rays/s   ", job.samples() / seconds() / 1e6));
+        setProgress(job.progress());
     }
 
     @Override
     public synchronized void setProgress(double share) {
-        show(share, () -> "");
-    }
-
-    private void show(double progress, Supplier<String> speed) {
         long now = System.nanoTime();
         if (watched && now - last >= INTERVAL_NANOS) {
             last = now;
-            double left = seconds() * (1 - progress) / Math.max(progress, 1e-9);
-            show(String.format(Locale.ROOT, "%3.0f %%   %s%.0f s left", 100 * progress, speed.get(), left));
+            double left = (now - start) / 1e9 * (1 - share) / Math.max(share, 1e-9);
+            show(String.format(Locale.ROOT, "%3.0f %%   %.0f s left", 100 * share, left));
         }
-    }
-
-    private double seconds() {
-        return (System.nanoTime() - start) / 1e9;
-    }
-
-    /** A measurement of a study is made, or was known; {@code done} of {@code count} are. */
-    synchronized void measured(StudyKind kind, StudyPoint point, int done, int count) {
-        show(String.format(
-                Locale.ROOT,
-                "%s %d/%d: %s, %s, %.6g",
-                kind,
-                done,
-                count,
-                point.problem(),
-                point.method(),
-                point.setting()));
     }
 
     @Override

@@ -9,16 +9,12 @@ import tompkins.io.StudioReader;
 import tompkins.measure.LessonStudio;
 import tompkins.measure.UnseenObjects;
 import tompkins.property.MistakeException;
-import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.TouchingSurfaces;
 
 /** Plans the pictures and lessons of scene files. */
 final class ScenePlan {
-
-    /** A tree of so many primitives takes a second. */
-    private static final double MANY = 1e6;
 
     private ScenePlan() {}
 
@@ -32,16 +28,8 @@ final class ScenePlan {
         return StudioReader.used(scene, () -> RenderPlan.of(studio, before));
     }
 
-    /**
-     * The warnings of a scene that is checked: many objects get no tree for that, unless rays of flashes are followed.
-     */
+    /** The warnings of a scene that is checked. */
     static List<String> checked(Studio studio, Path scene) {
-        double primitives =
-                studio.scene().stream().mapToDouble(SceneObject::primitiveCount).sum();
-        RenderPlan plain = primitives < MANY ? null : StudioReader.used(scene, () -> RenderPlan.plain(studio));
-        if (plain != null && !plain.hasFlashes()) {
-            return new Explanation(plain).warnings();
-        }
         RenderPlan plan = of(studio, scene);
         List<String> warnings = warnings(plan);
         warnings.addAll(new TouchingSurfaces(plan).rivals());

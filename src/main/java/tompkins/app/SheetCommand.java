@@ -15,6 +15,7 @@ import tompkins.measure.LessonResult;
 import tompkins.measure.LessonStudio;
 import tompkins.render.PhotographTaker;
 import tompkins.render.Quality;
+import tompkins.render.Renderer;
 import tompkins.studio.Studio;
 
 /** Makes sheets of lessons, to be printed. */
@@ -57,7 +58,7 @@ final class SheetCommand extends ProgramCommand {
             for (Path page : List.of(output, LessonSheet.answersOf(output))) {
                 Photographer.requirePlace(page, force, NamedFile.ofScene(studio, scene));
             }
-            Photographer.requireMemory(studio.settings(), Quality.of(studio));
+            Renderer.requireMemory(studio.settings(), Quality.of(studio));
             lessons.add(ScenePlan.lesson(studio, scene));
         }
         for (Path page : LessonSheet.save(sheets(lessons), output, force)) {

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
@@ -158,7 +159,15 @@ final class StudyCommand extends ProgramCommand {
             for (Trial trial : trials) {
                 StudyPoint point = trial.measure();
                 measured.add(point);
-                report.measured(kind, point, measured.size(), trials.size());
+                report.begin(String.format(
+                        Locale.ROOT,
+                        "%s %d/%d: %s, %s, %.6g",
+                        kind,
+                        measured.size(),
+                        trials.size(),
+                        point.problem(),
+                        point.method(),
+                        point.setting()));
             }
             new StudyData(StudyData.Origin.here(kind, study, SelfDescription.program()), measured).write(file);
             report.clear();

@@ -5,11 +5,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
-import java.util.Collections;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.function.BooleanSupplier;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -39,9 +36,6 @@ final class TompkinsCommand extends ProgramCommand {
     static final String NAME = "tompkins";
 
     private static final String RENDER = "render";
-
-    /** Commands that compute without telling how far they are. */
-    private static final Set<String> QUIET = Set.of("check", "explain", "trace", "measure");
 
     /** The commands by name, in the order in which the help lists them. */
     private static final Map<String, Class<?>> COMMANDS = new LinkedHashMap<>();
@@ -94,21 +88,9 @@ final class TompkinsCommand extends ProgramCommand {
         return commandLine(() -> false, "");
     }
 
-    /** Whether some arguments call a command that computes without telling how far it is. */
-    static boolean isQuiet(String... arguments) {
-        return isNamedBy(arguments) && QUIET.contains(arguments[0]);
-    }
-
     /** Whether some arguments call one of the commands, none of which opens a window. */
     static boolean isNamedBy(String... arguments) {
         return arguments.length > 0 && COMMANDS.containsKey(arguments[0]);
-    }
-
-    /** Whether some arguments ask for photographs of scenes, and not for help. */
-    static boolean takesPhotograph(String... arguments) {
-        return arguments.length > 1
-                && arguments[0].equals(RENDER)
-                && Collections.disjoint(List.of(arguments), List.of("-h", "--help"));
     }
 
     /** Whether some arguments ask for a window, provided that there is nothing wrong with them; quickly decided. */
@@ -116,37 +98,22 @@ final class TompkinsCommand extends ProgramCommand {
         return arguments.length == 0 || arguments.length == 1 && !isNamedBy(arguments) && !arguments[0].startsWith("-");
     }
 
-    /**
-     * Opens a window with the first scene of the program.
-     *
-     * @param problem a message that the window shows; empty if there is none
-     * @throws IOException if the program comes without its scenes
-     */
-    static void openWindow(String problem) throws IOException {
-        openWindow(FirstScene.ofProgram(BundledScenes.firstStudio(), problem));
-    }
-
-    private static void openWindow(FirstScene first) {
-        TompkinsWindow.open(first, BundledScenes::studios);
-    }
-
-    /**
-     * Opens a window with a scene file, or with the first scene of the program if that is null.
-     *
-     * @throws MistakeException if it cannot be read
-     * @throws IOException if the program comes without its scenes
-     */
-    static void openWindow(Path file) throws IOException {
-        if (file == null) {
-            openWindow("");
-        } else {
-            openWindow(new FirstScene(StudioReader.read(file), file));
+    /** The scene of the window; a file that cannot be read is reported there, because there may be no console. */
+    private FirstScene firstScene() throws IOException {
+        try {
+            return scene == null
+                    ? FirstScene.ofProgram(BundledScenes.firstStudio(), "")
+                    : new FirstScene(StudioReader.read(scene), scene);
+        } catch (MistakeException mistakes) {
+            return withProblem(mistakes.getMessage());
+        } catch (OutOfMemoryError tooMuch) {
+            return withProblem(Failures.memoryMessage(scene));
         }
     }
 
-    private void openWithProblem(String problem) throws IOException {
+    private FirstScene withProblem(String problem) throws IOException {
         problem.lines().forEach(err()::println);
-        openWindow(problem);
+        return FirstScene.ofProgram(BundledScenes.firstStudio(), problem);
     }
 
     /** What is wrong with a word in the place of a command or a scene. */
@@ -171,14 +138,7 @@ final class TompkinsCommand extends ProgramCommand {
             throw new MistakeException(unknownWord(scene.toString(), COMMANDS.keySet()));
         }
         if (hasDisplay) {
-            // the window reports a file that cannot be read, because there may be no console
-            try {
-                openWindow(scene);
-            } catch (MistakeException mistakes) {
-                openWithProblem(mistakes.getMessage());
-            } catch (OutOfMemoryError tooMuch) {
-                openWithProblem(Failures.memoryMessage(scene));
-            }
+            TompkinsWindow.open(firstScene(), BundledScenes::studios);
             return Failures.WINDOW_IS_OPEN;
         }
         err().println("There is no display: taking the photograph instead of opening the window.");

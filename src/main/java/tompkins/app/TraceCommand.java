@@ -11,7 +11,6 @@ import picocli.CommandLine.Parameters;
 import tompkins.io.FactCsv;
 import tompkins.io.FactJson;
 import tompkins.io.FactText;
-import tompkins.measure.RayCone;
 import tompkins.measure.RayHistory;
 import tompkins.measure.RayTable;
 import tompkins.measure.RayTubes;
@@ -19,8 +18,8 @@ import tompkins.measure.Sighting;
 import tompkins.property.MistakeException;
 import tompkins.property.Require;
 import tompkins.studio.Studio;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** Traces rays and tells their histories. */
 @Command(
@@ -81,13 +80,6 @@ final class TraceCommand extends ProgramCommand {
                             + " frame, a ball at each hit")
     private Path drawn;
 
-    @Option(
-            names = "--cone",
-            paramLabel = "N",
-            description = "with --draw: draw N rays around that of each pixel instead, through the edge of a wide lens,"
-                    + " or around a pinhole's pixel")
-    private Long cone;
-
     @Mixin
     private TextOutput output;
 
@@ -104,16 +96,6 @@ final class TraceCommand extends ProgramCommand {
                     "--pupil must lie in the unit disc, such as --pupil=" + PUPIL_EXAMPLE + ", was " + pupil);
         }
         MistakeException.inOption("--moment", () -> Require.within("moment", moment, 0.0, 1.0));
-        if (cone != null && drawn == null) {
-            throw new MistakeException("--cone needs --draw, which says where the rays are drawn");
-        }
-        if (cone != null) {
-            MistakeException.inOption("--cone", () -> Require.within("cone", cone, 1, MOST_AROUND));
-            if (lens[0] != 0 || lens[1] != 0) {
-                throw new MistakeException(
-                        "--cone takes rays through the edge of the lens: leave --pupil out, was " + pupil);
-            }
-        }
         output.check(studio, scene);
         if (drawn != null) {
             NamedFile.requireEnding(drawn, "scene", ".json");
@@ -130,11 +112,9 @@ final class TraceCommand extends ProgramCommand {
     }
 
     private void draw(RenderPlan plan, PixelChoice choice, double[] lens) throws IOException {
-        List<RayLife> rays = choice.stream()
-                .flatMap(place -> cone == null
-                        ? Stream.ofNullable(
-                                follow(plan, place[0], place[1], lens).life())
-                        : RayCone.around(plan, place[0] + 0.5, place[1] + 0.5, cone.intValue(), moment).stream())
+        List<SampleHistory> rays = choice.stream()
+                .flatMap(place ->
+                        Stream.ofNullable(follow(plan, place[0], place[1], lens).life()))
                 .toList();
         if (!RayTubes.canDraw(rays)) {
             throw new MistakeException("--draw: none of these rays enters the scene");
@@ -146,7 +126,7 @@ final class TraceCommand extends ProgramCommand {
     private Sighting follow(RenderPlan plan, int column, int row, double[] lens) {
         double x = column + 0.5;
         double y = row + 0.5;
-        return new Sighting(plan.studio(), x, y, RayLife.of(plan, x, y, lens[0], lens[1], moment));
+        return new Sighting(plan.studio(), x, y, SampleHistory.of(plan, x, y, lens[0], lens[1], moment));
     }
 
     private Stream<String> lines(Stream<Sighting> sightings, boolean single) {

@@ -1,7 +1,7 @@
 package tompkins.camera;
 
 /**
- * The concentric map of the unit square to the unit disc (Shirley and Chiu 1997): it keeps shares of the area, and
+ * The concentric map of the unit square to the unit disc (Shirley and Chiu 1997): it keeps fractions of the area, and
  * squares stay compact.
  */
 public final class ConcentricMap {

@@ -11,8 +11,8 @@ import tompkins.light.Pulse;
 import tompkins.light.RestingLight;
 import tompkins.property.NumberText;
 import tompkins.trace.FlashSight;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 import tompkins.world.LitSpan;
 
 /** Says what flash lamps do in a picture, and when something in it is lit. */
@@ -77,7 +77,7 @@ public final class Flashes {
 
     /** The flashes at all hits of rays that are spread over the picture. */
     private Stream<FlashSight> tried() {
-        return plan.hasFlashes() ? RayLife.hits(plan, TRIED).flatMap(hit -> hit.flashes().stream()) : Stream.empty();
+        return SampleHistory.hits(plan, TRIED).flatMap(hit -> hit.flashes().stream());
     }
 
     private boolean isLit(FlashSight sight) {
@@ -93,7 +93,7 @@ public final class Flashes {
     }
 
     private List<FlashSight> middle() {
-        RayLife life = plan.hasFlashes() ? plan.middleLife() : null;
+        SampleHistory life = plan.hasFlashes() ? plan.middleLife() : null;
         return life == null || life.end() == null ? List.of() : life.end().flashes();
     }
 

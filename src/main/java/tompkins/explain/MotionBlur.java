@@ -6,8 +6,8 @@ import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.View;
 import tompkins.trace.Frame;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /**
  * How far what is seen moves across the picture while the shutter is open. A point moves with its object; the place in
@@ -37,16 +37,16 @@ final class MotionBlur {
     double length(int column, int row) {
         double x = column + 0.5;
         double y = row + 0.5;
-        RayLife life = at(x, y, 0.5);
+        SampleHistory life = at(x, y, 0.5);
         if (life == null || plan.width() < 2 || plan.height() < 2) {
             return Double.NaN;
         }
-        RayLife.Encounter seen = life.end();
+        SampleHistory.Encounter seen = life.end();
         if (seen == null || seen.frame() == Frame.CAMERA) {
             return 0;
         }
         // the first hit in the scene: mirrors and glass bend what comes after it
-        RayLife.Encounter first = life.mainHits().stream()
+        SampleHistory.Encounter first = life.mainHits().stream()
                 .filter(hit -> hit.frame() == Frame.SCENE)
                 .findFirst()
                 .orElse(seen);
@@ -72,8 +72,8 @@ final class MotionBlur {
                 (columns * ofRows - mixed * ofColumns) / determinant);
     }
 
-    private RayLife at(double x, double y, double moment) {
-        return RayLife.way(plan, x, y, 0, 0, moment);
+    private SampleHistory at(double x, double y, double moment) {
+        return SampleHistory.way(plan, x, y, 0, 0, moment);
     }
 
     /** The velocity in the scene of what rests in a frame; NaN where light is not that of relativity. */
@@ -90,7 +90,7 @@ final class MotionBlur {
      * How far a ray, followed backwards with the speed of light, passes by a point that was at an event and has a
      * velocity; NaN if the ray does not come to the scene.
      */
-    private static Vector3d miss(RayLife life, Event event, Vector3d velocity) {
+    private static Vector3d miss(SampleHistory life, Event event, Vector3d velocity) {
         if (life == null || life.sceneStart() == null) {
             return new Vector3d(Double.NaN);
         }

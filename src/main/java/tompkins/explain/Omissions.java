@@ -4,19 +4,19 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.AmbientLight;
 import tompkins.light.PointLight;
+import tompkins.property.Descriptions;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.studio.Studio;
-import tompkins.surface.ColourFilter;
-import tompkins.surface.ComplexRefraction;
-import tompkins.surface.ConfocalLensletArray;
+import tompkins.surface.Clear;
 import tompkins.surface.Continuation;
 import tompkins.surface.FrameWindow;
-import tompkins.surface.IdealLens;
-import tompkins.surface.Mirror;
+import tompkins.surface.Shadow;
 import tompkins.surface.Surface;
 import tompkins.trace.RenderPlan;
 
@@ -81,28 +81,29 @@ final class Omissions {
     }
 
     private void addLenses(List<String> sentences) {
-        if (has(ComplexRefraction.class::isInstance)) {
-            sentences.add("Sheets with a complex ratio of indices turn light and do nothing else to it: no wave optics"
-                    + " stands behind them, no light is delayed, and they mirror no part of what passes.");
-        }
-        if (has(part -> part instanceof ConfocalLensletArray || part instanceof IdealLens)) {
-            sentences.add("Lenslets and ideal lenses turn light and do nothing else to it: no wave optics stands behind"
-                    + " them, and no light is delayed, although a real lens delays what passes its middle.");
+        String turning = Stream.concat(inScene.stream(), beforeLens.stream())
+                .flatMap(Surface::parts)
+                .filter(part -> !part.keepsPhase() && !(part instanceof FrameWindow))
+                .map(part -> Descriptions.name(part.getClass()))
+                .distinct()
+                .sorted()
+                .collect(Collectors.joining(", "));
+        if (!turning.isEmpty()) {
+            sentences.add("Some surfaces turn light and do nothing else to it: " + turning
+                    + ". A wave would be delayed there, and a part of it mirrored.");
         }
     }
 
     private void addLight(List<String> sentences) {
         boolean isLit = !inScene.isEmpty() || !beforeLens.isEmpty();
-        boolean hasLamps = studio.lights().stream().anyMatch(PointLight.class::isInstance);
-        if (isLit && hasLamps) {
+        if (isLit && studio.lights().stream().anyMatch(PointLight.class::isInstance)) {
             sentences.add("Lamps do not get fainter with distance.");
-            if (has(part -> part.continuation() == Continuation.TURNED && !(part instanceof Mirror)
-                    || part instanceof ColourFilter)) {
+            if (has(part -> part.shadow() == Shadow.NEVER && !(part instanceof Clear))) {
                 sentences.add("Filters, glass and windows throw no shadow and do not tint the light of lamps.");
             }
         }
-        boolean hasAmbientLight = studio.lights().stream().anyMatch(AmbientLight.class::isInstance);
-        if (isLit && hasAmbientLight && studio.shiftsColours() && studio.hasMotion()) {
+        boolean shifts = isLit && studio.shiftsColours() && studio.hasMotion();
+        if (shifts && studio.lights().stream().anyMatch(AmbientLight.class::isInstance)) {
             sentences.add(
                     "Ambient light is the same in every frame, as if moving objects brought their surroundings along.");
         }

@@ -20,6 +20,7 @@ import tompkins.io.JsonValue.JsonNumber;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.JsonText;
 import tompkins.io.JsonValue.Member;
+import tompkins.property.AddedTypes;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Colour;
@@ -146,7 +147,8 @@ final class DescriptionReader {
         problems.add(
                 type.value(),
                 path,
-                "unknown type " + type.value().shown() + "; allowed are " + String.join(", ", names) + hint);
+                "unknown type " + type.value().shown() + "; allowed are " + String.join(", ", names)
+                        + AddedTypes.withJars() + hint);
         return null;
     }
 

@@ -32,17 +32,17 @@ final class DescriptionTypes {
             PicturePoint.class);
 
     private static final ClassValue<List<String>> MEMBER_NAMES =
-            Descriptions.kept(family -> Descriptions.members(family).stream()
+            Descriptions.cachedPerClass(family -> Descriptions.members(family).stream()
                     .<String>map(Descriptions::name)
                     .toList());
 
-    private static final ClassValue<List<String>> KEYS = Descriptions.kept(type ->
+    private static final ClassValue<List<String>> KEYS = Descriptions.cachedPerClass(type ->
             Descriptions.components(type).stream().map(RecordComponent::getName).toList());
 
     private static final ClassValue<Boolean> IS_FAMILY =
-            Descriptions.kept(type -> type.isInterface() && type.isSealed());
+            Descriptions.cachedPerClass(type -> type.isInterface() && type.isSealed());
 
-    private static final ClassValue<Optional<Class<?>>> USUAL_MEMBER = Descriptions.kept(family ->
+    private static final ClassValue<Optional<Class<?>>> USUAL_MEMBER = Descriptions.cachedPerClass(family ->
             Descriptions.members(family).stream().filter(USUAL::contains).findFirst());
 
     private DescriptionTypes() {}

@@ -7,7 +7,7 @@ import org.joml.Vector3d;
 /**
  * Cuts faces into triangles. Seen from its first corner most faces are a fan, which takes a time that grows with their
  * corners. The others are laid flat, along their mean normal, and their ears are clipped by a library. A face that
- * crosses itself has no triangles that cover it, and is not cut.
+ * crosses itself has no triangles that cover it, and is not cut; one that touches itself may not be, either.
  */
 final class FaceTriangulation {
 
@@ -16,9 +16,6 @@ final class FaceTriangulation {
 
     /** The most corners of a face that is no fan: clipping ears may take a time that grows with their square. */
     static final int MOST_CORNERS = 10_000;
-
-    /** If a face touches itself, the library may need to begin at another corner; so many are tried. */
-    private static final int MOST_TO_TRY = 64;
 
     /** The share of the area that may be missed: far more than by rounding, far less than if something is wrong. */
     private static final double COVERED = 1e-9;
@@ -51,7 +48,7 @@ final class FaceTriangulation {
     /**
      * Cuts the face whose corners are in a part of an array.
      *
-     * @return false if that is not possible: it crosses itself, or has dents and too many corners
+     * @return false if that is not possible: it crosses or touches itself, or has dents and too many corners
      */
     boolean add(int[] corners, int from, int to) {
         int size = to - from;
@@ -78,29 +75,17 @@ final class FaceTriangulation {
         triangles[count++] = third;
     }
 
-    /** The corners seen from the first, in a unit that makes the largest coordinate 1, so that no product overflows. */
+    /** The corners seen from the first. */
     private Vector3d[] positions(int[] corners, int from, int to) {
         Vector3d[] positions = new Vector3d[to - from];
-        double size = 0;
         for (int i = 0; i < positions.length; i++) {
-            // halves: the difference of two numbers may be larger than any number
-            positions[i] = half(corners[from + i]).sub(half(corners[from]));
-            size = Math.max(size, largest(positions[i]));
-        }
-        if (size > 0) {
-            for (Vector3d position : positions) {
-                position.set(position.x / size, position.y / size, position.z / size);
-            }
+            positions[i] = position(corners[from + i]).sub(position(corners[from]));
         }
         return positions;
     }
 
-    private Vector3d half(int vertex) {
-        return new Vector3d(vertices[3 * vertex], vertices[3 * vertex + 1], vertices[3 * vertex + 2]).mul(0.5);
-    }
-
-    private static double largest(Vector3d vector) {
-        return Math.abs(vector.get(vector.maxComponent()));
+    private Vector3d position(int vertex) {
+        return new Vector3d(vertices[3 * vertex], vertices[3 * vertex + 1], vertices[3 * vertex + 2]);
     }
 
     /** Twice the area of the face as a vector that points to where its corners run counter-clockwise. */
@@ -146,10 +131,7 @@ final class FaceTriangulation {
     }
 
     private boolean addConcave(int from, double[] flat) {
-        int[] cut = ears(flat, 0);
-        for (int start = 1; start < Math.min(MOST_TO_TRY, flat.length / 2) && !covers(cut, flat); start++) {
-            cut = ears(flat, start);
-        }
+        int[] cut = Earcut.earcut(flat).stream().mapToInt(Integer::intValue).toArray();
         if (!covers(cut, flat)) {
             return false;
         }
@@ -158,15 +140,6 @@ final class FaceTriangulation {
             addTriangle(from + cut[i], from + cut[swapped ? i + 2 : i + 1], from + cut[swapped ? i + 1 : i + 2]);
         }
         return true;
-    }
-
-    private static int[] ears(double[] flat, int start) {
-        double[] turned = new double[flat.length];
-        System.arraycopy(flat, 2 * start, turned, 0, flat.length - 2 * start);
-        System.arraycopy(flat, 0, turned, flat.length - 2 * start, 2 * start);
-        return Earcut.earcut(turned).stream()
-                .mapToInt(corner -> (corner + start) % (flat.length / 2))
-                .toArray();
     }
 
     /** Whether triangles together are as large as their face. */

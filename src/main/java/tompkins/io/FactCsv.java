@@ -1,6 +1,7 @@
 package tompkins.io;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import tompkins.measure.Fact;
@@ -55,7 +56,7 @@ public final class FactCsv {
     }
 
     private static String number(double value) {
-        return Double.isFinite(value) ? FactJson.digits(value) : "";
+        return Objects.toString(FactJson.digits(value), "");
     }
 
     private static String cell(String text) {

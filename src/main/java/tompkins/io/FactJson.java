@@ -1,54 +1,33 @@
 package tompkins.io;
 
-import java.io.StringWriter;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Iterator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import tompkins.measure.Fact;
 import tompkins.measure.Quantity;
-import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.ObjectWriteContext;
-import tools.jackson.core.json.JsonFactory;
-import tools.jackson.core.util.DefaultPrettyPrinter;
 
 /** Facts as JSON for other programs: numbers with 17 significant digits; those that are not finite are null. */
 public final class FactJson {
 
     private static final MathContext DIGITS = new MathContext(17);
 
-    private static final ObjectWriteContext INDENTED = new ObjectWriteContext.Base() {
-        @Override
-        public DefaultPrettyPrinter getPrettyPrinter() {
-            return new DefaultPrettyPrinter();
-        }
-    };
-
-    private final StringWriter text = new StringWriter();
-    private final JsonGenerator json = new JsonFactory().createGenerator(INDENTED, text);
-
     private FactJson() {}
 
     /** An object with the values of facts under their keys; null if there are none. */
     public static String values(List<Fact> facts) {
-        FactJson writer = new FactJson();
-        if (Fact.forPrograms(facts).findAny().isPresent()) {
-            writer.writeObject(facts);
-        } else {
-            writer.json.writeNull();
-        }
-        return writer.end();
+        boolean isEmpty = Fact.forPrograms(facts).findAny().isEmpty();
+        return JsonLayout.text(isEmpty ? null : object(facts, FactJson::value));
     }
 
     /** As {@link #values}, but each number is an object of its own, with its unit and its uncertainty. */
     public static String measured(List<Fact> facts) {
-        FactJson writer = new FactJson();
-        writer.json.writeStartObject();
-        Fact.forPrograms(facts).forEach(writer::writeMeasured);
-        writer.json.writeEndObject();
-        return writer.end();
+        return JsonLayout.text(object(facts, FactJson::measured));
     }
 
     /** The lines of a list of values; each value is asked for when its turn comes. */
@@ -63,65 +42,45 @@ public final class FactJson {
                 before -> each.hasNext() ? each.next() + (each.hasNext() ? "," : "]") : null);
     }
 
-    /** A finite number with 17 significant digits. */
-    static String digits(double value) {
-        return new BigDecimal(value).round(DIGITS).toString();
+    /** A number with 17 significant digits; null if it is not finite. */
+    static BigDecimal digits(double value) {
+        return Double.isFinite(value) ? new BigDecimal(value).round(DIGITS) : null;
     }
 
-    private String end() {
-        json.close();
-        return text.toString();
+    private static Map<String, Object> object(List<Fact> facts, Function<Fact, Object> value) {
+        Map<String, Object> members = new LinkedHashMap<>();
+        Fact.forPrograms(facts).forEach(fact -> members.put(fact.key(), value.apply(fact)));
+        return members;
     }
 
-    private void writeObject(List<Fact> facts) {
-        json.writeStartObject();
-        Fact.forPrograms(facts).forEach(fact -> {
-            json.writeName(fact.key());
-            writeValue(fact);
-        });
-        json.writeEndObject();
+    private static Object measured(Fact fact) {
+        if (!(fact instanceof Quantity quantity)) {
+            return value(fact);
+        }
+        Map<String, Object> members = new LinkedHashMap<>();
+        members.put("value", digits(quantity.value()));
+        members.put("uncertainty", digits(quantity.uncertainty()));
+        members.put("unit", quantity.unit());
+        return members;
     }
 
-    private void writeMeasured(Fact fact) {
-        json.writeName(fact.key());
+    private static Object value(Fact fact) {
         if (fact instanceof Quantity quantity) {
-            json.writeStartObject();
-            json.writeName("value");
-            write(quantity.value());
-            json.writeName("uncertainty");
-            write(quantity.uncertainty());
-            json.writeStringProperty("unit", quantity.unit());
-            json.writeEndObject();
-        } else {
-            writeValue(fact);
+            return digits(quantity.value());
         }
-    }
-
-    private void writeValue(Fact fact) {
-        if (fact instanceof Quantity quantity) {
-            write(quantity.value());
-        } else if (fact instanceof Fact.Vector vector) {
-            json.writeStartArray();
-            vector.values().forEach(this::write);
-            json.writeEndArray();
-        } else if (fact instanceof Fact.Word word) {
-            json.writeString(word.text());
-        } else if (fact instanceof Fact.Flag flag) {
-            json.writeBoolean(flag.value());
-        } else if (fact instanceof Fact.Group group) {
-            writeObject(group.facts());
-        } else if (fact instanceof Fact.Items items) {
-            json.writeStartArray();
-            Fact.forPrograms(items.groups()).forEach(this::writeValue);
-            json.writeEndArray();
+        if (fact instanceof Fact.Vector vector) {
+            return vector.values().stream().map(FactJson::digits).toList();
         }
-    }
-
-    private void write(double value) {
-        if (Double.isFinite(value)) {
-            json.writeNumber(digits(value));
-        } else {
-            json.writeNull();
+        if (fact instanceof Fact.Word word) {
+            return word.text();
         }
+        if (fact instanceof Fact.Flag flag) {
+            return flag.value();
+        }
+        return fact instanceof Fact.Group group
+                ? object(group.facts(), FactJson::value)
+                : Fact.forPrograms(((Fact.Items) fact).groups())
+                        .map(FactJson::value)
+                        .toList();
     }
 }

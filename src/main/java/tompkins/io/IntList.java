@@ -2,35 +2,21 @@ package tompkins.io;
 
 import java.util.Arrays;
 
-/** Whole numbers from -1 upwards that become more. They take no memory as long as all are -1. */
+/** Whole numbers that become more. */
 final class IntList {
 
-    private static final int SMALLEST = 64;
-
-    /** Empty as long as all numbers are -1. */
-    private int[] numbers = {};
-
+    private int[] numbers = new int[64];
     private int size;
 
     void add(int number) {
-        if (number >= 0 || hasOthers()) {
-            if (size >= numbers.length) {
-                int[] more = Arrays.copyOf(numbers, Math.max(SMALLEST, 2 * size));
-                Arrays.fill(more, numbers.length, more.length, -1);
-                numbers = more;
-            }
-            numbers[size] = number;
+        if (size == numbers.length) {
+            numbers = Arrays.copyOf(numbers, 2 * size);
         }
-        size++;
+        numbers[size++] = number;
     }
 
     int get(int index) {
-        return hasOthers() ? numbers[index] : -1;
-    }
-
-    /** Whether there is another number than -1. */
-    boolean hasOthers() {
-        return numbers.length > 0;
+        return numbers[index];
     }
 
     int size() {
@@ -38,10 +24,6 @@ final class IntList {
     }
 
     int[] toArray() {
-        int[] all = Arrays.copyOf(numbers, size);
-        if (!hasOthers()) {
-            Arrays.fill(all, -1);
-        }
-        return all;
+        return Arrays.copyOf(numbers, size);
     }
 }

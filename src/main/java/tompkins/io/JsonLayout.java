@@ -20,7 +20,7 @@ public final class JsonLayout {
     /**
      * The text of a value.
      *
-     * @param value a map with texts as keys, a list, a text, a number or a truth value
+     * @param value a map with texts as keys, a list, a text, a number, a truth value or null
      */
     static String text(Object value) {
         return text(value, 0);
@@ -50,7 +50,7 @@ public final class JsonLayout {
         if (value instanceof Double number) {
             return NumberText.of(number);
         }
-        return value instanceof String text ? quoted(text) : value.toString();
+        return value instanceof String text ? quoted(text) : String.valueOf(value);
     }
 
     private static String bracketed(String open, List<String> parts, String close, int indent) {

@@ -64,7 +64,10 @@ final class JsonParsing {
                     "(was expecting|expected a valid value) \\(JSON String.*",
                     "expected a text in quotes, a number, true, false, a list [ ] or an object { }"),
             Map.entry(": (enable|hexadecimal) .*| \\([^()]*\\[Source: .*| \\(code \\d+\\)", ""),
-            Map.entry("\\(\\(CTRL-CHAR, (code \\d+)\\)\\)", "($1)"));
+            Map.entry("\\(\\(CTRL-CHAR, (code \\d+)\\)\\)", "($1)"),
+            Map.entry(
+                    "(?s)^(.* numeric value.*|Unexpected character \\('[.+xX]'\\).*)",
+                    "$1; a number is written like 0.5, -2 or 1e-9"));
 
     private static final String NEEDED =
             "a scene file (JSON, an object in braces { ... }) or a photograph saved by this program is needed";

@@ -237,7 +237,7 @@ final class MeshFaces {
                         "a face of " + size + " corners "
                                 + (size > FaceTriangulation.MOST_CORNERS
                                         ? "has dents; such a face may have at most " + FaceTriangulation.MOST_CORNERS
-                                        : "crosses itself")
+                                        : "crosses or touches itself")
                                 + "; cut it into triangles");
             }
             start = ends.get(face);
@@ -313,9 +313,6 @@ final class MeshFaces {
 
     /** The numbers at the corners of the triangles: -1 where there are none; empty if all are. */
     private int[] usable(IntList numbers, double[] values, int count, String key) {
-        if (!numbers.hasOthers()) {
-            return new int[0];
-        }
         int[] usable = new int[cut.length];
         boolean some = false;
         for (int i = 0; i < cut.length; i++) {

@@ -126,11 +126,10 @@ final class ObjStatements {
 
     /** Blanks of all kinds, including those of typesetters; other control characters part no words. */
     private static boolean isBlank(char letter) {
-        return letter == ' ' || letter >= '\t' && letter <= '\r' || letter >= NEXT_LINE && isFarBlank(letter);
-    }
-
-    private static boolean isFarBlank(char letter) {
-        return letter == NEXT_LINE || Character.isSpaceChar(letter);
+        return letter == ' '
+                || letter >= '\t' && letter <= '\r'
+                || letter == NEXT_LINE
+                || Character.isSpaceChar(letter);
     }
 
     /** Goes to the next word of the statement; false after the last one. */

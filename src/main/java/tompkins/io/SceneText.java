@@ -109,23 +109,18 @@ final class SceneText {
 
     /** What is wrong with a text in UTF-16 or UTF-32, which some editors call Unicode; empty if it is in neither. */
     static Optional<String> wrongEncoding(byte[] content) {
-        String encoding = isUtf32(content) ? "UTF-32" : isUtf16(content) ? "UTF-16" : null;
-        return Optional.ofNullable(encoding)
-                .map(wrong -> "must be text in the encoding UTF-8, is in " + wrong + "; save it again as UTF-8");
-    }
-
-    /** Of the four bytes of a letter or a mark the first two or the last two are zeros. */
-    private static boolean isUtf32(byte[] content) {
-        return content.length >= 4 && (content[0] | content[1]) == 0 ^ (content[2] | content[3]) == 0;
-    }
-
-    /** It is marked so, or has zeros in it. */
-    private static boolean isUtf16(byte[] content) {
         if (content.length < 2) {
-            return false;
+            return Optional.empty();
         }
+        // it is marked so, or has zeros in it
         int first = (content[0] & 0xff) << Byte.SIZE | content[1] & 0xff;
-        return first == BYTE_ORDER_MARK || first == BYTE_ORDER_MARK_TURNED || content[0] == 0 ^ content[1] == 0;
+        boolean isWrong = first == BYTE_ORDER_MARK
+                || first == BYTE_ORDER_MARK_TURNED
+                || first >> Byte.SIZE == 0
+                || (first & 0xff) == 0;
+        return isWrong
+                ? Optional.of("must be text in the encoding UTF-8, is in UTF-16 or UTF-32; save it again as UTF-8")
+                : Optional.empty();
     }
 
     private String decoded(byte[] content) throws CharacterCodingException {

@@ -9,6 +9,7 @@ import tompkins.camera.PanoramicCamera;
 import tompkins.camera.StereoLayout;
 import tompkins.image.Panorama;
 import tompkins.image.PhotographInfo;
+import tompkins.property.AddedTypes;
 import tompkins.property.OneLine;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
@@ -45,9 +46,9 @@ public final class SelfDescription {
                 : Optional.empty();
     }
 
-    /** Name and version of the program. */
+    /** Name and version of the program, and of the jars that add types to it. */
     public static String program() {
-        return "Tompkins " + version();
+        return "Tompkins " + version() + AddedTypes.withJars();
     }
 
     /** The version of the program, such as 1.2.0. */

@@ -4,13 +4,12 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Collections;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import tompkins.file.FileException;
@@ -37,48 +36,33 @@ public final class StudioWriter {
 
     /**
      * The text of a scene file that holds its pictures and small meshes, and so can be read anywhere. It only names
-     * large meshes, and the largest pictures if all together would be too long for a photograph.
+     * large meshes, and all files if together they would be too long for a photograph.
      */
     public static String writeSelfContained(Studio studio) {
-        Set<String> named = new LinkedHashSet<>();
-        Map<String, Long> held = new HashMap<>();
-        String bare = text(studio, noting(named, held));
-        if (held.isEmpty()) {
-            return bare;
-        }
-        chooseNamed(bare, named, held);
-        return text(studio, content -> isKept(content) && !named.contains(content.name()));
+        return text(studio, heldInPhotographs(studio));
     }
 
     /** The names of the files that {@link #writeSelfContained} only names; each once. */
     public static List<String> filesOnlyNamed(Studio studio) {
         Set<String> named = new LinkedHashSet<>();
-        Map<String, Long> held = new HashMap<>();
-        Map<String, Object> members = members(studio, noting(named, held));
-        if (!held.isEmpty()) {
-            chooseNamed(text(members), named, held);
-        }
+        Predicate<FileContent> held = heldInPhotographs(studio);
+        members(studio, content -> {
+            if (!held.test(content)) {
+                named.add(content.name());
+            }
+            return false;
+        });
         return List.copyOf(named);
     }
 
-    /** Embeds nothing, and notes the names of large files, and of the others with the length that they would take. */
-    private static Predicate<FileContent> noting(Set<String> named, Map<String, Long> held) {
-        return notingLarge(content -> named.add(content.name()), content -> {
-            held.merge(content.name(), lengthInside(content), Long::sum);
+    private static Predicate<FileContent> heldInPhotographs(Studio studio) {
+        LongAdder length = new LongAdder();
+        String bare = text(studio, content -> {
+            length.add(isKept(content) ? lengthInside(content) : 0);
             return false;
         });
-    }
-
-    /** Moves the largest files to those that are only named, until the others fit into a photograph. */
-    private static void chooseNamed(String bare, Set<String> named, Map<String, Long> held) {
-        long length = bare.length()
-                + held.values().stream().mapToLong(Long::longValue).sum();
-        while (length > PhotographInfo.LONGEST_SCENE && !held.isEmpty()) {
-            String largest = Collections.max(held.entrySet(), Map.Entry.comparingByValue())
-                    .getKey();
-            length -= held.remove(largest);
-            named.add(largest);
-        }
+        boolean fits = bare.length() + length.sum() <= PhotographInfo.LONGEST_SCENE;
+        return content -> isKept(content) && (fits || content.name().isEmpty());
     }
 
     /** The names of the pictures and meshes of a studio, as scene files write them; each once. */

@@ -102,12 +102,12 @@ final class BlackBodyColours {
             return Colour.BLACK;
         }
         int before = (int) Math.min(place, ENTRIES - 2.0);
-        double share = Math.min(1, place - before);
+        double fraction = Math.min(1, place - before);
         double beyond = Math.max(0, place - (ENTRIES - 1)) / STEPS_PER_UNIT;
         Vector3d amounts = SHARES.transform(new Vector3d(light.red(), light.green(), light.blue()));
         double logEdge = Math.log(edgeFactor);
         Vector3d sum = TwoShifts.colour(before, logEdge, amounts)
-                .lerp(TwoShifts.colour(before + 1, logEdge, amounts), share)
+                .lerp(TwoShifts.colour(before + 1, logEdge, amounts), fraction)
                 .mul(Math.exp(beyond));
         return new Colour(Math.max(0, sum.x), Math.max(0, sum.y), Math.max(0, sum.z));
     }
@@ -156,8 +156,8 @@ final class BlackBodyColours {
             return entry(ENTRIES - 1, row, light) * Math.exp(beyond / STEPS_PER_UNIT);
         }
         int before = (int) place;
-        double share = place - before;
-        return (1 - share) * entry(before, row, light) + share * entry(before + 1, row, light);
+        double fraction = place - before;
+        return (1 - fraction) * entry(before, row, light) + fraction * entry(before + 1, row, light);
     }
 
     private static double entry(int place, int row, Colour light) {
@@ -224,12 +224,12 @@ final class BlackBodyColours {
         return 1 / Math.expm1(exponent / wavelength);
     }
 
-    /** The share of a wavelength that belongs to the middle or the long waves. */
+    /** The fraction of a wavelength that belongs to the middle or the long waves. */
     static double aboveFirst(double wavelength) {
         return above(FIRST_EDGE, wavelength);
     }
 
-    /** The share of a wavelength that belongs to the long waves. */
+    /** The fraction of a wavelength that belongs to the long waves. */
     static double aboveSecond(double wavelength) {
         return above(SECOND_EDGE, wavelength);
     }

@@ -20,14 +20,14 @@ final class LampShiftTable {
     /** For each edge factor the three channels of what lies above the first edge, then of that above the second. */
     private static final int NUMBERS = 6;
 
-    /** A share of a band that is nearer to 0 or 1 counts as 0 or 1. */
+    /** A fraction of a band that is nearer to 0 or 1 counts as 0 or 1. */
     private static final double NO_SHARE = 1e-9;
 
     private final List<BlackBodyColours.SpectralPoint> spectrum;
     private final int stepsPerUnit;
     private final int edgeEntries;
 
-    // for each edge factor and wavelength the share above the first edge, and above the second
+    // for each edge factor and wavelength the fraction above the first edge, and above the second
     private final double[] aboveFirst;
     private final double[] aboveSecond;
     private final AtomicReferenceArray<double[]> rows;
@@ -74,13 +74,17 @@ final class LampShiftTable {
         }
         double place = Math.max(0, Math.min(edgeEntries - 1, (logEdgeFactor - LEAST_EDGE) * stepsPerUnit));
         int before = NUMBERS * (int) Math.min(place, edgeEntries - 2);
-        double share = place - before / NUMBERS;
-        first.set(between(row, before, share), between(row, before + 1, share), between(row, before + 2, share));
-        second.set(between(row, before + 3, share), between(row, before + 4, share), between(row, before + 5, share));
+        double fraction = place - before / NUMBERS;
+        first.set(
+                between(row, before, fraction), between(row, before + 1, fraction), between(row, before + 2, fraction));
+        second.set(
+                between(row, before + 3, fraction),
+                between(row, before + 4, fraction),
+                between(row, before + 5, fraction));
     }
 
-    private static double between(double[] row, int before, double share) {
-        return (1 - share) * row[before] + share * row[before + NUMBERS];
+    private static double between(double[] row, int before, double fraction) {
+        return (1 - fraction) * row[before] + fraction * row[before + NUMBERS];
     }
 
     private double[] row(double temperatureFactor) {
@@ -105,20 +109,22 @@ final class LampShiftTable {
         return row;
     }
 
-    /** What lies above an edge: all from where its share is 1, and what the edge leaves of the wavelengths before. */
+    /**
+     * What lies above an edge: all from where its fraction is 1, and what the edge leaves of the wavelengths before.
+     */
     private static void sum(
-            double[] red, double[] green, double[] blue, double[] shares, int from, double[] row, int place) {
+            double[] red, double[] green, double[] blue, double[] fractions, int from, double[] row, int place) {
         int whole = red.length - 1;
-        while (whole > 0 && shares[from + whole - 1] > 1 - NO_SHARE) {
+        while (whole > 0 && fractions[from + whole - 1] > 1 - NO_SHARE) {
             whole--;
         }
         double sumRed = red[whole];
         double sumGreen = green[whole];
         double sumBlue = blue[whole];
-        for (int i = whole - 1; i >= 0 && shares[from + i] > NO_SHARE; i--) {
-            sumRed += (red[i] - red[i + 1]) * shares[from + i];
-            sumGreen += (green[i] - green[i + 1]) * shares[from + i];
-            sumBlue += (blue[i] - blue[i + 1]) * shares[from + i];
+        for (int i = whole - 1; i >= 0 && fractions[from + i] > NO_SHARE; i--) {
+            sumRed += (red[i] - red[i + 1]) * fractions[from + i];
+            sumGreen += (green[i] - green[i + 1]) * fractions[from + i];
+            sumBlue += (blue[i] - blue[i + 1]) * fractions[from + i];
         }
         row[place] = sumRed;
         row[place + 1] = sumGreen;

@@ -29,8 +29,8 @@ import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
 import tompkins.studio.StudioPath;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /**
  * Measures the measurements of lessons in the picture of one studio. It only follows rays, which takes milliseconds.
@@ -157,7 +157,7 @@ public final class Experiment {
         };
     }
 
-    private static RayLife.Encounter seen(Sighting sighting) {
+    private static SampleHistory.Encounter seen(Sighting sighting) {
         if (sighting.hit() == null) {
             throw new InvalidPropertyException("point", "where an object is seen", "one where none is");
         }

@@ -8,9 +8,9 @@ import org.joml.Vector3dc;
 import tompkins.property.InvalidPropertyException;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.SpaceTimeTransformation;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
-import tompkins.world.SeenFrame;
+import tompkins.trace.SampleHistory;
+import tompkins.world.FrameAppearance;
 
 /** The ways of one pixel's light through the rim of the lens, and where in the scene they pass the point in focus. */
 final class LensWays {
@@ -32,12 +32,12 @@ final class LensWays {
     static double spread(RenderPlan plan, Vector2dc pixel) {
         Vector3dc focus = meeting(life(plan, pixel, 0, 0), life(plan, pixel, 1, 0));
         SpaceTimeTransformation sceneFromCamera = plan.studio().sceneFromCamera();
-        SeenFrame scene = new SeenFrame(plan.studio(), null);
+        FrameAppearance scene = new FrameAppearance(plan.studio(), null);
         Projection projection = Projection.at(plan.studio(), pixel);
         List<Vector2dc> passed = new ArrayList<>();
         for (int i = 0; i < RIM_POINTS; i++) {
             double angle = 2 * Math.PI * i / RIM_POINTS;
-            RayLife life = life(plan, pixel, Math.cos(angle), Math.sin(angle));
+            SampleHistory life = life(plan, pixel, Math.cos(angle), Math.sin(angle));
             Vector3d fromLens = focus.sub(life.cameraStart().position(), new Vector3d());
             double way = fromLens.dot(life.cameraDirection());
             Event passing = new Event(
@@ -56,12 +56,12 @@ final class LensWays {
                 .orElseThrow();
     }
 
-    private static RayLife life(RenderPlan plan, Vector2dc pixel, double lensX, double lensY) {
+    private static SampleHistory life(RenderPlan plan, Vector2dc pixel, double lensX, double lensY) {
         return Sighting.required(plan, pixel, lensX, lensY).life();
     }
 
     /** The point of the chief ray that is nearest to another ray. */
-    private static Vector3dc meeting(RayLife chief, RayLife other) {
+    private static Vector3dc meeting(SampleHistory chief, SampleHistory other) {
         Vector3dc a = chief.cameraDirection();
         Vector3dc b = other.cameraDirection();
         Vector3d across = b.sub(a.mul(a.dot(b), new Vector3d()), new Vector3d());

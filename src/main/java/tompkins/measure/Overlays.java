@@ -26,7 +26,7 @@ import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.trace.Frame;
 import tompkins.trace.RenderPlan;
-import tompkins.world.SeenFrame;
+import tompkins.world.FrameAppearance;
 
 /**
  * Works out what is drawn over a picture, by formulas: for the centre of the lens, in the middle of the exposure, with
@@ -60,8 +60,8 @@ public final class Overlays {
     private final SceneShapes shapes;
     private final RenderPlan plan;
     private final Studio studio;
-    private final Map<FrameMotion, SeenFrame> frames = new HashMap<>();
-    private final SeenFrame scene;
+    private final Map<FrameMotion, FrameAppearance> frames = new HashMap<>();
+    private final FrameAppearance scene;
 
     /** Overlays of the picture of a projection, with the shapes of its scene and its plan. */
     public Overlays(Projection projection, SceneShapes shapes, RenderPlan plan) {
@@ -69,7 +69,7 @@ public final class Overlays {
         this.shapes = shapes;
         this.plan = plan;
         studio = projection.studio();
-        scene = new SeenFrame(studio, null);
+        scene = new FrameAppearance(studio, null);
     }
 
     /** One of them. */
@@ -79,8 +79,8 @@ public final class Overlays {
         switch (kind) {
             case OUTLINES -> addOutlines(drawing, this::frame);
             case LINES -> addLines(drawing, this::frame);
-            case AT_REST -> addGhost(drawing, motion -> SeenFrame.atRest(studio, motion));
-            case MEASURED -> addGhost(drawing, motion -> new SeenFrame(studio, motion, View.MEASURED));
+            case AT_REST -> addGhost(drawing, motion -> FrameAppearance.atRest(studio, motion));
+            case MEASURED -> addGhost(drawing, motion -> new FrameAppearance(studio, motion, View.MEASURED));
             case PLACES -> shapes.objects().forEach(thing -> addPositions(drawing, thing));
             case SCENE_GRID -> addGrid(drawing, Frame.SCENE);
             case CAMERA_GRID -> addGrid(drawing, Frame.CAMERA);
@@ -93,26 +93,26 @@ public final class Overlays {
         return drawing;
     }
 
-    private SeenFrame frame(FrameMotion motion) {
-        return frames.computeIfAbsent(motion, each -> new SeenFrame(studio, each));
+    private FrameAppearance frame(FrameMotion motion) {
+        return frames.computeIfAbsent(motion, each -> new FrameAppearance(studio, each));
     }
 
-    private void addGhost(OverlayDrawing drawing, Function<FrameMotion, SeenFrame> seen) {
-        Map<FrameMotion, SeenFrame> known = new HashMap<>();
-        Function<FrameMotion, SeenFrame> once = motion -> known.computeIfAbsent(motion, seen);
+    private void addGhost(OverlayDrawing drawing, Function<FrameMotion, FrameAppearance> seen) {
+        Map<FrameMotion, FrameAppearance> known = new HashMap<>();
+        Function<FrameMotion, FrameAppearance> once = motion -> known.computeIfAbsent(motion, seen);
         addOutlines(drawing, once);
         addLines(drawing, once);
     }
 
-    private void addOutlines(OverlayDrawing drawing, Function<FrameMotion, SeenFrame> seen) {
+    private void addOutlines(OverlayDrawing drawing, Function<FrameMotion, FrameAppearance> seen) {
         shapes.spheres().forEach(ball -> addOutline(drawing, ball, seen.apply(ball.motion())));
     }
 
-    private void addLines(OverlayDrawing drawing, Function<FrameMotion, SeenFrame> seen) {
+    private void addLines(OverlayDrawing drawing, Function<FrameMotion, FrameAppearance> seen) {
         shapes.lines().forEach(line -> addLine(drawing, line, seen.apply(line.motion())));
     }
 
-    private void addOutline(OverlayDrawing drawing, SceneShapes.Ball ball, SeenFrame frame) {
+    private void addOutline(OverlayDrawing drawing, SceneShapes.Ball ball, FrameAppearance frame) {
         addCurve(
                 drawing,
                 0,
@@ -124,7 +124,7 @@ public final class Overlays {
                 }));
     }
 
-    private void addLine(OverlayDrawing drawing, SceneShapes.Line line, SeenFrame frame) {
+    private void addLine(OverlayDrawing drawing, SceneShapes.Line line, FrameAppearance frame) {
         addCurve(drawing, 0, 1, part -> {
             Vector3d point = line.places().apply(part);
             return line.turn() == null
@@ -134,7 +134,7 @@ public final class Overlays {
     }
 
     /** The direction in which a point that turns is seen from an event; null if it is not. */
-    private static Vector3d look(SeenFrame frame, SceneShapes.Turn turn, Vector3dc point, Event lens) {
+    private static Vector3d look(FrameAppearance frame, SceneShapes.Turn turn, Vector3dc point, Event lens) {
         Vector3d middle = turn.foot(point);
         Event seen = frame.seen(time -> turn.place(point, time), middle, middle.distance(point), lens);
         return seen == null
@@ -165,7 +165,7 @@ public final class Overlays {
             return;
         }
         Vector2dc seen = projection.position(frame(thing.motion()), thing.middle());
-        Vector2dc now = projection.position(new SeenFrame(studio, thing.motion(), View.MEASURED), thing.middle());
+        Vector2dc now = projection.position(new FrameAppearance(studio, thing.motion(), View.MEASURED), thing.middle());
         if (inPicture(seen) != null) {
             drawing.dots().add(seen);
         }

@@ -17,7 +17,7 @@ import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.RollingShutter;
 import tompkins.spacetime.Event;
 import tompkins.studio.Studio;
-import tompkins.world.SeenFrame;
+import tompkins.world.FrameAppearance;
 
 /**
  * Where a picture shows something: leads from a direction or a point to a position in pixels, for the centre of the
@@ -150,7 +150,7 @@ public final class Projection {
     }
 
     /** The position at which a point that rests in a frame is seen; null if it is out of sight. */
-    public Vector2dc position(SeenFrame frame, Vector3dc point) {
+    public Vector2dc position(FrameAppearance frame, Vector3dc point) {
         return position(event -> {
             Vector3d towards = point.sub(frame.fromCamera(event).position(), new Vector3d());
             return towards.lengthSquared() > 0 ? frame.look(towards) : null;

@@ -2,8 +2,8 @@ package tompkins.measure;
 
 import java.util.ArrayList;
 import java.util.List;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** Several rays around one, which show what becomes of a bundle of light. */
 public final class RayCone {
@@ -23,17 +23,17 @@ public final class RayCone {
      * @param count the number of rays
      * @param moment the part of the exposure time that has passed, from 0 to 1; the same for all
      */
-    public static List<RayLife> around(RenderPlan plan, double x, double y, int count, double moment) {
+    public static List<SampleHistory> around(RenderPlan plan, double x, double y, int count, double moment) {
         boolean throughEdge = plan.studio().camera().hasWideAperture();
         double opening = throughEdge ? 0 : OPENING * plan.height();
         double aperture = throughEdge ? 1 : 0;
-        List<RayLife> rays = new ArrayList<>();
+        List<SampleHistory> rays = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             double angle = 2 * Math.PI * i / count;
             double right = Math.cos(angle);
             double up = Math.sin(angle);
-            RayLife ray =
-                    RayLife.of(plan, x + opening * right, y - opening * up, aperture * right, aperture * up, moment);
+            SampleHistory ray = SampleHistory.of(
+                    plan, x + opening * right, y - opening * up, aperture * right, aperture * up, moment);
             if (ray != null) {
                 rays.add(ray);
             }

@@ -20,7 +20,7 @@ import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.trace.FlashSight;
 import tompkins.trace.Frame;
-import tompkins.trace.RayLife;
+import tompkins.trace.SampleHistory;
 
 /** What is told about a ray: where it starts, all that it meets, and the light that comes back. */
 public final class RayHistory {
@@ -36,7 +36,7 @@ public final class RayHistory {
      * never enters that. If the camera overtakes other light in the same direction, that is told, too.
      */
     public static List<Fact> of(Sighting sighting) {
-        RayLife life = sighting.life();
+        SampleHistory life = sighting.life();
         if (life == null) {
             return List.of(heading("This ray never crosses the shutter: it brings no light and has no events"));
         }
@@ -80,10 +80,10 @@ public final class RayHistory {
     }
 
     /** All hits, and between them the entry into the scene frame. */
-    private static List<Group> events(RayLife life, Studio studio) {
+    private static List<Group> events(SampleHistory life, Studio studio) {
         List<Group> events = new ArrayList<>();
         boolean entered = life.sceneStart() == null;
-        for (RayLife.Encounter hit : life.hits()) {
+        for (SampleHistory.Encounter hit : life.hits()) {
             if (!entered && hit.branch() == 0 && hit.frame() == Frame.SCENE) {
                 events.add(entry(life, studio));
                 entered = true;
@@ -96,7 +96,7 @@ public final class RayHistory {
         return events;
     }
 
-    private static Group entry(RayLife life, Studio studio) {
+    private static Group entry(SampleHistory life, Studio studio) {
         List<Fact> facts = new ArrayList<>(start(life.sceneStart(), life.sceneDirection()));
         facts.add(
                 studio.view() == View.MEASURED
@@ -111,17 +111,17 @@ public final class RayHistory {
         return with(event("time", "time", event), new Vector("direction", "direction", direction));
     }
 
-    private static Group hit(RayLife.Encounter hit, Studio studio) {
+    private static Group hit(SampleHistory.Encounter hit, Studio studio) {
         boolean inScene = hit.frame() == Frame.SCENE;
         boolean moves = !(studio.sceneFromCamera() instanceof IdentityTransformation);
-        RayLife.Rest rest = hit.rest();
+        SampleHistory.Rest rest = hit.rest();
         List<Fact> facts = new ArrayList<>();
         facts.add(new Word("object", "", hit.object().description()));
         facts.add(new Word("frame", "", name(hit.frame())));
         facts.add(new Vector("position", "", hit.event().position()));
         facts.add(number("time", "", hit.event().time()));
         facts.add(number("distance", "distance (" + name(hit.frame()) + ")", hit.distance()));
-        facts.add(number("share", hit.share() < 1 ? "throughput" : "", hit.share()));
+        facts.add(number("share", hit.fraction() < 1 ? "throughput" : "", hit.fraction()));
         facts.add(number("branch", "", hit.branch()));
         facts.add(new Word("surface", "surface", hit.surface().getClass().getSimpleName()));
         facts.add(new Vector("normal", "", rest.normal()));

@@ -9,7 +9,7 @@ import org.joml.Vector3dc;
 import tompkins.ray.Colour;
 import tompkins.spacetime.Event;
 import tompkins.studio.Studio;
-import tompkins.trace.RayLife;
+import tompkins.trace.SampleHistory;
 
 /** What a table of rays tells of each ray: what it ends at, not what it met before. */
 public final class RayTable {
@@ -54,9 +54,9 @@ public final class RayTable {
     }
 
     private void add(Sighting sighting) {
-        RayLife life = sighting.life();
-        RayLife.Encounter hit = sighting.hit();
-        RayLife.Rest rest = hit == null ? null : hit.rest();
+        SampleHistory life = sighting.life();
+        SampleHistory.Encounter hit = sighting.hit();
+        SampleHistory.Rest rest = hit == null ? null : hit.rest();
         Colour colour = life == null ? null : life.colour();
         add("pixel_x", "pixels", sighting.x() - 0.5);
         add("pixel_y", "pixels", sighting.y() - 0.5);
@@ -73,15 +73,15 @@ public final class RayTable {
         addEvent("hit_camera", sighting.inCamera());
         addEvent("hit_own", rest == null ? null : rest.event());
         addVector("normal", "", rest == null ? null : rest.normal());
-        add("surface_u", "", rest, RayLife.Rest::u);
-        add("surface_v", "", rest, RayLife.Rest::v);
+        add("surface_u", "", rest, SampleHistory.Rest::u);
+        add("surface_v", "", rest, SampleHistory.Rest::v);
         add("proper_time", LENGTH, rest, seen -> seen.event().time());
-        add("distance", LENGTH, hit, RayLife.Encounter::distance);
+        add("distance", LENGTH, hit, SampleHistory.Encounter::distance);
         add("camera_distance", LENGTH, sighting.cameraDistance());
         add("red", "", colour, Colour::red);
         add("green", "", colour, Colour::green);
         add("blue", "", colour, Colour::blue);
-        add("clock_reading", LENGTH, rest, RayLife.Rest::clockReading);
+        add("clock_reading", LENGTH, rest, SampleHistory.Rest::clockReading);
     }
 
     private void add(String key, String text) {

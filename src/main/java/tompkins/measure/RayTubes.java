@@ -14,7 +14,7 @@ import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
 import tompkins.surface.LuminousSurface;
 import tompkins.trace.Frame;
-import tompkins.trace.RayLife;
+import tompkins.trace.SampleHistory;
 
 /**
  * Draws rays into the scene: a rod for each straight piece of all branches, and a ball at each hit. They are objects of
@@ -41,7 +41,7 @@ public final class RayTubes {
     private final double radius;
     private final double reach;
 
-    private RayTubes(List<RayLife> rays) {
+    private RayTubes(List<SampleHistory> rays) {
         double[] distances = rays.stream()
                 .flatMapToDouble(RayTubes::distances)
                 .filter(distance -> distance > 0)
@@ -52,12 +52,12 @@ public final class RayTubes {
         reach = unbounded ? UNBOUNDED : distances[distances.length - 1];
     }
 
-    private static Stream<RayLife.Encounter> hits(RayLife ray) {
+    private static Stream<SampleHistory.Encounter> hits(SampleHistory ray) {
         return ray.hits().stream().filter(hit -> hit.frame() == Frame.SCENE);
     }
 
     /** The distances of all hits in the scene from the start of the first piece there. */
-    private static DoubleStream distances(RayLife ray) {
+    private static DoubleStream distances(SampleHistory ray) {
         return hits(ray)
                 .mapToDouble(hit -> hit.event()
                         .position()
@@ -65,7 +65,7 @@ public final class RayTubes {
     }
 
     /** Whether there is anything of some rays to draw: whether one of them enters the scene. */
-    public static boolean canDraw(List<RayLife> rays) {
+    public static boolean canDraw(List<SampleHistory> rays) {
         return rays.stream().anyMatch(ray -> !ray.segments().isEmpty());
     }
 
@@ -75,27 +75,27 @@ public final class RayTubes {
      * @param name name of the group that holds them
      * @param rays all of one thickness, which suits the distances of their hits; several have a group each
      */
-    public static Studio addedTo(Studio studio, String name, List<RayLife> rays) {
+    public static Studio addedTo(Studio studio, String name, List<SampleHistory> rays) {
         return studio.withScene(Stream.concat(studio.scene().stream(), Stream.of(of(name, rays)))
                 .toList());
     }
 
     /** The group of the rods and balls of rays. */
-    static Group of(String name, List<RayLife> rays) {
+    static Group of(String name, List<SampleHistory> rays) {
         RayTubes tubes = new RayTubes(rays);
         if (rays.size() == 1) {
             return new Group(name, tubes.parts(rays.get(0)));
         }
         List<SceneObject> groups = new ArrayList<>();
-        for (RayLife ray : rays) {
+        for (SampleHistory ray : rays) {
             groups.add(new Group("ray " + (groups.size() + 1), tubes.parts(ray)));
         }
         return new Group(name, groups);
     }
 
-    private List<SceneObject> parts(RayLife ray) {
+    private List<SceneObject> parts(SampleHistory ray) {
         List<SceneObject> parts = new ArrayList<>();
-        for (RayLife.Segment segment : ray.segments()) {
+        for (SampleHistory.Segment segment : ray.segments()) {
             Vector3dc lens = ray.segments().get(0).start().position();
             LuminousSurface surface = segment.branch() == 0 ? STRONGEST : WEAKER;
             Vector3d start = segment.start().position();
@@ -118,7 +118,7 @@ public final class RayTubes {
         return parts;
     }
 
-    private Vector3d end(RayLife.Segment segment) {
+    private Vector3d end(SampleHistory.Segment segment) {
         return segment.hit() == null
                 ? segment.start().position().fma(reach, segment.direction())
                 : segment.hit().event().position();

@@ -14,9 +14,9 @@ import tompkins.spacetime.FrameMotion;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.trace.RenderPlan;
+import tompkins.world.FrameAppearance;
 import tompkins.world.InertialFrame;
 import tompkins.world.Lamp;
-import tompkins.world.SeenFrame;
 
 /**
  * Where a picture would show a lamp, which is too small to be seen: the place from which its light comes.
@@ -43,7 +43,7 @@ public record SeenLamp(StudioPath path, FrameMotion motion, Vector3dc point, Vec
             if (lamp.light() instanceof PointLight light) {
                 InertialFrame frame = plan.world().frames().get(lamp.frame());
                 Vector3d point = light.position().add(frame.origin().position(), new Vector3d());
-                Vector2dc place = projection.position(new SeenFrame(studio, frame.motion()), point);
+                Vector2dc place = projection.position(new FrameAppearance(studio, frame.motion()), point);
                 if (projection.shows(place)) {
                     seen.add(new SeenLamp(paths.get(i), frame.motion(), point, place));
                 }

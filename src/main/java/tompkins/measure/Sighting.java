@@ -8,8 +8,8 @@ import tompkins.ray.Colour;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.IdentityTransformation;
 import tompkins.studio.Studio;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /**
  * What a point of a picture shows: its traced ray through the centre of the lens, in the middle of the exposure, and
@@ -20,11 +20,11 @@ import tompkins.trace.RenderPlan;
  * @param y position in pixels
  * @param life the life of the ray; null if it never crosses the shutter
  */
-public record Sighting(Studio studio, double x, double y, RayLife life) {
+public record Sighting(Studio studio, double x, double y, SampleHistory life) {
 
     /** Follows the ray of a point. */
     public static Sighting of(RenderPlan plan, double x, double y) {
-        return new Sighting(plan.studio(), x, y, RayLife.of(plan, x, y, 0, 0));
+        return new Sighting(plan.studio(), x, y, SampleHistory.of(plan, x, y, 0, 0));
     }
 
     /**
@@ -38,7 +38,7 @@ public record Sighting(Studio studio, double x, double y, RayLife life) {
 
     /** As above, through a point on the lens in units of its radius. */
     static Sighting required(RenderPlan plan, Vector2dc point, double lensX, double lensY) {
-        RayLife life = RayLife.of(plan, point.x(), point.y(), lensX, lensY);
+        SampleHistory life = SampleHistory.of(plan, point.x(), point.y(), lensX, lensY);
         if (life == null) {
             String here = String.format(
                     Locale.ROOT, "across %.4g, down %.4g", point.x() / plan.width(), point.y() / plan.height());
@@ -58,7 +58,7 @@ public record Sighting(Studio studio, double x, double y, RayLife life) {
     }
 
     /** What is seen; null for the background, and without a ray. */
-    public RayLife.Encounter hit() {
+    public SampleHistory.Encounter hit() {
         return life == null ? null : life.end();
     }
 

@@ -14,8 +14,8 @@ import tompkins.measure.Fact.Word;
 import tompkins.property.NumberText;
 import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
-import tompkins.trace.RayLife;
-import tompkins.world.SeenFrame;
+import tompkins.trace.SampleHistory;
+import tompkins.world.FrameAppearance;
 
 /**
  * The star of a sky that is nearest to a direction of the scene.
@@ -39,7 +39,7 @@ record StarSighting(Star star, double angle) {
 
     /** How many stars of a sky the camera sees within an angle, in radians, of the direction in which it moves. */
     static long count(StarSky sky, Studio studio, double angle) {
-        SeenFrame scene = new SeenFrame(studio, null);
+        FrameAppearance scene = new FrameAppearance(studio, null);
         Vector3dc ahead = studio.velocity().direction();
         return StarCatalogue.upTo(sky.limit()).stream()
                 .filter(star -> Angles.between(scene.look(sky.direction(star)), ahead) <= angle)
@@ -47,7 +47,7 @@ record StarSighting(Star star, double angle) {
     }
 
     /** What there is to tell, beside a ray that ends in the sky. */
-    Fact fact(Studio studio, StarSky sky, RayLife life) {
+    Fact fact(Studio studio, StarSky sky, SampleHistory life) {
         List<Fact> facts = new ArrayList<>();
         String name = NAMES.getOrDefault(star, "");
         facts.add(new Word("name", name.isEmpty() ? "" : "name", name));
@@ -69,10 +69,10 @@ record StarSighting(Star star, double angle) {
     }
 
     /** That of the star, if its light comes straight through vacuum; else that of the ray. */
-    private double dopplerFactor(Studio studio, StarSky sky, RayLife life) {
+    private double dopplerFactor(Studio studio, StarSky sky, SampleHistory life) {
         boolean isStraight = life.hits().isEmpty() && life.lastSlowness() == 1;
         return isStraight
-                ? new SeenFrame(studio, null).dopplerFactorAlong(sky.direction(star))
+                ? new FrameAppearance(studio, null).dopplerFactorAlong(sky.direction(star))
                 : life.lastDopplerFactor();
     }
 

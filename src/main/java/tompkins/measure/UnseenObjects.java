@@ -12,9 +12,9 @@ import tompkins.property.NumberText;
 import tompkins.sceneobject.Plane;
 import tompkins.studio.Studio;
 import tompkins.trace.Frame;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
-import tompkins.world.SeenFrame;
+import tompkins.trace.SampleHistory;
+import tompkins.world.FrameAppearance;
 
 /**
  * Says where the objects of a scene are if its picture shows none of them: beside it, behind the camera, or in it at
@@ -45,7 +45,7 @@ public final class UnseenObjects {
         this.plan = plan;
         studio = plan.studio();
         eyes = Projection.ofEyes(studio);
-        seen = RayLife.hits(plan, TRIED)
+        seen = SampleHistory.hits(plan, TRIED)
                 .filter(hit -> hit.frame() == Frame.SCENE && !(hit.object() instanceof Plane))
                 .map(hit -> hit.object().description())
                 .collect(Collectors.toSet());
@@ -86,13 +86,13 @@ public final class UnseenObjects {
 
     /** Whether the middle of an object, or a corner of the box around it, lies in the picture, however small it is. */
     private boolean isInPicture(SceneShapes.Thing thing) {
-        SeenFrame frame = new SeenFrame(studio, thing.motion());
+        FrameAppearance frame = new FrameAppearance(studio, thing.motion());
         return Stream.concat(Stream.of(thing.middle()), Stream.of(thing.bounds().corners()))
                 .anyMatch(point -> eyes.stream().anyMatch(eye -> eye.shows(eye.position(frame, point))));
     }
 
     private String told(SceneShapes.Thing thing) {
-        SeenFrame frame = new SeenFrame(studio, thing.motion());
+        FrameAppearance frame = new FrameAppearance(studio, thing.motion());
         Projection eye = eyes.get(0);
         return "\"" + thing.name() + "\" is " + side(eye, eye.position(frame, thing.middle()))
                 + openingTime(thing, frame)
@@ -113,7 +113,7 @@ public final class UnseenObjects {
     }
 
     /** The opening time, of those around the present one, at which an object that moves is nearest to the middle. */
-    private Optional<String> openingTime(SceneShapes.Thing thing, SeenFrame frame) {
+    private Optional<String> openingTime(SceneShapes.Thing thing, FrameAppearance frame) {
         Camera camera = studio.camera();
         if (!camera.shutter().hasOpeningTime()) {
             return Optional.empty();

@@ -11,7 +11,7 @@ import tompkins.surface.Surface;
 /** The mantle of a cone in space. */
 public final class ConePrimitive extends Primitive {
 
-    /** The smallest radius, as a share of that of the base: at the tip u would change infinitely fast. */
+    /** The smallest radius, as a fraction of that of the base: at the tip u would change infinitely fast. */
     private static final double SMALLEST = 1e-12;
 
     private final Vector3d tip;

@@ -229,10 +229,10 @@ public final class CylinderPrimitive extends Primitive {
         if (!(distance > 0) || (ray.boundary == this && ray.part == part)) {
             return NO_HIT;
         }
-        double share = part == END_CAP ? 1 : 0;
-        double x = wx + distance * ray.dx - share * axisX;
-        double y = wy + distance * ray.dy - share * axisY;
-        double z = wz + distance * ray.dz - share * axisZ;
+        double fraction = part == END_CAP ? 1 : 0;
+        double x = wx + distance * ray.dx - fraction * axisX;
+        double y = wy + distance * ray.dy - fraction * axisY;
+        double z = wz + distance * ray.dz - fraction * axisZ;
         return x * x + y * y + z * z <= radius * radius ? distance : NO_HIT;
     }
 

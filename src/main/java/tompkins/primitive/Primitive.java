@@ -8,7 +8,7 @@ import tompkins.ray.Boundary;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
-import tompkins.spacetime.PointFrame;
+import tompkins.spacetime.MomentaryRestFrame;
 import tompkins.surface.Shadow;
 import tompkins.surface.Surface;
 
@@ -253,11 +253,12 @@ public abstract class Primitive implements Boundary, Cloneable {
      * @param hit memory that is used, if the point runs, for the frame in which it rests
      */
     public final boolean throwsShadowAt(Ray ray, Hit hit) {
-        if (shadow != Shadow.BY_POINT || !hit.runs) {
+        if (shadow != Shadow.BY_POINT || !hit.pointMoves) {
             return surface.throwsShadowAt(ray, hit);
         }
         // which side is met is known where the point rests
-        PointFrame point = new PointFrame(hit, restFrame.rotation().law());
+        MomentaryRestFrame point =
+                new MomentaryRestFrame(hit, restFrame.rotation().law());
         Ray inside = point.enter(ray);
         point.enterHit();
         return surface.throwsShadowAt(inside, hit);
@@ -275,6 +276,11 @@ public abstract class Primitive implements Boundary, Cloneable {
     /** What the user calls the object. */
     public final String description() {
         return object.description();
+    }
+
+    @Override
+    public final String toString() {
+        return '"' + description() + "\", " + surface;
     }
 
     /** The object that a scene file describes, whose primitive this is. */
@@ -300,7 +306,7 @@ public abstract class Primitive implements Boundary, Cloneable {
 
     @Override
     public final double clockReading(Hit hit) {
-        return hit.runs
+        return hit.pointMoves
                 ? restFrame.clockOffset()
                         + restFrame.rotation().ownTime(hit.time, hit.velocityX, hit.velocityY, hit.velocityZ)
                 : hit.time

@@ -20,13 +20,13 @@ import java.util.stream.Stream;
 public final class Descriptions {
 
     private static final ClassValue<List<RecordComponent>> COMPONENTS =
-            kept(type -> List.of(type.getRecordComponents()));
+            cachedPerClass(type -> List.of(type.getRecordComponents()));
 
-    private static final ClassValue<Constructor<?>> CONSTRUCTOR = kept(Descriptions::constructor);
+    private static final ClassValue<Constructor<?>> CONSTRUCTOR = cachedPerClass(Descriptions::constructor);
 
-    private static final ClassValue<Standard> STANDARD = kept(Descriptions::readStandard);
+    private static final ClassValue<Standard> STANDARD = cachedPerClass(Descriptions::readStandard);
 
-    private static final ClassValue<List<Class<?>>> MEMBERS = kept(Descriptions::readMembers);
+    private static final ClassValue<List<Class<?>>> MEMBERS = cachedPerClass(Descriptions::readMembers);
 
     /** The usual description of a type, null if there is none, and the values of its components. */
     private record Standard(Object description, List<Object> values) {}
@@ -37,7 +37,7 @@ public final class Descriptions {
      * What is asked of a type once and then kept: each question to a class takes microseconds, many more in a program
      * that has just been started, and scenes have many objects.
      */
-    public static <T> ClassValue<T> kept(Function<Class<?>, T> answer) {
+    public static <T> ClassValue<T> cachedPerClass(Function<Class<?>, T> answer) {
         return new ClassValue<>() {
             @Override
             protected T computeValue(Class<?> type) {
@@ -214,17 +214,27 @@ public final class Descriptions {
         return type.isRecord() || type.isSealed() && !type.isEnum();
     }
 
-    /** The records of a sealed family, in the order in which it names them; the type itself if it is a record. */
+    /**
+     * The records of a sealed family, in the order in which it names them, with those that other jars add; the type
+     * itself if it is a record.
+     *
+     * @throws MistakeException if a jar adds what cannot be used
+     */
     public static List<Class<?>> members(Class<?> family) {
         return MEMBERS.get(family);
     }
 
     private static List<Class<?>> readMembers(Class<?> family) {
-        return family.isRecord()
-                ? List.of(family)
-                : Arrays.stream(family.getPermittedSubclasses())
-                        .<Class<?>>flatMap(type -> type.isSealed() ? members(type).stream() : Stream.of(type))
-                        .toList();
+        if (family.isRecord()) {
+            return List.of(family);
+        }
+        List<Class<?>> members = Arrays.stream(family.getPermittedSubclasses())
+                .<Class<?>>flatMap(type -> type.isSealed()
+                        ? members(type).stream()
+                        : type.isInterface() ? AddedTypes.of(type).stream() : Stream.of(type))
+                .toList();
+        AddedTypes.requireDistinct(members);
+        return members;
     }
 
     /** The type of the elements if a type is a list. */

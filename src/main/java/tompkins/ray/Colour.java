@@ -69,9 +69,11 @@ public record Colour(double red, double green, double blue) {
         return new Colour(red * factor, green * factor, blue * factor);
     }
 
-    /** {@code (1 - share)} of this colour and {@code share} of the other. */
-    public Colour mixedWith(Colour other, double share) {
-        return share == 0 ? this : share == 1 ? other : times(1 - share).plus(other.times(share));
+    /** {@code (1 - fraction)} of this colour and {@code fraction} of the other. */
+    public Colour mixedWith(Colour other, double fraction) {
+        return fraction == 0
+                ? this
+                : fraction == 1 ? other : times(1 - fraction).plus(other.times(fraction));
     }
 
     /** The brightest channel. */

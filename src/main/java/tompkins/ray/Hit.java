@@ -45,7 +45,7 @@ public final class Hit implements Cloneable {
     private Hit memoryOfEvent;
 
     /** Whether the point that is hit runs in this frame, on an object that turns; its velocity means nothing else. */
-    public boolean runs;
+    public boolean pointMoves;
 
     public double velocityX;
     public double velocityY;
@@ -113,7 +113,7 @@ public final class Hit implements Cloneable {
         normalX = newNormalX;
         normalY = newNormalY;
         normalZ = newNormalZ;
-        runs = false;
+        pointMoves = false;
         distance = newDistance;
         time = ray.timeAt(newDistance);
         boundary = newBoundary;
@@ -163,12 +163,12 @@ public final class Hit implements Cloneable {
         boundary = null;
         part = 0;
         contact = null;
-        runs = false;
+        pointMoves = false;
     }
 
     /** Says with which velocity the point that is hit runs. */
     public void run(double newVelocityX, double newVelocityY, double newVelocityZ) {
-        runs = true;
+        pointMoves = true;
         velocityX = newVelocityX;
         velocityY = newVelocityY;
         velocityZ = newVelocityZ;

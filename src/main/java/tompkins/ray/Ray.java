@@ -59,7 +59,7 @@ public final class Ray {
     /** The factor by which windows have divided small angles between rays, as motion does; 1 at the camera. */
     public double windowFactor;
 
-    /** The largest share of the sample's light that the ray can still bring, 1 at the camera. */
+    /** The largest fraction of the sample's light that the ray can still bring, 1 at the camera. */
     public double throughput;
 
     /**
@@ -169,23 +169,10 @@ public final class Ray {
         part = onPart;
     }
 
-    /** The ray that goes on from a hit in a new unit direction, with a share of this ray's light. */
-    public Ray bent(Hit hit, double newDx, double newDy, double newDz, double share) {
-        return bent(hit, newDx, newDy, newDz, lightSlowness(), 1, share);
-    }
-
-    /** The slowness of this ray; if it measures, the slowness 1 of the light that goes on where a surface bends it. */
-    public double lightSlowness() {
-        return measures ? 1 : slowness;
-    }
-
-    /**
-     * As {@link #bent(Hit, double, double, double, double)}, with another slowness.
-     *
-     * @param angleFactor small angles between rays are divided by it
-     */
-    public Ray bent(
-            Hit hit, double newDx, double newDy, double newDz, double newSlowness, double angleFactor, double share) {
+    /** The ray that goes on from a hit in a new unit direction, with a fraction of this ray's light. */
+    public Ray bent(Hit hit, double newDx, double newDy, double newDz, double fraction) {
+        assert Math.abs(newDx * newDx + newDy * newDy + newDz * newDz - 1) < 1e-6
+                : "direction (" + newDx + ", " + newDy + ", " + newDz + ") is no unit vector, at " + hit.boundary;
         Ray ray = copy();
         ray.startOn(hit);
         if (hit.contact != null) {
@@ -196,12 +183,28 @@ public final class Ray {
         ray.dx = newDx;
         ray.dy = newDy;
         ray.dz = newDz;
-        ray.slowness = newSlowness;
+        ray.slowness = lightSlowness();
         ray.width += ray.spread * hit.distance;
-        ray.spread /= angleFactor;
-        ray.throughput *= share;
+        ray.throughput *= fraction;
         ray.depth++;
         return ray;
+    }
+
+    /** The slowness of this ray; if it measures, the slowness 1 of the light that goes on where a surface bends it. */
+    public double lightSlowness() {
+        return measures ? 1 : slowness;
+    }
+
+    /** Gives this ray, which has just begun, another slowness. */
+    public Ray slowed(double newSlowness) {
+        slowness = newSlowness;
+        return this;
+    }
+
+    /** Divides the small angles between the rays of the bundle of this ray, which has just begun. */
+    public Ray narrowed(double angleFactor) {
+        spread /= angleFactor;
+        return this;
     }
 
     /** Notes what becomes of the light of this ray, which has just begun. */
@@ -247,16 +250,16 @@ public final class Ray {
         return this;
     }
 
-    /** Leaves this ray, which has just begun, a share of its light. */
-    public Ray dim(double share) {
-        throughput *= share;
+    /** Leaves this ray, which has just begun, a fraction of its light. */
+    public Ray dim(double fraction) {
+        throughput *= fraction;
         return this;
     }
 
-    /** The same ray with a share of its light. */
-    public Ray dimmed(double share) {
+    /** The same ray with a fraction of its light. */
+    public Ray dimmed(double fraction) {
         Ray dimmed = copy();
-        dimmed.throughput *= share;
+        dimmed.throughput *= fraction;
         return dimmed;
     }
 
@@ -294,9 +297,9 @@ public final class Ray {
         return this;
     }
 
-    /** The same ray beyond a hit, with a share of its light. */
-    public Ray straightOn(Hit hit, double share) {
-        Ray ray = bent(hit, dx, dy, dz, slowness, 1, share);
+    /** The same ray beyond a hit, with a fraction of its light. */
+    public Ray straightOn(Hit hit, double fraction) {
+        Ray ray = bent(hit, dx, dy, dz, fraction).slowed(slowness);
         ray.measures = measures;
         return ray;
     }

@@ -49,13 +49,13 @@ public final class RayCounts extends Padded {
      */
     private long lostParts;
 
-    /** Counts a ray that is ended because it could bring no more than a share of the light of its sample. */
-    public void giveUp(double share) {
+    /** Counts a ray that is ended because it could bring no more than a fraction of the light of its sample. */
+    public void giveUp(double fraction) {
         tooFaint++;
-        lostParts += (long) (share * PARTS);
+        lostParts += (long) (fraction * PARTS);
     }
 
-    /** The sum of the largest shares that rays which were too faint could have brought to their samples. */
+    /** The sum of the largest fractions that rays which were too faint could have brought to their samples. */
     public double lostLight() {
         return lostParts / PARTS;
     }

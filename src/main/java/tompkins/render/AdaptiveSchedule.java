@@ -115,7 +115,7 @@ final class AdaptiveSchedule implements Schedule {
         // only at the end: by then lines and edges have been followed, and what still stands alone does
         expectsUnseen |= roughness.rootMeanSquare() <= targetError;
         if (expectsUnseen) {
-            Specks specks = new Specks(film, roughness, stopped);
+            IsolatedHighlights specks = new IsolatedHighlights(film, roughness, stopped);
             BitSet untested = specks.untested();
             if (!untested.isEmpty()) {
                 untested.stream().forEach(film::restart);

@@ -57,7 +57,7 @@ public record CostForecast(double samplesPerPixel, double seconds) {
             throws InterruptedException {
         Quality wish = quality instanceof Quality.TimeLimit ? Quality.TargetError.DEFAULT : quality;
         List<Tile> blocks = spread(plan);
-        PartCosts costs = new PartCosts();
+        ForecastSamples costs = new ForecastSamples();
         long start = System.nanoTime();
         int taken = take(blocks.subList(0, Math.min(blocks.size(), FIRST_BLOCKS)), plan, wish, renderer, costs);
         double seconds = costs.tracing();
@@ -87,15 +87,16 @@ public record CostForecast(double samplesPerPixel, double seconds) {
     }
 
     /** Takes some blocks, and says how many. */
-    private static int take(List<Tile> blocks, RenderPlan plan, Quality quality, Renderer renderer, PartCosts costs)
+    private static int take(
+            List<Tile> blocks, RenderPlan plan, Quality quality, Renderer renderer, ForecastSamples costs)
             throws InterruptedException {
         long start = System.nanoTime();
         double before = renderer.processorSeconds();
         RenderListener notes = RenderListener.afterEachPass(part -> {
             double planning = part.planningSeconds();
             double wait = secondsSince(start);
-            double share = renderer.share(renderer.processorSeconds() - before, wait, planning);
-            costs.note(part.samples(), share * (wait - planning));
+            double fraction = renderer.fraction(renderer.processorSeconds() - before, wait, planning);
+            costs.note(part.samples(), fraction * (wait - planning));
         });
         RenderJob job = renderer.start(plan, quality, false, blocks, notes);
         job.await(LONGEST_PART);
@@ -103,14 +104,14 @@ public record CostForecast(double samplesPerPixel, double seconds) {
         job.await();
         double planning = job.planningSeconds();
         double wait = secondsSince(start);
-        double share = renderer.share(renderer.processorSeconds() - before, wait, planning);
+        double fraction = renderer.fraction(renderer.processorSeconds() - before, wait, planning);
         RenderReport report = job.report();
         costs.add(
                 blocks.stream().mapToInt(Tile::pixels).sum(),
                 report.counts().samples,
                 job.progress(),
-                share * wait,
-                share * planning);
+                fraction * wait,
+                fraction * planning);
         return blocks.size();
     }
 

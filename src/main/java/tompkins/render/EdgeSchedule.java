@@ -7,7 +7,7 @@ import tompkins.camera.PixelSampler;
 
 /**
  * The passes of a picture that is seen for a moment: one sample at each knot of a wide net, and then of finer ones, as
- * far as the corners of their cells differ, the most different cells first. {@link Glimpse#levels} interpolates the
+ * far as the corners of their cells differ, the most different cells first. {@link PreviewFilm#levels} interpolates the
  * rest. A fifth of the pixels shows nearly everything.
  */
 final class EdgeSchedule implements Schedule {
@@ -42,7 +42,7 @@ final class EdgeSchedule implements Schedule {
         long most(long first, double seconds);
     }
 
-    private final Glimpse glimpse;
+    private final PreviewFilm glimpse;
     private final Budget budget;
     private final TimeBudget clock = new TimeBudget(Double.POSITIVE_INFINITY);
     private int stride = 2 * WIDEST;
@@ -55,7 +55,7 @@ final class EdgeSchedule implements Schedule {
      * @param glimpse what gets the samples
      * @param budget asked once, when the samples of the widest net have been taken
      */
-    EdgeSchedule(Glimpse glimpse, Budget budget) {
+    EdgeSchedule(PreviewFilm glimpse, Budget budget) {
         this.glimpse = glimpse;
         this.budget = budget;
     }
@@ -67,17 +67,17 @@ final class EdgeSchedule implements Schedule {
         if (stride == 0) {
             return null;
         }
-        double share = 1.0 / (WIDEST * WIDEST);
+        double fraction = 1.0 / (WIDEST * WIDEST);
         long[] chosen = null;
         if (stride < WIDEST) {
             most = most == 0 ? budget.most(taken, clock.spent()) : most;
             // each finer net needs as many samples
             BitSet next = choose(cell, (most - taken) / Integer.numberOfTrailingZeros(cell));
-            share = (double) next.cardinality() / glimpse.pixels();
+            fraction = (double) next.cardinality() / glimpse.pixels();
             chosen = next.toLongArray();
         }
-        taken += Math.round(share * glimpse.pixels());
-        return new Pass(stride, 0, PixelSampler.CENTRE, 1, 1, chosen, share);
+        taken += Math.round(fraction * glimpse.pixels());
+        return new Pass(stride, 0, PixelSampler.CENTRE, 1, 1, chosen, fraction);
     }
 
     /**

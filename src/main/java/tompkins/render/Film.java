@@ -13,7 +13,7 @@ final class Film extends PixelBuffer {
     /** Marks a pixel whose only sample is replaced by the next one. */
     private static final int REPLACED = -1;
 
-    /** Sums in single precision cannot tell a smaller variance from none, as a share of the square of the mean. */
+    /** Sums in single precision cannot tell a smaller variance from none, as a fraction of the square of the mean. */
     private static final double ROUNDING = 1e-6;
 
     private final float[] sums;

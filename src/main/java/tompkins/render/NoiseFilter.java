@@ -129,13 +129,13 @@ final class NoiseFilter {
             }
         }
         int side = 2 * VARIANCE_REACH + 1;
-        float share = (float) SQUARE / (side * side);
+        float fraction = (float) SQUARE / (side * side);
         for (int i = VARIANCE_REACH; i < columns.length - VARIANCE_REACH; i++) {
             float sum = 0;
             for (int j = i - VARIANCE_REACH; j <= i + VARIANCE_REACH; j++) {
                 sum += columns[j];
             }
-            variances[row][i] = share * sum;
+            variances[row][i] = fraction * sum;
         }
     }
 
@@ -263,9 +263,9 @@ final class NoiseFilter {
             int first = 4 * (row - top);
             for (int column = 0; column < width; column++) {
                 int pixel = 3 * pixel(column, row);
-                float share = 1 / sums[first + 3][BORDER + column];
+                float fraction = 1 / sums[first + 3][BORDER + column];
                 for (int channel = 0; channel < 3; channel++) {
-                    rgb[pixel + channel] = share * sums[first + channel][BORDER + column];
+                    rgb[pixel + channel] = fraction * sums[first + channel][BORDER + column];
                 }
             }
         }

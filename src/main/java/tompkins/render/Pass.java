@@ -17,9 +17,9 @@ import tompkins.camera.PixelSampler;
  * @param inAll how many samples the pixel is divided among: those that it has after the pass, or is expected to have at
  *     the end
  * @param chosen the pixels that get them, one bit for each, or null for all
- * @param share the share of the rendered pixels that get them
+ * @param fraction the fraction of the rendered pixels that get them
  */
-record Pass(int stride, int coarserStride, int firstSample, int samples, int inAll, long[] chosen, double share) {
+record Pass(int stride, int coarserStride, int firstSample, int samples, int inAll, long[] chosen, double fraction) {
 
     private static final int COARSEST = 8;
 
@@ -47,8 +47,8 @@ record Pass(int stride, int coarserStride, int firstSample, int samples, int inA
         int done = coarseFirst ? 1 : Math.min(FIRST, samples);
         int factor = coarseFirst ? 2 : Tile.SIZE;
         for (int stride = coarseFirst ? COARSEST : Tile.SIZE; stride >= 1; stride /= factor) {
-            double share = 1.0 / (stride * stride) - (coarser == 0 ? 0 : 1.0 / (coarser * coarser));
-            passes.add(new Pass(stride, coarser, PixelSampler.firstOf(samples), done, inAll, null, share));
+            double fraction = 1.0 / (stride * stride) - (coarser == 0 ? 0 : 1.0 / (coarser * coarser));
+            passes.add(new Pass(stride, coarser, PixelSampler.firstOf(samples), done, inAll, null, fraction));
             coarser = stride;
         }
         while (done < samples) {
@@ -61,8 +61,8 @@ record Pass(int stride, int coarserStride, int firstSample, int samples, int inA
 
     /** A pass that takes further samples of some pixels. */
     static Pass refining(int firstSample, int samples, BitSet chosen, int pixels) {
-        double share = (double) chosen.cardinality() / pixels;
-        return new Pass(1, 0, firstSample, samples, firstSample + samples, chosen.toLongArray(), share);
+        double fraction = (double) chosen.cardinality() / pixels;
+        return new Pass(1, 0, firstSample, samples, firstSample + samples, chosen.toLongArray(), fraction);
     }
 
     /** Whether this pass takes samples of a pixel, whose number is {@code pixel}. */
@@ -92,6 +92,6 @@ record Pass(int stride, int coarserStride, int firstSample, int samples, int inA
 
     /** Samples of this pass, divided by the number of pixels that are rendered. */
     double work() {
-        return samples * share;
+        return samples * fraction;
     }
 }

@@ -26,12 +26,12 @@ public final class PhotographTaker implements AutoCloseable {
     /**
      * Takes a photograph, as good as the studio says, and waits for it.
      *
-     * @param done the share of the task that was done before
-     * @param share the share of the task that the photograph is
+     * @param done the fraction of the task that was done before
+     * @param fraction the fraction of the task that the photograph is
      * @return the job that is done
      * @throws CancellationException if the task is cancelled
      */
-    public RenderJob take(Studio studio, Progress progress, double done, double share) throws InterruptedException {
+    public RenderJob take(Studio studio, Progress progress, double done, double fraction) throws InterruptedException {
         // the scene often stays the same from moment to moment of an animation
         plan = RenderPlan.of(studio, plan, progress::isCancelled);
         RenderJob job = renderer.start(plan, Quality.of(studio), RenderListener.NONE);
@@ -40,7 +40,7 @@ public final class PhotographTaker implements AutoCloseable {
                 job.cancel();
             }
             progress.requireWanted();
-            progress.setProgress(done + share * job.progress());
+            progress.setProgress(done + fraction * job.progress());
             job.await(PATIENCE);
         }
         job.await();

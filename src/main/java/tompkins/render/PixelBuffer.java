@@ -6,7 +6,7 @@ import tompkins.image.LinearImage;
  * What a picture keeps of the samples of its pixels. Each pixel is written by one thread at a time, in the order of its
  * samples.
  */
-abstract sealed class PixelBuffer permits Film, Glimpse {
+abstract sealed class PixelBuffer permits Film, PreviewFilm {
 
     private final int width;
     private final int height;

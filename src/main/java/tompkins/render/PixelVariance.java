@@ -26,7 +26,7 @@ final class PixelVariance {
     private static final double SHARE_OF_SECOND_DIFFERENCE = 1.0 / 24;
 
     /** Rows that one thread takes at a time, so that each region of specks is asked by one thread alone. */
-    private static final int BAND = Specks.SIDE;
+    private static final int BAND = IsolatedHighlights.SIDE;
 
     /** Counts are taken to be those of chance within this factor. */
     private static final double CHANCE = 0.5;
@@ -71,7 +71,7 @@ final class PixelVariance {
         try {
             PixelVariance variance = new PixelVariance(film, stopped);
             if (film.comparesSamples()) {
-                variance.expect(new Specks(film, variance, stopped));
+                variance.expect(new IsolatedHighlights(film, variance, stopped));
             }
             return variance.rootMeanSquare();
         } catch (CancellationException unwanted) {
@@ -103,7 +103,7 @@ final class PixelVariance {
      * a short flash or a thin bar: such a pixel takes the mean of the smallest square in which this is likely.
      */
     private void fillGaps() {
-        for (int side = Specks.SIDE; side / 2 < Math.max(width, height); side *= 2) {
+        for (int side = IsolatedHighlights.SIDE; side / 2 < Math.max(width, height); side *= 2) {
             Cancellation.stopIf(stopped);
             int part = side;
             IntStream.range(0, (height + side - 1) / side).parallel().forEach(band -> {
@@ -209,7 +209,7 @@ final class PixelVariance {
      *
      * @throws CancellationException if it is no longer wanted
      */
-    void expect(Specks specks) {
+    void expect(IsolatedHighlights specks) {
         if (specks.isEmpty()) {
             return;
         }
@@ -229,7 +229,7 @@ final class PixelVariance {
         bands().forEach(first -> addUnseen(specks, first));
     }
 
-    private void addUnseen(Specks specks, int first) {
+    private void addUnseen(IsolatedHighlights specks, int first) {
         Power growing = new Power(POWER);
         for (int row = first; row < Math.min(height, first + BAND); row++) {
             Cancellation.stopIf(stopped);

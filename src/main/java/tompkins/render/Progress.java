@@ -5,8 +5,8 @@ import tompkins.trace.Cancellation;
 /** Lets work in the background report how far it is, and ask whether it is still wanted. */
 public interface Progress {
 
-    /** The share of the work that is done, from 0 to 1. */
-    void setProgress(double share);
+    /** The fraction of the work that is done, from 0 to 1. */
+    void setProgress(double fraction);
 
     /** Whether the work should end early. */
     boolean isCancelled();

@@ -224,7 +224,7 @@ public final class RenderJob extends Padded {
         return complete;
     }
 
-    /** The share of the work that is done, from 0 to 1. */
+    /** The fraction of the work that is done, from 0 to 1. */
     public double progress() {
         return isComplete() ? 1 : Math.min(1, schedule.progress((double) samples() / pixels));
     }
@@ -271,7 +271,7 @@ public final class RenderJob extends Padded {
 
     /** The picture so far as the screen shows it. */
     public FramePicture levels() {
-        return buffer instanceof Glimpse glimpse
+        return buffer instanceof PreviewFilm glimpse
                 ? glimpse.levels()
                 : FramePicture.of(image(), plan.studio().settings().toneCurve());
     }

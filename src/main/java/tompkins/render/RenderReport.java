@@ -35,13 +35,13 @@ public record RenderReport(
         double wantedError,
         Duration time) {
 
-    /** If more than this share of a picture is black, its exposure must be wrong. */
+    /** If more than this fraction of a picture is black, its exposure must be wrong. */
     private static final double MOST_BLACK = 0.9;
 
-    /** If more than this share of a picture is white, its exposure must be wrong. */
+    /** If more than this fraction of a picture is white, its exposure must be wrong. */
     private static final double MOST_WHITE = 0.5;
 
-    /** More than this share of the light can be seen to be missing. */
+    /** More than this fraction of the light can be seen to be missing. */
     private static final double MOST_LOST = 0.01;
 
     /** Mean number of samples of a pixel. */

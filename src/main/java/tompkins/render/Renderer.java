@@ -3,6 +3,7 @@ package tompkins.render;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.List;
+import java.util.Locale;
 import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -14,6 +15,7 @@ import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import tompkins.image.ToneCurve;
+import tompkins.property.MistakeException;
 import tompkins.studio.RenderSettings;
 import tompkins.trace.RenderPlan;
 
@@ -30,7 +32,7 @@ public final class Renderer implements AutoCloseable {
     private final ExecutorService pool;
     private final Queue<Thread> workers = new ConcurrentLinkedQueue<>();
     private final Set<RenderJob> jobs = ConcurrentHashMap.newKeySet();
-    private final GlimpseBudget glimpseBudget = new GlimpseBudget();
+    private final PreviewBudget previewBudget = new PreviewBudget();
 
     /** A renderer with one thread for each core. */
     public Renderer() {
@@ -85,15 +87,15 @@ public final class Renderer implements AutoCloseable {
             schedule = new FixedSchedule(Pass.of(1, 1, false));
         } else {
             ToneCurve curve = plan.studio().settings().toneCurve();
-            Glimpse glimpse = new Glimpse(width, height, plan.exposure(), curve);
+            PreviewFilm glimpse = new PreviewFilm(width, height, plan.exposure(), curve);
             buffer = glimpse;
             schedule = new EdgeSchedule(
-                    glimpse, (first, taken) -> glimpseBudget.most(first, taken, seconds, width * height));
+                    glimpse, (first, taken) -> previewBudget.most(first, taken, seconds, width * height));
         }
         long start = System.nanoTime();
         return start(plan, schedule, buffer, Tile.of(width, height), listener, job -> {
             if (job.isComplete()) {
-                glimpseBudget.ended((System.nanoTime() - start) * 1e-9, seconds);
+                previewBudget.ended((System.nanoTime() - start) * 1e-9, seconds);
             }
         });
     }
@@ -150,6 +152,26 @@ public final class Renderer implements AutoCloseable {
         return settings.pixels() * (Film.bytesPerPixel(needsHalves(settings, quality)) + picture + levels);
     }
 
+    /**
+     * Refuses pictures that the memory of this Java machine cannot hold, before any time is spent on them.
+     *
+     * @throws MistakeException with what is needed and what there is
+     */
+    public static void requireMemory(RenderSettings settings, Quality quality) {
+        long needed = bytesOfMemory(settings, quality);
+        long most = Runtime.getRuntime().maxMemory();
+        if (needed > most) {
+            throw new MistakeException(String.format(
+                    Locale.ROOT,
+                    "a picture of %d x %d pixels needs about %d MB of memory, and Java may use %d MB;"
+                            + " take a smaller --size, or start java with a larger -Xmx",
+                    settings.width(),
+                    settings.height(),
+                    needed >> 20,
+                    most >> 20));
+        }
+    }
+
     private static Schedule schedule(RenderPlan plan, Quality quality, boolean coarseFirst, Film film) {
         if (quality instanceof Quality.Samples fixed) {
             return new FixedSchedule(Pass.of(fixed.samples(), fixed.samples(), coarseFirst));
@@ -176,7 +198,7 @@ public final class Renderer implements AutoCloseable {
      *
      * @param processorSeconds how much they got
      */
-    double share(double processorSeconds, double seconds, double planningSeconds) {
+    double fraction(double processorSeconds, double seconds, double planningSeconds) {
         return Math.min(1, processorSeconds / (threads * (seconds - planningSeconds) + planningSeconds));
     }
 

@@ -81,8 +81,8 @@ public record ImagePointGrid(
         for (int i = 0; i < points.x(); i++) {
             for (int j = 0; j < points.y(); j++) {
                 Vector3d point = new Vector3d(corner)
-                        .add(new Vector3d(spanU).mul(share(i, points.x())))
-                        .add(new Vector3d(spanV).mul(share(j, points.y())));
+                        .add(new Vector3d(spanU).mul(fraction(i, points.x())))
+                        .add(new Vector3d(spanV).mul(fraction(j, points.y())));
                 Vector3dc place = collector.imagePoint(point);
                 // a point whose light never crosses the shutter is photographed nowhere
                 if (place.isFinite()) {
@@ -92,7 +92,7 @@ public record ImagePointGrid(
         }
     }
 
-    private static double share(int index, int count) {
+    private static double fraction(int index, int count) {
         return count == 1 ? 0.5 : index / (count - 1.0);
     }
 }

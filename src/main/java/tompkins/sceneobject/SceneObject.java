@@ -32,7 +32,8 @@ public sealed interface SceneObject extends Described
                 Moving,
                 Rotating,
                 ImagePointGrid,
-                Hidden {
+                Hidden,
+                AddedObject {
 
     /** The most primitives of a picture, so that copies of copies neither fill the memory nor take all day. */
     double MOST_PRIMITIVES = 10_000_000;

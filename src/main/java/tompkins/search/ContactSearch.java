@@ -11,7 +11,7 @@ import tompkins.primitive.Primitive;
 import tompkins.ray.Contact;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
-import tompkins.spacetime.PointFrame;
+import tompkins.spacetime.MomentaryRestFrame;
 import tompkins.surface.Refractive;
 import tompkins.surface.Shadow;
 import tompkins.surface.Surface;
@@ -30,17 +30,17 @@ public final class ContactSearch {
 
         static Met of(Ray ray, Hit hit) {
             Primitive primitive = (Primitive) hit.boundary;
-            if (!hit.runs) {
+            if (!hit.pointMoves) {
                 return new Met(primitive, hit, ray, hit.cosine(ray));
             }
-            PointFrame point =
-                    new PointFrame(hit, primitive.restFrame().rotation().law());
+            MomentaryRestFrame point =
+                    new MomentaryRestFrame(hit, primitive.restFrame().rotation().law());
             Ray inside = point.enter(ray);
             return new Met(primitive, hit, ray, point.normal().dot(inside.dx, inside.dy, inside.dz));
         }
 
         /** The distance in units that are the same in all frames. */
-        double share() {
+        double fraction() {
             return hit.distance / ray.directionLength;
         }
 
@@ -51,7 +51,7 @@ public final class ContactSearch {
         }
 
         boolean isAtPlaceOf(Met other) {
-            return !isApart((share() - other.share()) * ray.directionLength, other.cosine);
+            return !isApart((fraction() - other.fraction()) * ray.directionLength, other.cosine);
         }
 
         /** Whether the ray, which has just left the camera, starts at this place. */
@@ -146,7 +146,7 @@ public final class ContactSearch {
      * there, or where media of one index touch.
      */
     public Contact contact() {
-        met.sort(Comparator.comparingDouble(Met::share).thenComparingInt(each -> each.primitive.order()));
+        met.sort(Comparator.comparingDouble(Met::fraction).thenComparingInt(each -> each.primitive.order()));
         List<Met> here =
                 met.stream().filter(each -> each.isAtPlaceOf(met.get(0))).toList();
         List<Hit> all = here.stream().map(Met::hit).toList();

@@ -28,7 +28,7 @@ final class LampProjection {
     /** From the first place to this one, divided by the distance between the first place and the plane. */
     private final Vector3dc offset;
 
-    /** The share of that distance that is left. */
+    /** The fraction of that distance that is left. */
     private final double zoom;
 
     private LampProjection(Vector3dc place, Vector3dc forward, Vector3dc offset) {

@@ -86,17 +86,17 @@ public final class LampShadows {
      * Whether something throws a shadow on a hit.
      *
      * @param ray the ray from the hit to the lamp
-     * @param share the part of its way that the lamp has covered, from 0 to 1
+     * @param fraction the part of its way that the lamp has covered, from 0 to 1
      * @param limit distance of the lamp
      * @param counts takes note of the work
      */
-    public boolean shadows(Hit from, Ray ray, double share, double limit, RayCounts counts) {
+    public boolean shadows(Hit from, Ray ray, double fraction, double limit, RayCounts counts) {
         for (Primitive primitive : everywhere) {
             if (shadows(primitive, from, ray, limit, counts)) {
                 return true;
             }
         }
-        int part = view.part(ray.dx, ray.dy, ray.dz, share);
+        int part = view.part(ray.dx, ray.dy, ray.dz, fraction);
         if (part == LightBufferProjection.OUTSIDE) {
             return false;
         }

@@ -233,16 +233,16 @@ final class LightBufferProjection {
      * @param dx unit vector from a place to the lamp
      * @param dy its second component
      * @param dz its third component
-     * @param share the part of its way that the lamp has covered, from 0 to 1
+     * @param fraction the part of its way that the lamp has covered, from 0 to 1
      */
-    int part(double dx, double dy, double dz, double share) {
+    int part(double dx, double dy, double dz, double fraction) {
         double ahead = -(dx * forward.x + dy * forward.y + dz * forward.z);
         if (!(ahead > 0)) {
             return OUTSIDE;
         }
-        double scale = (1 - share * approach) / ahead;
-        double u = share * shiftU - (dx * right.x + dy * right.y + dz * right.z) * scale - leastU;
-        double v = share * shiftV - (dx * up.x + dy * up.y + dz * up.z) * scale - leastV;
+        double scale = (1 - fraction * approach) / ahead;
+        double u = fraction * shiftU - (dx * right.x + dy * right.y + dz * right.z) * scale - leastU;
+        double v = fraction * shiftV - (dx * up.x + dy * up.y + dz * up.z) * scale - leastV;
         double column = u * partsPerU;
         double row = v * partsPerV;
         return column >= 0 && row >= 0 && column < ALL_PARTS && row < ALL_PARTS

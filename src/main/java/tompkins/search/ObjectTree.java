@@ -26,7 +26,7 @@ public final class ObjectTree {
     public static final int SMALLEST_TREE = 20;
 
     /** With fewer chords of a ray past what turns, more hits are missed, as the study {@code precision} shows. */
-    public static final double CHORDS_PER_RADIAN = 64;
+    public static final double CHORDS_PER_RADIAN = 16;
 
     /** Cost of visiting a node, in tests of a primitive. */
     private static final double NODE = 4;

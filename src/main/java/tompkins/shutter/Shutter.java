@@ -14,7 +14,8 @@ public sealed interface Shutter
                 LensHologramShutter,
                 FocusSurfaceShutter,
                 ArbitraryPlaneShutter,
-                FixedPointSurfaceShutter {
+                FixedPointSurfaceShutter,
+                AddedShutter {
 
     /**
      * The time at which a ray crosses the lens. Not finite if the ray never meets the shutter, or meets it at infinity:

@@ -47,8 +47,8 @@ record ChordStudy(long seed, int rays) implements Study {
     private static final String PROBLEM = "chords";
     private static final String SLIVERS = "slivers";
     private static final String SCENES = "bundled scenes";
-    private static final double[] CHORDS = {8, 16, 32, 64, 128};
-    private static final double REFERENCE = 512;
+    private static final double[] CHORDS = {4, 8, 16, 32, 64};
+    private static final double REFERENCE = 256;
     private static final double MILLION = 1e6;
     private static final int OBJECTS = 8;
 

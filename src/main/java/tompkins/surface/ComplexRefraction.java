@@ -71,7 +71,7 @@ public record ComplexRefraction(
         turned.fma(Math.cos(angle), tangential).add(across).normalize();
         // a solid angle is that of the parts along the surface, divided by the cosine
         double angleFactor = behind / before * Math.sqrt(cosine / Math.abs(along));
-        return ray.bent(hit, turned.x, turned.y, turned.z, ray.lightSlowness(), angleFactor, transmission);
+        return ray.bent(hit, turned.x, turned.y, turned.z, transmission).narrowed(angleFactor);
     }
 
     @Override

@@ -4,7 +4,7 @@ import java.util.stream.Stream;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
-/** A surface that shows two others: at each hit one of them, or both, each with a share of the light. */
+/** A surface that shows two others: at each hit one of them, or both, each with a fraction of the light. */
 public sealed interface CompositeSurface extends Surface permits Tiling, CutOut, Clock, Blinking, TwoSided, Mixture {
 
     /** One of the surfaces. */
@@ -13,26 +13,27 @@ public sealed interface CompositeSurface extends Surface permits Tiling, CutOut,
     /** The other one. */
     Surface second();
 
-    /** The share of the second surface at a hit, from 0 to 1. */
+    /** The fraction of the second surface at a hit, from 0 to 1. */
     double shareOfSecond(Ray ray, Hit hit);
 
-    /** Each surface answers for its share of the bundle; the tracer loops over the larger share. */
+    /** Each surface answers for its fraction of the bundle; the tracer loops over the larger fraction. */
     @Override
     default Response respond(Ray ray, Hit hit, Tracer tracer) {
-        double share = shareOfSecond(ray, hit);
-        if (share == 0) {
+        double fraction = shareOfSecond(ray, hit);
+        if (fraction == 0) {
             return first().respond(ray, hit, tracer);
         }
-        if (share == 1) {
+        if (fraction == 1) {
             return second().respond(ray, hit, tracer);
         }
-        if (continuation() != Continuation.NONE && ray.throughput * Math.min(share, 1 - share) < Ray.FAINTEST) {
-            // a share too faint to be followed is added to the larger one
-            return (share < 0.5 ? first() : second()).respond(ray, hit, tracer);
+        if (continuation() != Continuation.NONE && ray.throughput * Math.min(fraction, 1 - fraction) < Ray.FAINTEST) {
+            // a fraction too faint to be followed is added to the larger one
+            return (fraction < 0.5 ? first() : second()).respond(ray, hit, tracer);
         }
-        Response ofFirst = first().respond(ray.dimmed(1 - share), hit, tracer).times(1 - share);
-        Response ofSecond = second().respond(ray.dimmed(share), hit, tracer).times(share);
-        return share < 0.5 ? ofFirst.plus(ofSecond, tracer) : ofSecond.plus(ofFirst, tracer);
+        Response ofFirst =
+                first().respond(ray.dimmed(1 - fraction), hit, tracer).times(1 - fraction);
+        Response ofSecond = second().respond(ray.dimmed(fraction), hit, tracer).times(fraction);
+        return fraction < 0.5 ? ofFirst.plus(ofSecond, tracer) : ofSecond.plus(ofFirst, tracer);
     }
 
     @Override
@@ -48,8 +49,9 @@ public sealed interface CompositeSurface extends Surface permits Tiling, CutOut,
     /** Where light passes one of both there is no shadow. */
     @Override
     default boolean throwsShadowAt(Ray ray, Hit hit) {
-        double share = shareOfSecond(ray, hit);
-        return (share == 1 || first().throwsShadowAt(ray, hit)) && (share == 0 || second().throwsShadowAt(ray, hit));
+        double fraction = shareOfSecond(ray, hit);
+        return (fraction == 1 || first().throwsShadowAt(ray, hit))
+                && (fraction == 0 || second().throwsShadowAt(ray, hit));
     }
 
     @Override
@@ -70,5 +72,10 @@ public sealed interface CompositeSurface extends Surface permits Tiling, CutOut,
     @Override
     default Continuation continuation() {
         return first().continuation().orElsewhere(second().continuation());
+    }
+
+    @Override
+    default boolean keepsPhase() {
+        return first().keepsPhase() && second().keepsPhase();
     }
 }

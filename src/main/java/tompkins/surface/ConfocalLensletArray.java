@@ -68,7 +68,8 @@ public record ConfocalLensletArray(
         // a solid angle is that of the slopes times the third power of the cosine, which is divided by the length
         double narrower = outwards ? Math.abs(etaU * etaV) : 1 / Math.abs(etaU * etaV);
         double angleFactor = length * Math.sqrt(narrower * length);
-        return ray.bent(hit, direction.x, direction.y, direction.z, ray.lightSlowness(), angleFactor, transmission);
+        return ray.bent(hit, direction.x, direction.y, direction.z, transmission)
+                .narrowed(angleFactor);
     }
 
     @Override

@@ -44,7 +44,9 @@ public record GalileoWindow(
         if (length == 0) {
             return Response.ends(Colour.BLACK);
         }
-        Ray next = ray.bent(hit, dx / length, dy / length, dz / length, slowness / length, length, transmission)
+        Ray next = ray.bent(hit, dx / length, dy / length, dz / length, transmission)
+                .slowed(slowness / length)
+                .narrowed(length)
                 .behindWindow(length);
         return Response.goesOn(next, Colour.grey(transmission));
     }

@@ -58,7 +58,8 @@ public record IdealLens(
         // a solid angle is that of the slopes times the third power of the cosine, which is divided by the length
         double angleFactor = turn * Math.sqrt(turn);
         double width = ray.width + ray.spread * hit.distance;
-        Ray next = ray.bent(hit, unit.x, unit.y, unit.z, ray.lightSlowness(), angleFactor, transmission)
+        Ray next = ray.bent(hit, unit.x, unit.y, unit.z, transmission)
+                .narrowed(angleFactor)
                 .opened(-width * cosine / (focalLength * angleFactor));
         return Response.goesOn(next, Colour.grey(transmission));
     }

@@ -47,7 +47,8 @@ public record LorentzWindow(
         Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz);
         Vector3d back = axes.inFrame(velocity.direction(), hit).negate(new Vector3d());
         double directionLength = LorentzTransformation.turn(velocity, back, direction);
-        return ray.bent(hit, direction.x, direction.y, direction.z, ray.lightSlowness(), directionLength, transmission)
+        return ray.bent(hit, direction.x, direction.y, direction.z, transmission)
+                .narrowed(directionLength)
                 .behindWindow(directionLength);
     }
 }

@@ -34,7 +34,7 @@ public record Mirror(
      * The ray that belongs to the mirrored wave, where the medium moves past the mirror; null if the mirror outruns the
      * light, so that none comes from it.
      */
-    static Ray reflected(Ray ray, MediumWave wave, Hit hit, double share, Tracer tracer) {
+    static Ray reflected(Ray ray, MediumWave wave, Hit hit, double fraction, Tracer tracer) {
         Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
         MediumWave.Outgoing back = wave.outgoing(
                 normal, -Math.signum(hit.cosine(ray)), ray.medium.index(), tracer.velocity(ray.medium, ray.frame));
@@ -42,23 +42,29 @@ public record Mirror(
             return null;
         }
         Vector3dc direction = back.direction();
-        return ray.bent(hit, direction.x(), direction.y(), direction.z(), back.slowness(), 1, share)
+        return ray.bent(hit, direction.x(), direction.y(), direction.z(), fraction)
+                .slowed(back.slowness())
                 .stretched(wave.frequency() * back.length());
     }
 
-    /** The mirrored ray, with a share of the light. Its direction is made a unit vector again. */
-    static Ray reflected(Ray ray, Hit hit, double share) {
+    /** The mirrored ray, with a fraction of the light. Its direction is made a unit vector again. */
+    static Ray reflected(Ray ray, Hit hit, double fraction) {
         double twice = 2 * hit.cosine(ray);
         double dx = ray.dx - twice * hit.normalX;
         double dy = ray.dy - twice * hit.normalY;
         double dz = ray.dz - twice * hit.normalZ;
         double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        return ray.bent(hit, dx / length, dy / length, dz / length, share);
+        return ray.bent(hit, dx / length, dy / length, dz / length, fraction);
     }
 
     @Override
     public Continuation continuation() {
         return Continuation.TURNED;
+    }
+
+    @Override
+    public boolean keepsPhase() {
+        return true;
     }
 
     @Override

@@ -44,7 +44,7 @@ public final class Refraction {
     }
 
     /**
-     * The share of unpolarised light that is reflected (Fresnel): the mean over both polarisations.
+     * The fraction of unpolarised light that is reflected (Fresnel): the mean over both polarisations.
      *
      * @param before refractive index on the side of the ray
      * @param behind refractive index on the other side

@@ -88,7 +88,8 @@ public record Refractive(
         double cosineBehind = Refraction.bend(direction, normal, before, behind, direction);
         double reflected = Refraction.reflectance(before, behind, Math.abs(along), cosineBehind);
         Ray mirrored = Mirror.reflected(ray, hit, 1);
-        Ray bent = ray.bent(hit, direction.x, direction.y, direction.z, slowness, 1, 1)
+        Ray bent = ray.bent(hit, direction.x, direction.y, direction.z, 1)
+                .slowed(slowness)
                 .in(medium);
         return split(ray, before == 1, mirrored, bent, reflected, tracer);
     }
@@ -127,7 +128,8 @@ public record Refractive(
                     wave.outgoing(normal, entering ? -1 : 1, medium.index(), tracer.velocity(medium, ray.frame));
             if (through != null) {
                 Vector3dc way = through.direction();
-                bent = ray.bent(hit, way.x(), way.y(), way.z(), through.slowness(), 1, 1)
+                bent = ray.bent(hit, way.x(), way.y(), way.z(), 1)
+                        .slowed(through.slowness())
                         .stretched(wave.frequency() * through.length());
                 double cosineBehind = through.vector().dot(normal) / through.index();
                 reflected =
@@ -137,7 +139,8 @@ public record Refractive(
             double behind = medium == null ? 1 : medium.index();
             double cosineBehind = Refraction.bend(direction, normal, wave.index(), behind, direction);
             reflected = Refraction.reflectance(wave.index(), behind, Math.abs(cosine), cosineBehind);
-            bent = ray.bent(hit, direction.x, direction.y, direction.z, behind, 1, 1)
+            bent = ray.bent(hit, direction.x, direction.y, direction.z, 1)
+                    .slowed(behind)
                     .stretched(wave.frequency());
         }
         Ray mirrored = MediumWave.moves(ray.medium, ray.frame)
@@ -178,5 +181,10 @@ public record Refractive(
     @Override
     public Continuation continuation() {
         return Continuation.TURNED;
+    }
+
+    @Override
+    public boolean keepsPhase() {
+        return true;
     }
 }

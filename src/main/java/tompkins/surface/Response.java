@@ -25,8 +25,8 @@ public record Response(Colour light, Colour factor, Ray next) {
     }
 
     /** This response multiplied by a factor. */
-    Response times(double share) {
-        return new Response(light.times(share), factor.times(share), next);
+    Response times(double fraction) {
+        return new Response(light.times(fraction), factor.times(fraction), next);
     }
 
     /** Both responses: the ray of this one goes on, that of the other, weaker one is followed to its end. */

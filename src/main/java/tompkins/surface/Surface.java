@@ -17,7 +17,8 @@ public sealed interface Surface
                 ComplexRefraction,
                 FrameWindow,
                 ConfocalLensletArray,
-                IdealLens {
+                IdealLens,
+                AddedSurface {
 
     /** What becomes of a ray that hit this surface. */
     Response respond(Ray ray, Hit hit, Tracer tracer);
@@ -63,5 +64,13 @@ public sealed interface Surface
     /** What becomes of the rays that meet it. */
     default Continuation continuation() {
         return Continuation.NONE;
+    }
+
+    /**
+     * Whether light takes the way of stationary time, as that of a wave does with mirrors and glass. What turns rays
+     * and leaves the time of the light as it is does not: signals arrive at another rate there than crests.
+     */
+    default boolean keepsPhase() {
+        return continuation() != Continuation.TURNED;
     }
 }

@@ -9,8 +9,8 @@ import tompkins.ray.SurfaceCoordinates;
 
 /**
  * A chequerboard of two surfaces. Far away a pixel sees many tiles, and single rays would draw a false moire pattern; a
- * filtered tiling shows the share of each surface in the spot that the ray lights, worked out exactly: the mean of the
- * product of two square waves over the spot's box.
+ * filtered tiling shows the fraction of each surface in the spot that the ray lights, worked out exactly: the mean of
+ * the product of two square waves over the spot's box.
  */
 @Meaning("A chequerboard of two surfaces")
 public record Tiling(
@@ -85,11 +85,11 @@ public record Tiling(
         return waves / parts;
     }
 
-    /** The spread of a part: all of what lies across the long axis of the spot, and its share of what lies along. */
+    /** The spread of a part: all of what lies across the long axis of the spot, and its fraction of what lies along. */
     static double partSpread(double spread, double along, int parts) {
         double across = Math.max(0, (spread - Math.abs(along)) * (spread + Math.abs(along)));
-        double share = along / parts;
-        return Math.sqrt(across + share * share);
+        double fraction = along / parts;
+        return Math.sqrt(across + fraction * fraction);
     }
 
     @Override

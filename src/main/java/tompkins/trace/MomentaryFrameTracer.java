@@ -9,7 +9,7 @@ import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Medium;
 import tompkins.ray.Ray;
-import tompkins.spacetime.PointFrame;
+import tompkins.spacetime.MomentaryRestFrame;
 import tompkins.surface.Response;
 import tompkins.surface.Surface;
 import tompkins.surface.Tracer;
@@ -22,7 +22,7 @@ final class MomentaryFrameTracer implements Tracer, Lighting {
 
     private final RayTracer outside;
     private final Lighting lighting;
-    private final PointFrame point;
+    private final MomentaryRestFrame point;
     private final Hit hit;
     private final Illumination illumination;
     private final Sightline found = new Sightline();
@@ -32,7 +32,7 @@ final class MomentaryFrameTracer implements Tracer, Lighting {
         this.outside = outside;
         this.lighting = lighting;
         this.hit = hit;
-        point = new PointFrame(
+        point = new MomentaryRestFrame(
                 hit, ((Primitive) hit.boundary).restFrame().rotation().law());
         illumination = outside.illumination().by(this);
     }

@@ -165,7 +165,7 @@ final class RayTracer extends Padded implements Tracer {
                     media(hit, each -> each.cosine(hit.ray) < 0),
                     this);
         }
-        return hit.runs
+        return hit.pointMoves
                 ? new MomentaryFrameTracer(this, surroundings.lighting(), hit).respond(primitive.surface())
                 : primitive.surface().respond(hit.ray, hit, this);
     }

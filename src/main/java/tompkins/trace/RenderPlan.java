@@ -61,7 +61,6 @@ public final class RenderPlan {
     private final World world;
     private final FrameRoutes routes;
     private final ObjectTree cameraFrame;
-
     /** The medium around the lens, if it need not be known how it moves there; null otherwise, and in vacuum. */
     private final Medium lensMedium;
 
@@ -264,8 +263,8 @@ public final class RenderPlan {
     }
 
     /** The life of the sample in the middle of the picture; null if it never crosses the shutter. */
-    public RayLife middleLife() {
-        return RayLife.way(this, middle().x(), middle().y(), 0, 0, SamplePositions.MIDDLE);
+    public SampleHistory middleLife() {
+        return SampleHistory.way(this, middle().x(), middle().y(), 0, 0, SamplePositions.MIDDLE);
     }
 
     /** Where the lens is in the scene frame at the time of the picture. */
@@ -281,7 +280,7 @@ public final class RenderPlan {
         if (studio.camera().stereo().layout() != StereoLayout.NONE) {
             return RenderPlan.of(studio.withCamera(studio.camera().betweenEyes()), this).shift;
         }
-        RayLife middle = middleLife();
+        SampleHistory middle = middleLife();
         if (middle != null && middle.sceneStart() != null) {
             return new LightShift(
                     studio.colours(), studio.metering(), middle.sceneDopplerFactor(), middle.sceneDirectionLength());
@@ -324,7 +323,8 @@ public final class RenderPlan {
                 depth,
                 counts,
                 observer);
-        SceneEntry entry = new SceneEntry(routes, sceneMedium, sceneTracer, needsFrames() ? null : shift, observer);
+        SceneBehindCamera entry =
+                new SceneBehindCamera(routes, sceneMedium, sceneTracer, needsFrames() ? null : shift, observer);
         RayTracer cameraTracer = cameraFrame.size() == 0
                 ? null
                 : new RayTracer(beforeLens(counts), null, entry, depth, counts, observer);

@@ -30,7 +30,7 @@ public final class SampleTracer extends Padded {
     private final MovingMedium sceneMedium;
     private final boolean measures;
     private final RayTracer cameraTracer;
-    private final SceneEntry sceneEntry;
+    private final SceneBehindCamera sceneBehindCamera;
     private final StarTracer stars;
     private final RayCounts counts;
     private final PathObserver observer;
@@ -79,7 +79,7 @@ public final class SampleTracer extends Padded {
             MovingMedium sceneMedium,
             boolean measures,
             RayTracer cameraTracer,
-            SceneEntry sceneEntry,
+            SceneBehindCamera sceneBehindCamera,
             StarTracer stars,
             RayCounts counts,
             PathObserver observer) {
@@ -93,7 +93,7 @@ public final class SampleTracer extends Padded {
         this.sceneMedium = sceneMedium;
         this.measures = measures;
         this.cameraTracer = cameraTracer;
-        this.sceneEntry = sceneEntry;
+        this.sceneBehindCamera = sceneBehindCamera;
         this.stars = stars;
         this.counts = counts;
         this.observer = observer;
@@ -162,7 +162,7 @@ public final class SampleTracer extends Padded {
             rays.measure();
         } else if (lensMedium != null) {
             rays.startIn(lensMedium.index());
-            rays.in(sceneEntry.sceneTracer().keepsMedia() ? lensMedium : null);
+            rays.in(sceneBehindCamera.sceneTracer().keepsMedia() ? lensMedium : null);
         } else if (sceneMedium != null) {
             sceneMedium.begin(rays);
         }
@@ -193,7 +193,7 @@ public final class SampleTracer extends Padded {
         if (stars != null) {
             stars.begin(eye, places, 0);
         }
-        return finite(cameraTracer == null ? sceneEntry.colour(ray) : cameraTracer.colourOf(ray));
+        return finite(cameraTracer == null ? sceneBehindCamera.colour(ray) : cameraTracer.colourOf(ray));
     }
 
     /**
@@ -274,7 +274,7 @@ public final class SampleTracer extends Padded {
     private int trace(SampleSink taker) {
         start();
         boolean allGoOn = rays.count() == places.count() && cameraTracer == null;
-        Colour behind = allGoOn ? sceneEntry.evenBackground() : null;
+        Colour behind = allGoOn ? sceneBehindCamera.evenBackground() : null;
         // a sample without a ray is black
         samples.fill(first, first + places.count(), behind == null ? Colour.BLACK : behind);
         if (cameraTracer != null && !followInCameraFrame(taker)) {
@@ -285,7 +285,7 @@ public final class SampleTracer extends Padded {
             followed = followInScene(behind != null, taker);
         } else {
             for (; followed < rays.count() && goesTo(followed, taker); followed++) {
-                takeFromScene(followed, sceneEntry.colour(rays.ray(followed)));
+                takeFromScene(followed, sceneBehindCamera.colour(rays.ray(followed)));
             }
         }
         return followed < rays.count() ? rays.sample(followed) : places.count();
@@ -320,8 +320,8 @@ public final class SampleTracer extends Padded {
      * @return how many were followed before the taker stopped
      */
     private int followInScene(boolean known, SampleSink taker) {
-        RayTracer tracer = sceneEntry.sceneTracer();
-        sceneEntry.enter(rays);
+        RayTracer tracer = sceneBehindCamera.sceneTracer();
+        sceneBehindCamera.enter(rays);
         tracer.begin(rays);
         for (int i = 0; i < rays.count(); i++) {
             if (known && !tracer.mayMeet(i)) {
@@ -333,7 +333,7 @@ public final class SampleTracer extends Padded {
             }
             // light without a direction is at rest in the scene, and has come from nowhere
             Colour light = Double.isNaN(rays.dx[i]) ? Colour.BLACK : tracer.packetColour(rays, i);
-            takeFromScene(i, sceneEntry.inCameraFrame(light, rays.frequency[i], rays.directionLength[i]));
+            takeFromScene(i, sceneBehindCamera.inCameraFrame(light, rays.frequency[i], rays.directionLength[i]));
         }
         return rays.count();
     }

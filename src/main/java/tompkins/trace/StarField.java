@@ -14,7 +14,7 @@ import tompkins.ray.Colour;
 import tompkins.ray.Ray;
 import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
-import tompkins.world.SeenFrame;
+import tompkins.world.FrameAppearance;
 
 /**
  * The stars of a sky, ready for one picture. Immutable, shared by all threads.
@@ -66,7 +66,7 @@ final class StarField {
     }
 
     private List<StarPoints> points(Studio studio, List<Vector3d> directions, BooleanSupplier unwanted) {
-        SeenFrame scene = new SeenFrame(studio, null);
+        FrameAppearance scene = new FrameAppearance(studio, null);
         List<Vector3d> looks = new ArrayList<>();
         List<Colour> lights = new ArrayList<>();
         for (int star = 0; star < directions.size(); star++) {

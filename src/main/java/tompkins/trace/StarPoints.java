@@ -150,9 +150,9 @@ final class StarPoints {
         Colour sum = null;
         for (int i = near.begin(cell); i < near.end(cell); i++) {
             int spot = near.number(i);
-            double share = share(column + 0.5 - x[spot], row + 0.5 - y[spot]);
-            if (share > 0) {
-                Colour more = light[spot].times(share);
+            double fraction = fraction(column + 0.5 - x[spot], row + 0.5 - y[spot]);
+            if (fraction > 0) {
+                Colour more = light[spot].times(fraction);
                 sum = sum == null ? more : sum.plus(more);
             }
         }
@@ -160,12 +160,12 @@ final class StarPoints {
     }
 
     /**
-     * The share of a star's light that a pixel gets.
+     * The fraction of a star's light that a pixel gets.
      *
      * @param dx from the star to the centre of the pixel, in pixels
      * @param dy as dx, downwards
      */
-    static double share(double dx, double dy) {
+    static double fraction(double dx, double dy) {
         double square = (dx * dx + dy * dy) / (DEVIATION * DEVIATION);
         return square < EDGE * EDGE ? Math.exp(-square / 2) / (2 * Math.PI * DEVIATION * DEVIATION) : 0;
     }

@@ -122,9 +122,9 @@ final class StarTracer extends Padded implements EscapedLight, StarMap.Visitor {
     public void take(int star, double starX, double starY, double starZ) {
         first.aim(first.ray(), starX, starY, starZ);
         double aside = length(first.x() + first.stepX() - column - 0.5, first.y() + first.stepY() - row - 0.5);
-        double share = StarPoints.share(Math.max(0, aside - ASTRAY), 0);
-        if (share > 0) {
-            near.add(new Near(star, starX, starY, starZ, share * stars.brightness(star)));
+        double fraction = StarPoints.fraction(Math.max(0, aside - ASTRAY), 0);
+        if (fraction > 0) {
+            near.add(new Near(star, starX, starY, starZ, fraction * stars.brightness(star)));
         }
     }
 
@@ -188,10 +188,10 @@ final class StarTracer extends Padded implements EscapedLight, StarMap.Visitor {
 
     /** Adds the light of a star at a place, of which a ray there brings as much as it can. */
     private void add(int star, Ray ray, SkySlope slope, double x, double y) {
-        double share = StarPoints.share(column + 0.5 - x, row + 0.5 - y);
-        if (share > 0) {
+        double fraction = StarPoints.fraction(column + 0.5 - x, row + 0.5 - y);
+        if (fraction > 0) {
             double brought = ray.throughput / first.ray().throughput;
-            sum = sum.plus(stars.light(star, slope.ray()).times(share * brought * slope.magnification()));
+            sum = sum.plus(stars.light(star, slope.ray()).times(fraction * brought * slope.magnification()));
         }
     }
 }

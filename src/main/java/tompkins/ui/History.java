@@ -1,9 +1,6 @@
 package tompkins.ui;
 
 import java.util.List;
-import java.util.Map;
-import java.util.function.Function;
-import java.util.stream.Collectors;
 import tompkins.studio.Studio;
 import tompkins.ui.photograph.WindowParts;
 import tompkins.ui.widget.EntryField;
@@ -40,21 +37,14 @@ final class History {
         return window.model().isModified() || !pending().isEmpty();
     }
 
-    /** Takes back what was typed last. If it is right it first becomes a step, so that it can be redone. */
+    /** Takes back what was typed into fields and not taken; if there is nothing of it, the last step. */
     void undo() {
-        Map<EntryField, String> typed =
-                pending().stream().collect(Collectors.toMap(Function.identity(), EntryField::displayed));
-        Studio before = window.model().studio();
-        takeEntries();
-        boolean isStep = typed.isEmpty() || window.model().studio() != before;
-        if (isStep && pending().isEmpty()) {
+        pause.run();
+        List<EntryField> typed = pending();
+        if (typed.isEmpty()) {
             step(window.model()::undo);
         }
-        pending().forEach(EntryField::revert);
-        if (!isStep) {
-            // of the animation, for instance, which is not part of the scene
-            typed.forEach(EntryField::enter);
-        }
+        typed.forEach(EntryField::revert);
     }
 
     void redo() {

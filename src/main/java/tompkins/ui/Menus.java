@@ -28,7 +28,6 @@ import tompkins.ui.help.HelpWindow;
 import tompkins.ui.help.KeyTable;
 import tompkins.ui.number.NumberProperty;
 import tompkins.ui.overlay.MapAxis;
-import tompkins.ui.overlay.PictureOverlays;
 import tompkins.ui.panel.CameraViews;
 import tompkins.ui.panel.QualityChart;
 import tompkins.ui.picture.CanvasZoom;
@@ -190,15 +189,6 @@ final class Menus {
             }
         }
         topics.values().forEach(examples::add);
-        List.of(examples, lessons).forEach(Menus::showAgain);
-    }
-
-    /** Shows a menu that is open in the size of its new items. */
-    private static void showAgain(JMenu menu) {
-        if (menu.isPopupMenuVisible()) {
-            menu.setPopupMenuVisible(false);
-            menu.setPopupMenuVisible(true);
-        }
     }
 
     private static JMenuItem add(JMenu topic, String title, Runnable action) {
@@ -265,9 +255,8 @@ final class Menus {
         add(menu, "menu.zoomToFit", "ctrl 0", zoom::fit);
         menu.addSeparator();
         add(menu, caption, "menu.caption", "F7", () -> window.captions.setShown(caption.isSelected()));
-        addOverlay(menu, "menu.arrow", PictureOverlays.ARROW);
+        addSwitch(menu, "menu.arrow", window.overlays::isArrowShown, window.overlays::setArrowShown);
         menu.add(mapMenu());
-        addOverlay(menu, "menu.rate", PictureOverlays.RATE);
         menu.add(overlayMenu());
         add(menu, "menu.measure", "F4", () -> window.strip.toggle(TabStrip.Tab.MEASURE));
         add(menu, "menu.quality", null, () -> QualityChart.open(window.model(), window.frame()));
@@ -332,10 +321,6 @@ final class Menus {
         return menu;
     }
 
-    private void addOverlay(JMenu menu, String key, String name) {
-        addSwitch(menu, key, () -> window.overlays.isShown(name), shown -> window.overlays.setShown(name, shown));
-    }
-
     /** What the item shows may also be switched elsewhere. */
     private static void addSwitch(JMenu menu, String key, BooleanSupplier shown, Consumer<Boolean> setter) {
         JCheckBoxMenuItem item = new JCheckBoxMenuItem();
@@ -365,7 +350,6 @@ final class Menus {
 
     private void showKeys() {
         KeyTable keys = new KeyTable(itemsWithKeys());
-        keys.fitInto(Messages.width(window.frame()));
         Messages.tell(window.frame(), Texts.get("menu.keys"), keys.component());
     }
 

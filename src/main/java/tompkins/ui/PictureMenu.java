@@ -12,7 +12,7 @@ import tompkins.measure.RayTubes;
 import tompkins.property.NumberText;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
-import tompkins.trace.RayLife;
+import tompkins.trace.SampleHistory;
 import tompkins.ui.editor.ChooseTool;
 import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Picture;
@@ -41,7 +41,7 @@ final class PictureMenu implements PhotographView.Menu {
             window.strip.open(TabStrip.Tab.MEASURE);
             window.measure.begin(place, picture);
         });
-        List<RayLife> ray = Stream.ofNullable(seen.sighting().life()).toList();
+        List<SampleHistory> ray = Stream.ofNullable(seen.sighting().life()).toList();
         add(menu, "drawRay", RayTubes.canDraw(ray), () -> drawRay(seen, ray));
         Optional<StudioPath> object = ChooseTool.object(window.model(), seen);
         add(menu, "edit", object.isPresent(), () -> object.ifPresent(window.side()::edit));
@@ -53,7 +53,7 @@ final class PictureMenu implements PhotographView.Menu {
         window.model().set(studio.withCamera(FocusDistance.with(studio.camera(), NumberText.rounded(distance, 6))));
     }
 
-    private void drawRay(PixelReading seen, List<RayLife> ray) {
+    private void drawRay(PixelReading seen, List<SampleHistory> ray) {
         String name = Texts.get("ray.drawn.ray", Texts.get("probe.pixel", seen.column(), seen.row()));
         window.model().set(RayTubes.addedTo(window.model().studio(), name, ray));
     }

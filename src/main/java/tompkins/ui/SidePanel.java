@@ -30,7 +30,6 @@ import tompkins.ui.picture.Picture;
 import tompkins.ui.ray.PixelReading;
 import tompkins.ui.ray.RaySection;
 import tompkins.ui.widget.Column;
-import tompkins.ui.widget.FoldedText;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
@@ -60,7 +59,6 @@ final class SidePanel {
     private final JPanel panel = new Column();
     private final JScrollPane scroll = scroll("panel", panel);
     private final JPanel tab = new JPanel(new CardLayout());
-    private final JPanel heading = Rows.of("hidemode 3, gap 6", "[grow,fill][pref!]");
     private final JPanel controls = Rows.column();
     private final Column rayPanel = new Column();
 
@@ -70,7 +68,7 @@ final class SidePanel {
     private final JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, tab, rayScroll);
     private final ComparePanel compare;
     private final Note title = Note.ofLines(1);
-    private final FoldedText remarks = new FoldedText("remarks");
+    private final Note remarks = new Note("");
     private final Note warnings = new Note("");
     private final Note sentences = new Note("");
     private final RaySection ray;
@@ -116,13 +114,12 @@ final class SidePanel {
 
     private void fillControls(JComponent lesson) {
         title.component().setName("remarks.title");
-        heading.add(title.component(), "wmin 0");
-        heading.add(remarks.button());
-        panel.add(heading, "wmin 0");
-        panel.add(remarks.component(), "wmin 0, gapbottom 4");
+        remarks.component().setName("remarks");
+        panel.add(title.component(), "wmin 0, gapbottom 4");
         panel.add(lesson, "wmin 0, gapbottom 4");
         controls.add(new ControlRows(model).component(), "wmin 0");
         controls.add(compare.component(), "wmin 0");
+        controls.add(remarks.component(), "wmin 0");
         controls.add(warnings.component(), "wmin 0");
         controls.add(sentences.component(), "wmin 0");
         panel.add(controls, "wmin 0");
@@ -147,25 +144,20 @@ final class SidePanel {
         boolean ofLesson = isLesson();
         // a lesson has them in full
         String text = ofLesson ? "" : model.studio().remarks();
-        title.setText(titled(model, model.studio().shortTitle()));
+        title.setText(model.studio().shortTitle());
         if (!remarks.text().equals(text)) {
             remarks.setText(text);
             SwingUtilities.invokeLater(() -> scroll.getVerticalScrollBar().setValue(0));
         }
         if (controls.isVisible() == ofLesson) {
             controls.setVisible(!ofLesson);
-            heading.setVisible(!ofLesson);
+            title.component().setVisible(!ofLesson);
             room.revalidate();
         }
     }
 
     private boolean isLesson() {
         return model.studio().lesson() instanceof Lesson;
-    }
-
-    /** A title of the scene, which says so if it is that of a changed example. */
-    static String titled(StudioModel model, String title) {
-        return model.isChangedExample() ? Texts.get("title.changed", title) : title;
     }
 
     /** Shows the tab that is chosen. */

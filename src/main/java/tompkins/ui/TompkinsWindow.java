@@ -45,7 +45,6 @@ import tompkins.ui.ride.Motion;
 import tompkins.ui.widget.Faults;
 import tompkins.ui.widget.FocusFollower;
 import tompkins.ui.widget.Look;
-import tompkins.ui.widget.MousePress;
 import tompkins.ui.widget.Screens;
 import tompkins.ui.widget.TabStrip;
 
@@ -252,12 +251,12 @@ public final class TompkinsWindow {
 
     /** Sets the size that does not follow the look by itself. */
     private void fitToLook() {
-        size.require(WindowSize.least(frame));
+        frame.setMinimumSize(WindowSize.least(frame));
     }
 
     private void showTitle() {
         String file = model.file() == null ? "" : " \u2013 " + model.file().getFileName();
-        String title = SidePanel.titled(model, model.studio().title());
+        String title = model.studio().title();
         frame.setTitle((model.isModified() ? "\u2022 " : "") + title + file + " \u2013 Tompkins");
     }
 
@@ -353,20 +352,9 @@ public final class TompkinsWindow {
 
     /** Ends the innermost of what goes on. */
     void leave() {
-        if (!endDrag() && !motion.pauseIfMoving() && !strip.closeIfOpen(TabStrip.Tab.MEASURE) && !fullScreen.leave()) {
+        if (!motion.pauseIfMoving() && !strip.closeIfOpen(TabStrip.Tab.MEASURE) && !fullScreen.leave()) {
             BackgroundTask.cancelLast(frame);
         }
-    }
-
-    /** Ends a drag, and takes back what it has changed unless other changes are between; false if there is none. */
-    private boolean endDrag() {
-        boolean drags = MousePress.isDragging();
-        if (drags && motion.isMoving()) {
-            MousePress.endDrag();
-        } else if (drags) {
-            model.takeBackGesture(MousePress::endDrag);
-        }
-        return drags;
     }
 
     void close() {

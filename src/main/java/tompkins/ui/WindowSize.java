@@ -26,11 +26,6 @@ final class WindowSize {
     private final Settings settings;
     private Dimension normal;
 
-    /** The size of the window before it was enlarged to its least size, and the size after that. */
-    private Dimension before;
-
-    private Dimension enlarged;
-
     /** Follows a window that has its normal size, and maximises it as it was when it was closed. */
     WindowSize(JFrame frame, Settings settings) {
         this.frame = frame;
@@ -75,28 +70,10 @@ final class WindowSize {
         return frame.getExtendedState() & Frame.MAXIMIZED_BOTH;
     }
 
-    /**
-     * Makes the window at least as large as it must be. This enlargement is taken back as soon as less is enough,
-     * unless the user has given the window another size meanwhile.
-     */
-    void require(Dimension least) {
-        Dimension now = frame.getSize();
-        frame.setMinimumSize(least);
-        if (maximised() == 0) {
-            if (now.equals(enlarged)) {
-                frame.setSize(Math.max(before.width, least.width), Math.max(before.height, least.height));
-            } else {
-                before = now;
-            }
-            enlarged = frame.getSize();
-        }
-    }
-
     /** Writes the present size of the window into the settings. */
     void save() {
         settings.setNumber("width", normal.width);
         settings.setNumber("height", normal.height);
         settings.setNumber(MAXIMISED, maximised());
-        settings.save();
     }
 }

@@ -95,7 +95,7 @@ public final class FrameRoutes {
     }
 
     /** Whether the way from one frame to another is the way to a third one and then that from there. */
-    boolean leadsThrough(int from, int third, int to) {
+    boolean passesThrough(int from, int third, int to) {
         return route(from, third).length() + route(third, to).length()
                 == route(from, to).length();
     }

@@ -28,7 +28,7 @@ final class RetardedLight implements Lighting {
     private final Lamp[] lamps;
 
     /** The velocities of the lamps in the camera frame; null unless light has one carrier. */
-    private final Vector3dc[] paces;
+    private final Vector3dc[] lampVelocities;
 
     private final ObjectTree[] trees;
 
@@ -56,7 +56,7 @@ final class RetardedLight implements Lighting {
                         .filter(frame -> trees[frame].throwsShadows())
                         .toArray();
         this.lamps = lamps.toArray(Lamp[]::new);
-        paces = law != TransformationLaw.GALILEAN
+        lampVelocities = law != TransformationLaw.GALILEAN
                 ? null
                 : lamps.stream()
                         .map(lamp -> routes.route(lamp.frame(), routes.camera())
@@ -74,8 +74,8 @@ final class RetardedLight implements Lighting {
     @Override
     public boolean find(int source, Hit hit, Sightline sight) {
         Lamp lamp = lamps[source];
-        if (paces != null) {
-            return findWithOneCarrier(lamp, paces[source], hit, sight);
+        if (lampVelocities != null) {
+            return findWithOneCarrier(lamp, lampVelocities[source], hit, sight);
         }
         if (lamp.frame() == hit.frame) {
             lamp.find(hit, sight);
@@ -152,7 +152,7 @@ final class RetardedLight implements Lighting {
             }
             Ray start;
             // most ways lead through the frame in which the ray began, where its event is known best
-            if (routes.leadsThrough(hit.frame, hit.event.frame, i)) {
+            if (routes.passesThrough(hit.frame, hit.event.frame, i)) {
                 if (turned == null) {
                     turned = routes.transform(shadow, hit.event.frame, fromEvent);
                     turned.setStart(hit.event);

@@ -127,11 +127,11 @@ class ExplainCommandTest {
             'camera': {'apertureRadius': 0.1} | 'scene': [{'type': 'Plane'}], 'camera': {'apertureRadius': 0.1}
             leave its frequency as it is | 'velocity': [0, 0, 0.5], 'colours': 'doppler', 'cameraFrame': [WINDOW] \
             | 'velocity': [0, 0, 0.5], 'colours': 'doppler'
-            no wave optics stands behind them, and no light is delayed | 'scene': [{'type': 'Disc', 'surface': {'type': 'IdealLens'}}] \
+            do nothing else to it: IdealLens. A wave would be delayed | 'scene': [{'type': 'Disc', 'surface': {'type': 'IdealLens'}}] \
             | 'scene': [{'type': 'Disc'}]
-            no wave optics stands behind them | 'cameraFrame': [{'type': 'Disc', 'surface': {'type': 'Tiling', \
+            do nothing else to it: ConfocalLensletArray. | 'cameraFrame': [{'type': 'Disc', 'surface': {'type': 'Tiling', \
             'second': {'type': 'ConfocalLensletArray'}}}] | 'cameraFrame': [WINDOW]
-            they mirror no part of what passes | 'scene': [{'type': 'Disc', 'surface': {'type': 'ComplexRefraction'}}] \
+            and a part of it mirrored | 'scene': [{'type': 'Disc', 'surface': {'type': 'ComplexRefraction'}}] \
             | 'scene': [{'type': 'Disc', 'surface': {'type': 'Refractive'}}]
             The focus ignores windows, glass and mirrors | 'cameraFrame': [WINDOW], 'camera': {'apertureRadius': 0.1} \
             | 'cameraFrame': [WINDOW]

@@ -104,15 +104,6 @@ class FilmPartsTest {
     }
 
     @Test
-    void theNumberOfFramesIsPrinted() {
-        Object[] film = {"animate", scene, "--from=0", "--to=0.9", "--duration=0.4", "--list"};
-        ProgramRun run = ProgramRun.of(film);
-        assertThat(run).isEqualTo(new ProgramRun(0, "10\n", ""));
-        assertThat(animate("none", "--list", "--part=0/3").out().strip()).isEqualTo("4");
-        assertThat(folder.resolve("none")).doesNotExist();
-    }
-
-    @Test
     void whatIsThereIsSkippedIfItIsTheSame() throws IOException {
         requireDone(animate("frames", "--frames=0-4"));
         Map<String, String> before = content("frames");
@@ -133,8 +124,7 @@ class FilmPartsTest {
 
     /** Each changes what the frames show, or where they belong. */
     @ParameterizedTest
-    @ValueSource(
-            strings = {"--samples=3", "--seed=2", "--to=0.8", "--fps=20", "--same-noise", "--set=scene[0].radius=1"})
+    @ValueSource(strings = {"--samples=3", "--seed=2", "--to=0.8", "--fps=20", "--set=scene[0].radius=1"})
     void framesOfAnotherFilmAreNotSkipped(String other) throws IOException {
         requireDone(animate("frames", "--frames=3"));
         Map<String, String> before = content("frames");

@@ -12,17 +12,14 @@ import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.OnLinux;
-import tompkins.Waiting;
 import tompkins.image.PictureFormat;
 import tompkins.io.StudioReader;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
-import tompkins.trace.SampleTracer;
 
 /** Where pictures are saved, and the names and places at which none may be. */
 class PicturePlacesTest {
@@ -63,36 +60,6 @@ class PicturePlacesTest {
         assertThat(run.code()).isEqualTo(Failures.MISTAKE);
         assertThat(run.err()).startsWith(picture + ": cannot be written: ");
         return run.err().strip().substring((picture + ": cannot be written: ").length());
-    }
-
-    /** Nobody wants to lose what took an hour. */
-    @Test
-    @Timeout(600)
-    void aPlaceTakenMeanwhileGivesANumberedName() throws Exception {
-        Path target = folder.resolve("mine.png");
-        Thread other = new Thread(() -> {
-            try {
-                Waiting.until("the rendering", PicturePlacesTest::isRendering);
-                Files.writeString(target, "from somebody else");
-            } catch (IOException failure) {
-                throw new IllegalStateException(failure);
-            }
-        });
-        other.start();
-        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", target, "--size", "64x48", "--seconds", 1);
-        other.join();
-
-        Path numbered = folder.resolve("mine-2.png");
-        assertThat(run.code()).as(run.err()).isZero();
-        assertThat(run.out()).startsWith(numbered.toRealPath().toString());
-        assertThat(StudioReader.read(numbered).title()).isNotEmpty();
-        assertThat(target).hasContent("from somebody else");
-    }
-
-    private static boolean isRendering() {
-        return Thread.getAllStackTraces().values().stream()
-                .flatMap(Stream::of)
-                .anyMatch(call -> call.getClassName().equals(SampleTracer.class.getName()));
     }
 
     @Test

@@ -27,7 +27,6 @@ final class ProgramShell {
         Process process =
                 builder.directory(folder.toFile()).redirectError(err.toFile()).start();
         String out = new String(process.getInputStream().readAllBytes(), UTF_8);
-        return new ProgramRun(
-                process.waitFor(), out, Files.readString(err).replace(Main.SLOW + System.lineSeparator(), ""));
+        return new ProgramRun(process.waitFor(), out, Files.readString(err));
     }
 }

@@ -235,7 +235,7 @@ public final class RandomStudio {
     }
 
     private SceneObject anyObject() {
-        return valid(() -> object(pick(SceneObject.class.getPermittedSubclasses()), 2));
+        return valid(() -> object(pick(Descriptions.members(SceneObject.class).toArray(Class<?>[]::new)), 2));
     }
 
     private SceneObject object(Class<?> type, int depth) {
@@ -323,7 +323,7 @@ public final class RandomStudio {
     private SceneObject objectWithin(int depth) {
         return depth == 0
                 ? new Sphere("ball", new Vector3d(), 1, surface())
-                : object(pick(SceneObject.class.getPermittedSubclasses()), depth - 1);
+                : object(pick(Descriptions.members(SceneObject.class).toArray(Class<?>[]::new)), depth - 1);
     }
 
     private Surface surface() {
@@ -426,7 +426,7 @@ public final class RandomStudio {
     }
 
     private Shutter shutter() {
-        return shutter(pick(Shutter.class.getPermittedSubclasses()));
+        return shutter(pick(Descriptions.members(Shutter.class).toArray(Class<?>[]::new)));
     }
 
     private Shutter shutter(Class<?> type) {

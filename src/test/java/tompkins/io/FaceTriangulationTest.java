@@ -30,7 +30,6 @@ class FaceTriangulationTest {
         "L with corners on its sides, 3, 0 0 1 0 2 0 2 0.5 2 1 1.5 1 1 1 1 1.5 1 2 0.5 2 0 2 0 1",
         "frame that is cut open once, 12, 0 0 4 0 4 4 0 4 0 0 1 1 1 3 3 3 3 1 1 1",
         "two triangles that touch at a corner, 4, 0 0 2 0 2 2 0 0 -2 0 -2 -2",
-        "side that touches a corner, 8, 0 0 4 0 4 4 2 0 0 4",
         "corners that are given twice, 1.2, -1 -1 0 -0.2 0 -0.2 1 -1 0 1 0 1",
         "spike without width, 4, 0 0 2 0 2 2 1 2 1 3 1 2 0 2",
         "needle with a dent, 9.999995e-7, 0 0 1 -1e-6 2 0 1 -5e-13",

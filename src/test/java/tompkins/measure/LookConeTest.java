@@ -13,13 +13,13 @@ import tompkins.math.Vectors;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
-import tompkins.world.SeenFrame;
+import tompkins.world.FrameAppearance;
 
 /** Circles of directions as a moving camera sees them, against the reference outlines of spheres and closed forms. */
 class LookConeTest {
 
-    private static SeenFrame frame(Velocity velocity) {
-        return new SeenFrame(Studio.DEFAULT.withVelocity(velocity), null);
+    private static FrameAppearance frame(Velocity velocity) {
+        return new FrameAppearance(Studio.DEFAULT.withVelocity(velocity), null);
     }
 
     /** Every direction of the outline is seen on the circle of the row. */
@@ -45,7 +45,7 @@ class LookConeTest {
     /** Lesson of the Penrose sphere: cot d' = gamma (cos d + beta cos A)/sin d at A = 90 degrees. */
     @Test
     void sphereAcrossTheMotionLooksSmaller() {
-        SeenFrame frame = frame(Velocity.of(0, 0, 0.8));
+        FrameAppearance frame = frame(Velocity.of(0, 0, 0.8));
         LookCone outline = LookCone.outline(new Vector3d(), new Vector3d(10, 0, 0), 1);
         double toMotion = Math.toRadians(37.0082);
         Vector3d middle = new Vector3d(Math.sin(toMotion), 0, Math.cos(toMotion));
@@ -76,7 +76,7 @@ class LookConeTest {
     /** A rod is seen straight if and only if the plane of pinhole and rod holds the motion. */
     @Test
     void rodsLookStraightInThePlaneOfTheMotionOnly() {
-        SeenFrame frame = frame(Velocity.of(0.6, 0, 0.3));
+        FrameAppearance frame = frame(Velocity.of(0.6, 0, 0.3));
         Vector3d along = new Vector3d(1, 1, 0);
         Vector3d through = new Vector3d(0.6, 0, 0.3).mul(4).fma(2, along);
 
@@ -85,7 +85,7 @@ class LookConeTest {
     }
 
     /** How far the direction of a point of a rod is from the great circle through those of two others. */
-    private static double bend(SeenFrame frame, Vector3d through, Vector3d along) {
+    private static double bend(FrameAppearance frame, Vector3d through, Vector3d along) {
         Vector3d first = frame.look(through);
         Vector3d middle = frame.look(new Vector3d(through).fma(1, along));
         Vector3d last = frame.look(new Vector3d(through).fma(2, along));

@@ -44,8 +44,8 @@ import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.surface.LuminousSurface;
 import tompkins.trace.Frame;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** What is drawn over pictures agrees with the traced picture within half a pixel, at three velocities. */
 class OverlaysTest {
@@ -75,7 +75,7 @@ class OverlaysTest {
 
     /** A point that is seen at a place from a distance, in the frame in which it rests. */
     private static Vector3d point(Studio studio, FrameMotion motion, double x, double y, double distance) {
-        RayLife life = RayLife.of(RenderPlan.of(studio.withScene(List.of())), x, y, 0, 0);
+        SampleHistory life = SampleHistory.of(RenderPlan.of(studio.withScene(List.of())), x, y, 0, 0);
         Event start = life.sceneStart();
         Vector3d place = new Vector3d(life.sceneDirection()).mul(distance).add(start.position());
         Event event = new Event(place.x, place.y, place.z, start.time() - distance * life.lastSlowness());

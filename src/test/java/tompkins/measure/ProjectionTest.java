@@ -26,9 +26,9 @@ import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
-import tompkins.world.SeenFrame;
+import tompkins.trace.SampleHistory;
+import tompkins.world.FrameAppearance;
 
 /** Places by formulas, against traced rays: a point on the ray of a place is projected to that place again. */
 class ProjectionTest {
@@ -77,7 +77,7 @@ class ProjectionTest {
 
     private static void check(Studio studio, FrameMotion motion) {
         Projection projection = Projection.of(studio);
-        SeenFrame frame = new SeenFrame(studio, motion);
+        FrameAppearance frame = new FrameAppearance(studio, motion);
         RenderPlan plan = RenderPlan.of(studio);
         boolean rolls = studio.camera().rollingShutter().rolls();
         int found = 0;
@@ -125,7 +125,7 @@ class ProjectionTest {
 
     /** Where, in its rest frame, a point is that the traced ray of a place meets at a distance. */
     private static Vector3d point(RenderPlan plan, FrameMotion motion, double x, double y, double distance) {
-        RayLife life = RayLife.of(plan, x, y, 0, 0);
+        SampleHistory life = SampleHistory.of(plan, x, y, 0, 0);
         Event start = life.sceneStart();
         Vector3d place = new Vector3d(life.sceneDirection()).mul(distance).add(start.position());
         Event event = new Event(place.x, place.y, place.z, start.time() - distance * life.lastSlowness());
@@ -144,9 +144,9 @@ class ProjectionTest {
         Projection projection = Projection.of(Studio.DEFAULT);
 
         assertThat(projection.position(new Vector3d(0, 0, -1))).isNull();
-        assertThat(projection.position(new SeenFrame(Studio.DEFAULT, null), new Vector3d(0, 0, -5)))
+        assertThat(projection.position(new FrameAppearance(Studio.DEFAULT, null), new Vector3d(0, 0, -5)))
                 .isNull();
-        assertThat(projection.position(new SeenFrame(Studio.DEFAULT, null), new Vector3d()))
+        assertThat(projection.position(new FrameAppearance(Studio.DEFAULT, null), new Vector3d()))
                 .isNull();
     }
 }

@@ -25,8 +25,8 @@ import tompkins.surface.LorentzWindow;
 import tompkins.surface.Mirror;
 import tompkins.surface.Refractive;
 import tompkins.surface.WindowAxes;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 class RayTubesTest {
 
@@ -39,8 +39,8 @@ class RayTubesTest {
     }
 
     /** The ray of the middle of the picture, which runs along z. */
-    private static RayLife middle(Studio studio) {
-        return RayLife.of(RenderPlan.of(studio), 20, 15, 0, 0);
+    private static SampleHistory middle(Studio studio) {
+        return SampleHistory.of(RenderPlan.of(studio), 20, 15, 0, 0);
     }
 
     private static <T> List<T> parts(Group group, Class<T> type) {
@@ -114,7 +114,7 @@ class RayTubesTest {
         Disc pane = new Disc("pane", new Vector3d(0, 0, 0.5), BACK, 2, Clear.DEFAULT);
         Studio moving = studio(wall).withVelocity(velocity).withCameraFrame(List.of(window, pane));
 
-        RayLife ray = middle(moving);
+        SampleHistory ray = middle(moving);
         Group tubes = RayTubes.of("ray", List.of(ray));
 
         assertThat(ray.hits()).hasSize(3);
@@ -156,7 +156,7 @@ class RayTubesTest {
         SceneObject wall = new Plane("wall", new Vector3d(0, 0, 5), BACK, ColouredSurface.DEFAULT);
         RenderPlan plan = RenderPlan.of(studio(wall).withCamera(Descriptions.with(lens, "exposureTime", 4.0)));
 
-        List<RayLife> cone = RayCone.around(plan, 20, 15, 8, 0.25);
+        List<SampleHistory> cone = RayCone.around(plan, 20, 15, 8, 0.25);
 
         assertThat(cone).hasSize(8);
         assertThat(cone).allSatisfy(ray -> {
@@ -172,11 +172,11 @@ class RayTubesTest {
         Studio studio = studio(wall);
         RenderPlan plan = RenderPlan.of(studio);
 
-        List<RayLife> cone = RayCone.around(plan, 20, 15, 4, 0.5);
+        List<SampleHistory> cone = RayCone.around(plan, 20, 15, 4, 0.5);
         Studio drawn = RayTubes.addedTo(studio, "cone", cone);
 
         // a twentieth of the height is 1.5 pixels
-        double away = RayLife.of(plan, 21.5, 15, 0, 0).end().event().x();
+        double away = SampleHistory.of(plan, 21.5, 15, 0, 0).end().event().x();
         assertThat(cone.stream().map(ray -> ray.end().event().x()))
                 .satisfiesExactly(
                         x -> assertThat(x).isCloseTo(away, within(1e-14)),

@@ -21,7 +21,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.surface.LuminousSurface;
 import tompkins.trace.RenderPlan;
-import tompkins.world.SeenFrame;
+import tompkins.world.FrameAppearance;
 
 class SeparationTest {
 
@@ -37,7 +37,7 @@ class SeparationTest {
         Studio studio = Studio.DEFAULT
                 .withCamera(Descriptions.with(ThinLensCamera.DEFAULT, "horizontalAngleDegrees", 0.5))
                 .withScene(List.of(new Moving("rod", velocity, place, 0, List.of(near, far))));
-        SeenFrame frame = new SeenFrame(studio, new FrameMotion(null, velocity, new Event(0, 0, 10, 0)));
+        FrameAppearance frame = new FrameAppearance(studio, new FrameMotion(null, velocity, new Event(0, 0, 10, 0)));
         Separation rod = between(studio, frame, near.centre(), far.centre());
 
         assertThat(rod.first().hit().object().description()).isEqualTo("near");
@@ -49,7 +49,7 @@ class SeparationTest {
         assertThat(Separation.interval(rod.inObject())).isCloseTo(Separation.interval(rod.inScene()), within(1e-9));
     }
 
-    private static Separation between(Studio studio, SeenFrame frame, Vector3dc first, Vector3dc second) {
+    private static Separation between(Studio studio, FrameAppearance frame, Vector3dc first, Vector3dc second) {
         Projection projection = Projection.of(studio);
         RenderPlan plan = RenderPlan.of(studio);
         Vector2dc from = projection.position(frame, first);

@@ -21,8 +21,8 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.surface.ColouredSurface;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** What is said of objects that a picture does not show, held against the picture. */
 class UnseenObjectsTest {
@@ -72,7 +72,7 @@ class UnseenObjectsTest {
         assertThat(time.find()).as(warning).isTrue();
         Studio then = studio.withCamera(
                 studio.camera().withShutter(studio.camera().shutter().openedAt(Double.parseDouble(time.group(1)))));
-        RayLife middle = RenderPlan.of(then).middleLife();
+        SampleHistory middle = RenderPlan.of(then).middleLife();
         assertThat(middle.end().object().description()).isEqualTo("die");
     }
 

@@ -18,7 +18,7 @@ import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.SkyBackground;
 import tompkins.studio.Studio;
-import tompkins.trace.RayLife;
+import tompkins.trace.SampleHistory;
 
 /** Directions, frequencies and solid angles in the sky of a moving camera. */
 class AberrationTest {
@@ -35,7 +35,7 @@ class AberrationTest {
     @CsvSource({"0.5, 60.0000", "0.6, 53.1301", "0.8, 36.8699", "0.9, 25.8419", "0.99, 8.1096"})
     void lightFromTheSideComesFromAhead(double speed, double cameraDegrees) {
         Photograph moving = Photograph.of(List.of(), Photograph.wholeSky(), Velocity.of(0, 0, speed), 360, 180);
-        RayLife ray = moving.trace(180 + cameraDegrees, 90);
+        SampleHistory ray = moving.trace(180 + cameraDegrees, 90);
         double rounding = 0.5e-4 * ray.sceneDopplerFactor();
         assertThat(Math.toDegrees(Math.acos(ray.sceneDirection().z()))).isCloseTo(90, within(rounding * 1.01));
     }
@@ -43,7 +43,7 @@ class AberrationTest {
     @Test
     void signOfTheTracedDirection() {
         Photograph moving = Photograph.of(List.of(), Photograph.wholeSky(), Velocity.of(0, 0, 0.9), 360, 180);
-        RayLife ray = moving.trace(270, 90);
+        SampleHistory ray = moving.trace(270, 90);
         assertThat(ray.cameraDirection().distance(1, 0, 0)).isLessThan(1e-15);
         assertThat(ray.sceneDirection().distance(Math.sqrt(1 - 0.81), 0, -0.9)).isLessThan(1e-15);
     }
@@ -122,7 +122,7 @@ class AberrationTest {
             assertThat(value).isBetween(0f, 1f);
         }
         assertThat(sky.job().report().warnings()).isEmpty();
-        RayLife sideways = sky.trace(16, 32);
+        SampleHistory sideways = sky.trace(16, 32);
         double gamma = 1 / Math.sqrt(1e-9 * (2 - 1e-9));
         assertThat(sideways.sceneDopplerFactor() * gamma).isCloseTo(1, within(1e-7));
     }
@@ -131,7 +131,7 @@ class AberrationTest {
     void intervalsAreTheSameInBothFrames() {
         Photograph moving = Photograph.of(
                 List.of(), Photograph.pinhole(new Vector3d(0, 0, 1), 20, 3), Velocity.of(0.2, -0.1, 0.97), 8, 8);
-        RayLife ray = moving.with(new AperturePlaneShutter(3)).trace(1, 2);
+        SampleHistory ray = moving.with(new AperturePlaneShutter(3)).trace(1, 2);
         double before = ray.cameraStart().position().lengthSquared()
                 - Math.pow(ray.cameraStart().time(), 2);
         double after = ray.sceneStart().position().lengthSquared()

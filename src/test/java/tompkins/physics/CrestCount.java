@@ -8,14 +8,8 @@ import org.joml.Vector3dc;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Event;
 import tompkins.studio.Studio;
-import tompkins.surface.ComplexRefraction;
-import tompkins.surface.ConfocalLensletArray;
-import tompkins.surface.GalileoWindow;
-import tompkins.surface.IdealLens;
-import tompkins.surface.LorentzWindow;
-import tompkins.surface.Surface;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /**
  * Counts crests: a clock on an object sends a signal at each of its ticks, and what arrives at the lens, by whatever
@@ -51,7 +45,7 @@ final class CrestCount {
      * @param told the frequency ratio (camera/object) that the program tells
      * @param counted the rate at which a clock on the object is seen to run
      */
-    record Counted(RayLife.Encounter hit, String way, double told, double counted) {
+    record Counted(SampleHistory.Encounter hit, String way, double told, double counted) {
 
         @Override
         public String toString() {
@@ -59,7 +53,7 @@ final class CrestCount {
         }
     }
 
-    private static String way(List<RayLife.Encounter> hits) {
+    private static String way(List<SampleHistory.Encounter> hits) {
         return hits.stream()
                 .map(hit -> hit.surface().getClass().getSimpleName() + (hit.movesByItself() ? " that moves" : ""))
                 .collect(Collectors.joining(", "));
@@ -67,12 +61,12 @@ final class CrestCount {
 
     /** The hits on the way of a ray for which crests can be counted: those whose surroundings are smooth. */
     List<Counted> at(double x, double y) {
-        RayLife life = life(2, x, y);
+        SampleHistory life = life(2, x, y);
         List<Counted> counted = new ArrayList<>();
         if (life == null) {
             return counted;
         }
-        List<RayLife.Encounter> hits = life.mainHits();
+        List<SampleHistory.Encounter> hits = life.mainHits();
         for (int i = 0; i < hits.size() && !turnsWithoutPhase(hits.subList(0, i)); i++) {
             double once = rate(life, i, x, y, 1);
             double twice = rate(life, i, x, y, 2);
@@ -89,26 +83,15 @@ final class CrestCount {
     }
 
     /** Windows and lenses turn rays and leave the time of light as it is, which no wave can do. */
-    private static boolean turnsWithoutPhase(List<RayLife.Encounter> hits) {
-        return hits.stream()
-                .map(RayLife.Encounter::surface)
-                .flatMap(Surface::parts)
-                .anyMatch(CrestCount::isWindow);
+    private static boolean turnsWithoutPhase(List<SampleHistory.Encounter> hits) {
+        return hits.stream().anyMatch(hit -> !hit.surface().keepsPhase());
     }
 
-    private static boolean isWindow(Surface surface) {
-        return surface instanceof LorentzWindow
-                || surface instanceof GalileoWindow
-                || surface instanceof ComplexRefraction
-                || surface instanceof ConfocalLensletArray
-                || surface instanceof IdealLens;
+    private SampleHistory life(int plan, double x, double y) {
+        return SampleHistory.of(plans[plan], x, y, 0, 0);
     }
 
-    private RayLife life(int plan, double x, double y) {
-        return RayLife.of(plans[plan], x, y, 0, 0);
-    }
-
-    private double rate(RayLife middle, int hit, double x, double y, int steps) {
+    private double rate(SampleHistory middle, int hit, double x, double y, int steps) {
         double step = steps * STEP;
         Event right = difference(middle, hit, life(2, x - step, y), life(2, x + step, y));
         Event down = difference(middle, hit, life(2, x, y - step), life(2, x, y + step));
@@ -132,7 +115,7 @@ final class CrestCount {
     }
 
     /** The difference of the events of two hits on the same thing in its rest frame; null if the ways are different. */
-    private static Event difference(RayLife middle, int hit, RayLife before, RayLife after) {
+    private static Event difference(SampleHistory middle, int hit, SampleHistory before, SampleHistory after) {
         return isSameWay(middle, before, hit) && isSameWay(middle, after, hit)
                 ? after.mainHits()
                         .get(hit)
@@ -142,13 +125,13 @@ final class CrestCount {
                 : null;
     }
 
-    private static boolean isSameWay(RayLife one, RayLife other, int hit) {
+    private static boolean isSameWay(SampleHistory one, SampleHistory other, int hit) {
         if (other == null || other.mainHits().size() <= hit) {
             return false;
         }
         for (int i = 0; i <= hit; i++) {
-            RayLife.Encounter first = one.mainHits().get(i);
-            RayLife.Encounter second = other.mainHits().get(i);
+            SampleHistory.Encounter first = one.mainHits().get(i);
+            SampleHistory.Encounter second = other.mainHits().get(i);
             Vector3d turned = first.rest().normal().sub(second.rest().normal(), new Vector3d());
             if (first.object() != second.object() || turned.length() > 0.1) {
                 return false;

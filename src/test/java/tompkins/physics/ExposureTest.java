@@ -27,7 +27,7 @@ import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
-import tompkins.trace.RayLife;
+import tompkins.trace.SampleHistory;
 import tompkins.trace.SampleTracer;
 
 /**
@@ -161,7 +161,7 @@ class ExposureTest {
             double y = (row.number("Y0") + row.number("Y1")) / 2;
             // straight ahead, for a place in the picture would be rounded
             Photograph photograph = of(plane, new Vector3d(x, y, 1));
-            RayLife life = RayLife.of(photograph.plan(), WIDTH / 2.0, HEIGHT / 2.0, 0, 0, moment);
+            SampleHistory life = SampleHistory.of(photograph.plan(), WIDTH / 2.0, HEIGHT / 2.0, 0, 0, moment);
             return life.hits().get(0).event().position().x();
         }
 

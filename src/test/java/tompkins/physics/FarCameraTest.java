@@ -20,7 +20,7 @@ import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
-import tompkins.trace.RayLife;
+import tompkins.trace.SampleHistory;
 
 /** A camera that has been on its way for long, and an object beside it: where it is relative to the camera decides. */
 class FarCameraTest {
@@ -72,7 +72,7 @@ class FarCameraTest {
         BigDecimal[] lens = lensPlace(time);
         Vector3dc direction = photograph(new Vector3d(), time).trace(5, 5).sceneDirection();
         Vector3d centre = ballCentre(lens, direction);
-        RayLife ray = photograph(centre, time).trace(5, 5);
+        SampleHistory ray = photograph(centre, time).trace(5, 5);
         assertThat(ray.hits()).hasSize(1);
         double error = Math.abs(ray.hits().get(0).distance() - expectedDistance(lens, centre, direction));
         // in coordinates of order 1000 gamma the scene keeps its own origin: 1e4 u
@@ -146,7 +146,7 @@ class FarCameraTest {
         // a unit vector d with d - beta along z
         double ahead = Math.sqrt(BETA.z() * BETA.z() + 1 - BETA.lengthSquared()) - BETA.z();
         Studio looking = far.withCamera(Photograph.pinhole(new Vector3d(BETA).add(0, 0, ahead), 1, time));
-        RayLife ray = new Photograph(looking).trace(5, 5);
+        SampleHistory ray = new Photograph(looking).trace(5, 5);
         BigDecimal[] lens = new BigDecimal[3];
         for (int axis = 0; axis < 3; axis++) {
             lens[axis] = new BigDecimal(BETA.get(axis)).multiply(new BigDecimal(time));

@@ -32,8 +32,8 @@ import tompkins.studio.Studio;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.Tiling;
 import tompkins.surface.WindowAxes;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** Who moves, how fast, and what cancels what: the same photograph reached in two ways. */
 class FramesOfReferenceTest {
@@ -138,7 +138,7 @@ class FramesOfReferenceTest {
         for (int pixel = 0; pixel < 100; pixel++) {
             double x = 1.6 * pixel;
             double y = 119 - 1.1 * pixel;
-            RayLife ray = cancelled.trace(x, y);
+            SampleHistory ray = cancelled.trace(x, y);
             assertThat(ray.sceneDirection().distance(ray.cameraDirection()))
                     .isLessThan(16 * velocity.gamma() * 0x1p-53);
         }
@@ -191,7 +191,7 @@ class FramesOfReferenceTest {
         Vector3d n = PAPER.normalize(new Vector3d());
         for (int i = 0; i < rimPoints; i++) {
             double angle = 2 * Math.PI * i / rimPoints;
-            RayLife ray = RayLife.of(plan, x, y, Math.cos(angle), Math.sin(angle));
+            SampleHistory ray = SampleHistory.of(plan, x, y, Math.cos(angle), Math.sin(angle));
             double cameraDistance = ray.cameraStart().position().distance(image);
             // distance divided by frequency is the same in both frames
             Vector3d place = new Vector3d(ray.sceneDirection())
@@ -228,8 +228,8 @@ class FramesOfReferenceTest {
         Studio moving = rest.withVelocity(Velocity.of(PAPER))
                 .withCamera(rest.camera().withShutter(FixedPointSurfaceShutter.DEFAULT));
         for (int i = 0; i < 50; i++) {
-            RayLife still = new Photograph(rest).trace(3.2 * i, 2.4 * i);
-            RayLife flying = new Photograph(moving).trace(3.2 * i, 2.4 * i);
+            SampleHistory still = new Photograph(rest).trace(3.2 * i, 2.4 * i);
+            SampleHistory flying = new Photograph(moving).trace(3.2 * i, 2.4 * i);
             assertThat(flying.hits()
                             .get(0)
                             .event()

@@ -23,8 +23,8 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.Refractive;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** Light in glass of index n needs n times as long, which matters when the glass moves with the camera. */
 class GlassTimeTest {
@@ -36,24 +36,24 @@ class GlassTimeTest {
     private static final SceneObject WALL =
             new Plane("wall", new Vector3d(0, 0, 30), new Vector3d(0, 0, -1), ColouredSurface.DEFAULT);
 
-    private static RayLife life(Velocity velocity, double x) {
+    private static SampleHistory life(Velocity velocity, double x) {
         return life(List.of(SLAB), velocity, x);
     }
 
-    private static RayLife life(List<SceneObject> glass, Velocity velocity, double x) {
+    private static SampleHistory life(List<SceneObject> glass, Velocity velocity, double x) {
         Studio studio = Studio.DEFAULT
                 .withScene(List.of(WALL))
                 .withCameraFrame(glass)
                 .withCamera(ThinLensCamera.DEFAULT)
                 .withVelocity(velocity)
                 .withSettings(Studio.DEFAULT.settings().withSize(100, 100));
-        return RayLife.of(RenderPlan.of(studio), x, 50, 0, 0);
+        return SampleHistory.of(RenderPlan.of(studio), x, 50, 0, 0);
     }
 
     /** The event on the way straight through, not on that of a reflection. */
-    private static Event leavesTheGlass(RayLife life) {
+    private static Event leavesTheGlass(SampleHistory life) {
         return life.hits().stream()
-                .map(RayLife.Encounter::event)
+                .map(SampleHistory.Encounter::event)
                 .filter(event -> Math.abs(event.z() - 4) < 1e-9)
                 .max((one, other) -> Double.compare(one.time(), other.time()))
                 .orElseThrow();
@@ -61,7 +61,7 @@ class GlassTimeTest {
 
     @Test
     void lightThroughAMovingSlabComesFromAnEarlierPlace() {
-        RayLife life = life(Velocity.of(0, 0, 0.8), 50);
+        SampleHistory life = life(Velocity.of(0, 0, 0.8), 50);
         // 2 to the glass, 1.5 times 2 in it
         assertThat(leavesTheGlass(life).time()).isCloseTo(-5, within(1e-12));
         // gamma = 5/3: z = gamma (4 - 0.8 times 5) = 0 at the time gamma (-5 + 0.8 times 4) = -3, and 30 to go
@@ -104,7 +104,7 @@ class GlassTimeTest {
     /** Most of the light goes straight on, not back with the 4 % that the front reflects. */
     @Test
     void whatIsToldOfTheRayIsThatOfItsMainBranch() {
-        RayLife life = life(Velocity.of(0, 0, 0.6), 50);
+        SampleHistory life = life(Velocity.of(0, 0, 0.6), 50);
         // gamma = 5/4: z = gamma (4 - 0.6 times 5), t = gamma (-5 + 0.6 times 4)
         assertThat(life.sceneStart().z()).isCloseTo(1.25, within(1e-12));
         assertThat(life.sceneStart().time()).isCloseTo(-3.25, within(1e-12));
@@ -116,7 +116,7 @@ class GlassTimeTest {
         assertThat(life.hits()).hasSizeGreaterThan(3).anyMatch(hit -> hit.branch() == 1);
     }
 
-    private static RayLife fromInside(List<SceneObject> media, Vector3d view, SceneObject seen) {
+    private static SampleHistory fromInside(List<SceneObject> media, Vector3d view, SceneObject seen) {
         Studio studio = Studio.DEFAULT
                 .withScene(List.of(seen))
                 .withCameraFrame(media)
@@ -132,7 +132,7 @@ class GlassTimeTest {
                         AperturePlaneShutter.DEFAULT))
                 .withVelocity(Velocity.of(0, 0, 0.8))
                 .withSettings(Studio.DEFAULT.settings().withSize(99, 99));
-        return RayLife.of(RenderPlan.of(studio), 49.5, 49.5, 0, 0);
+        return SampleHistory.of(RenderPlan.of(studio), 49.5, 49.5, 0, 0);
     }
 
     /** Around the camera, glass with and without a bubble about the lens, which changes next to nothing. */
@@ -144,7 +144,7 @@ class GlassTimeTest {
         List<SceneObject> media = bubble == 0
                 ? List.of(ball)
                 : List.of(ball, new Sphere("air", new Vector3d(), bubble, new Refractive(1 / 1.5)));
-        RayLife life = fromInside(media, new Vector3d(1, 0, 0), side);
+        SampleHistory life = fromInside(media, new Vector3d(1, 0, 0), side);
         // x = 3 at t = -1.5 times 3, and from there at the angle of aberration: gamma = 5/3, tan = gamma 0.8
         assertThat(life.sceneStart().z()).isCloseTo(-6, within(2 * bubble + 1e-12));
         Event seen = life.mainHits().get(life.mainHits().size() - 1).event();
@@ -195,7 +195,7 @@ class GlassTimeTest {
 
     @Test
     void aSlantingRayNeedsTheTimeOfItsPathByTheLawOfSnell() {
-        RayLife life = life(Velocity.REST, 90);
+        SampleHistory life = life(Velocity.REST, 90);
         Vector3d direction = new Vector3d(life.cameraDirection());
         double sine = direction.x / 1.5;
         double pathInGlass = 2 / Math.sqrt(1 - sine * sine);
@@ -220,8 +220,8 @@ class GlassTimeTest {
                 .withScene(List.of(new Moving("all", back, new Vector3d(), 0, List.of(ball, WALL))));
 
         for (Studio studio : List.of(flying, passed)) {
-            RayLife.Encounter wall =
-                    RayLife.of(RenderPlan.of(studio), 50, 50, 0, 0).end();
+            SampleHistory.Encounter wall =
+                    SampleHistory.of(RenderPlan.of(studio), 50, 50, 0, 0).end();
             assertThat(wall.object().description()).isEqualTo(WALL.description());
             assertThat(wall.rest().event().time())
                     .isCloseTo(-(3 * 1.5 + wall.rest().event().z() - 3), within(1e-12));
@@ -237,6 +237,7 @@ class GlassTimeTest {
                 .withVelocity(Velocity.of(0, 0, -0.9))
                 .withSettings(Studio.DEFAULT.settings().withSize(100, 100));
 
-        assertThat(RayLife.of(RenderPlan.of(studio), 50, 50, 0, 0).colour()).isEqualTo(Colour.BLACK);
+        assertThat(SampleHistory.of(RenderPlan.of(studio), 50, 50, 0, 0).colour())
+                .isEqualTo(Colour.BLACK);
     }
 }

@@ -25,7 +25,7 @@ import tompkins.shutter.LensHologramShutter;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.Velocity;
 import tompkins.surface.ColouredSurface;
-import tompkins.trace.RayLife;
+import tompkins.trace.SampleHistory;
 
 /** The moving camera photographs the places of a grid as a regular grid, whatever its shutter and its focus. */
 class ImagePointGridTest {
@@ -54,7 +54,7 @@ class ImagePointGridTest {
         Photograph photograph = Photograph.of(List.of(grid), camera, Velocity.of(0.3, -0.4, 0.6), 5, 5);
         for (int row = 0; row < 5; row++) {
             for (int column = 0; column < 5; column++) {
-                RayLife ray = photograph.trace(column + 0.5, row + 0.5);
+                SampleHistory ray = photograph.trace(column + 0.5, row + 0.5);
                 boolean inGrid = column > 0 && column < 4 && row > 0 && row < 4;
                 assertThat(ray.hits()).as("column %d, row %d", column, row).hasSize(inGrid ? 1 : 0);
             }

@@ -31,7 +31,7 @@ import tompkins.surface.Mirror;
 import tompkins.surface.Refractive;
 import tompkins.surface.Surface;
 import tompkins.surface.WindowAxes;
-import tompkins.trace.RayLife;
+import tompkins.trace.SampleHistory;
 
 /** The light of a scene that shines alike in all directions, in pictures that a fast camera takes of it. */
 class LightShiftTest {
@@ -144,7 +144,7 @@ class LightShiftTest {
         Studio studio =
                 shell(Photograph.pinhole(new Vector3d(0, 0, 1), 20, 0), Velocity.of(0, 0, 0.9), ColourLaw.DOPPLER);
         Disc disc = new Disc("disc", new Vector3d(0, 0, 1), new Vector3d(0, 0, -1), 0.05, Photograph.GREEN);
-        RayLife life = new Photograph(studio.withCameraFrame(List.of(disc))).trace(WIDTH / 2.0, HEIGHT / 2.0);
+        SampleHistory life = new Photograph(studio.withCameraFrame(List.of(disc))).trace(WIDTH / 2.0, HEIGHT / 2.0);
         assertThat(life.colour()).isEqualTo(new Colour(0, 1, 0));
     }
 

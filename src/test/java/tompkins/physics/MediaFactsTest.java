@@ -23,8 +23,8 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.surface.Refractive;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** Light in glass and water through which cameras and objects move, against closed forms. */
 class MediaFactsTest {
@@ -47,8 +47,8 @@ class MediaFactsTest {
                 .withSettings(Studio.DEFAULT.settings().withSize(1, 1));
     }
 
-    private static RayLife life(Studio studio) {
-        return RayLife.of(RenderPlan.of(studio), 0.5, 0.5, 0, 0);
+    private static SampleHistory life(Studio studio) {
+        return SampleHistory.of(RenderPlan.of(studio), 0.5, 0.5, 0, 0);
     }
 
     private static Moving moving(Velocity velocity, SceneObject... objects) {
@@ -60,10 +60,10 @@ class MediaFactsTest {
     void cameraInGlassSeesTheFrequencyOfTheWave() {
         Velocity half = Velocity.of(0, 0, 0.5);
 
-        RayLife ahead = life(studio(1.5, half, AHEAD));
+        SampleHistory ahead = life(studio(1.5, half, AHEAD));
         assertThat(ahead.sceneDopplerFactor()).isCloseTo(2.020725942163690, within(EXACT));
         assertThat(ahead.colour().red()).isCloseTo(Math.pow(2.020725942163690, 4), within(1e-10));
-        RayLife across = life(studio(1.5, half, ACROSS));
+        SampleHistory across = life(studio(1.5, half, ACROSS));
         assertThat(across.sceneDopplerFactor()).isCloseTo((1 - 0.5625) / Math.sqrt(0.75), within(EXACT));
         assertThat(across.colour().red()).isCloseTo(0.4375 * 0.4375, within(EXACT));
         assertThat(across.sceneDirection().dot(0, 0, 1)).isCloseTo(-0.75, within(EXACT));
@@ -78,8 +78,8 @@ class MediaFactsTest {
         SceneObject shell = new Sphere("shell", new Vector3d(), 60, Photograph.WHITE);
         Studio studio = studio(1.5, velocity, ACROSS).withScene(List.of(moving(velocity, glass, shell)));
 
-        RayLife life = life(studio);
-        RayLife.Rest first = life.mainHits().get(0).rest();
+        SampleHistory life = life(studio);
+        SampleHistory.Rest first = life.mainHits().get(0).rest();
         assertThat(first.dopplerFactor()).isEqualTo(1);
         assertThat(first.event().time()).isCloseTo(-45, within(1e-9));
         assertThat(life.colour().red()).isCloseTo(1, within(1e-12));
@@ -127,11 +127,11 @@ class MediaFactsTest {
                 new Box("plate", new Vector3d(-1000, -1000, 5), new Vector3d(1000, 1000, 7), new Refractive(1.5)));
         Studio studio = studio(1, Velocity.REST, new Vector3d(0.3, 0.1, 1), plate);
 
-        RayLife life = life(studio.withScene(studio.scene().stream()
+        SampleHistory life = life(studio.withScene(studio.scene().stream()
                 .filter(object -> !object.description().equals("medium"))
                 .toList()));
         assertThat(life.mainHits()).hasSize(3);
-        RayLife.Encounter shell = life.end();
+        SampleHistory.Encounter shell = life.end();
         assertThat(shell.rest().dopplerFactor()).isCloseTo(1, within(EXACT));
         Vector3d way =
                 shell.event().position().sub(life.mainHits().get(1).event().position());
@@ -153,9 +153,10 @@ class MediaFactsTest {
                 0,
                 List.of(new Box(
                         "cavity", new Vector3d(-50, -50, 0), new Vector3d(50, 50, 9), new Refractive(1 / 1.5))));
-        RayLife life = life(studio(1.5, Velocity.REST, new Vector3d(Math.sin(angle), 0, Math.cos(angle)), cavity));
+        SampleHistory life =
+                life(studio(1.5, Velocity.REST, new Vector3d(Math.sin(angle), 0, Math.cos(angle)), cavity));
 
-        List<RayLife.Encounter> hits = life.mainHits();
+        List<SampleHistory.Encounter> hits = life.mainHits();
         Vector3d way = hits.get(1)
                 .rest()
                 .event()
@@ -173,7 +174,7 @@ class MediaFactsTest {
     void cameraFarFromTheOriginSeesTheSame(double time) {
         Velocity velocity = Velocity.of(0.1, -0.2, 0.3);
         Vector3d view = new Vector3d(0.3, 0.5, 1);
-        RayLife near = life(studio(1.5, velocity, view));
+        SampleHistory near = life(studio(1.5, velocity, view));
         Vector3d there = new Vector3d(velocity.proper()).mul(time);
         Studio far = studio(1.5, velocity, view)
                 .withScene(List.of(
@@ -181,7 +182,7 @@ class MediaFactsTest {
                         new Sphere("shell", there, 60, Photograph.WHITE)))
                 .withCamera(Photograph.pinhole(view, 10, time));
 
-        RayLife seen = life(far);
+        SampleHistory seen = life(far);
         assertThat(seen.sceneDirection().distance(near.sceneDirection())).isLessThan(1e-12);
         assertThat(seen.sceneDopplerFactor()).isCloseTo(near.sceneDopplerFactor(), within(1e-12));
         // the centre of the glass itself has no more digits than this

@@ -35,7 +35,7 @@ import tompkins.surface.ColouredSurface;
 import tompkins.surface.LuminousSurface;
 import tompkins.surface.Mirror;
 import tompkins.surface.Refractive;
-import tompkins.trace.RayLife;
+import tompkins.trace.SampleHistory;
 
 /** What closed formulas say of things in motion, read from pictures and rays of a camera at rest. */
 class MovingFactsTest {
@@ -53,7 +53,7 @@ class MovingFactsTest {
         return new Moving("moving", Velocity.of(speed, 0, 0), place, 0, List.of(objects));
     }
 
-    private static RayLife.Encounter hit(List<SceneObject> scene, Vector3dc view, double time) {
+    private static SampleHistory.Encounter hit(List<SceneObject> scene, Vector3dc view, double time) {
         return new Photograph(studio(scene, List.of(), Photograph.pinhole(view, 1, time), 100))
                 .trace(50, 50)
                 .mainHits()
@@ -108,7 +108,7 @@ class MovingFactsTest {
         // the camera, one unit above the floor, sees the point below it as it was one unit of time before
         Vector3dc down = new Vector3d(0, -1, 0);
         ThinLensCamera camera = at(new Vector3d(0, 1, 0), Photograph.pinhole(down, 1, time + 1));
-        RayLife life = new Photograph(studio(List.of(floor), List.of(lamp), camera, 100)).trace(50, 50);
+        SampleHistory life = new Photograph(studio(List.of(floor), List.of(lamp), camera, 100)).trace(50, 50);
 
         double cosine = 3 / Math.hypot(3, lampX);
         assertThat(life.colour().red()).isCloseTo(cosine, within(1e-9));
@@ -235,8 +235,8 @@ class MovingFactsTest {
         Photograph photograph =
                 new Photograph(studio(List.of(clocks), List.of(), Photograph.pinhole(FORWARDS, 40, 2), 200)
                         .withView(View.MEASURED));
-        RayLife.Rest left = photograph.trace(50, 100).mainHits().get(0).rest();
-        RayLife.Rest right = photograph.trace(150, 100).mainHits().get(0).rest();
+        SampleHistory.Rest left = photograph.trace(50, 100).mainHits().get(0).rest();
+        SampleHistory.Rest right = photograph.trace(150, 100).mainHits().get(0).rest();
         double apart = right.event().x() - left.event().x();
 
         assertThat((right.clockReading() - left.clockReading()) / apart).isCloseTo(-0.6, within(1e-12));
@@ -285,7 +285,7 @@ class MovingFactsTest {
         Plane wall = new Plane("wall", new Vector3d(0, 0, -50), FORWARDS, Photograph.WHITE);
         Photograph photograph = new Photograph(
                 studio(List.of(mirror, wall), List.of(), Photograph.pinhole(Photograph.level(degrees), 1, 0), 100));
-        List<RayLife.Encounter> hits = photograph.trace(50, 50).mainHits();
+        List<SampleHistory.Encounter> hits = photograph.trace(50, 50).mainHits();
         Vector3d way = new Vector3d(hits.get(1).event().position())
                 .sub(hits.get(0).inScene(photograph.studio().sceneFromCamera()).position());
 
@@ -309,7 +309,7 @@ class MovingFactsTest {
                 List.of(new Box("water", new Vector3d(-5, -5, -5), new Vector3d(5, 5, 5), new Refractive(4.0 / 3))));
         Photograph photograph =
                 new Photograph(studio(List.of(water), List.of(), Photograph.pinhole(FORWARDS, 1, 0), 100));
-        List<RayLife.Encounter> hits = photograph.trace(50, 50).mainHits();
+        List<SampleHistory.Encounter> hits = photograph.trace(50, 50).mainHits();
         double length = hits.get(1)
                 .event()
                 .position()
@@ -348,7 +348,7 @@ class MovingFactsTest {
         // the camera stands just above the point of the floor
         ThinLensCamera camera =
                 at(new Vector3d(x, 0.001, 0), Photograph.pinhole(new Vector3d(0, -1, 0), 1, time + 0.001));
-        RayLife life = new Photograph(studio(List.of(ball, floor), List.of(lamp), camera, 100)).trace(50, 50);
+        SampleHistory life = new Photograph(studio(List.of(ball, floor), List.of(lamp), camera, 100)).trace(50, 50);
 
         assertThat(life.colour().red() == 0).isEqualTo(dark);
     }

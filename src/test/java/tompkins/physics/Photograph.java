@@ -22,8 +22,8 @@ import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.surface.LuminousSurface;
 import tompkins.surface.Surface;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** A studio and its rendered picture, measured as one measures a photograph. */
 final class Photograph {
@@ -152,8 +152,8 @@ final class Photograph {
     }
 
     /** The ray of a place in the picture, followed through both frames. */
-    RayLife trace(double x, double y) {
-        return RayLife.of(plan, x, y, 0, 0);
+    SampleHistory trace(double x, double y) {
+        return SampleHistory.of(plan, x, y, 0, 0);
     }
 
     /** The same photograph with another shutter. */

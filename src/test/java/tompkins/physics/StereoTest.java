@@ -33,9 +33,9 @@ import tompkins.studio.PaperStudios;
 import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.surface.Mirror;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
-import tompkins.world.SeenFrame;
+import tompkins.trace.SampleHistory;
+import tompkins.world.FrameAppearance;
 
 /** Pictures of two eyes, against closed forms of the disparity and against cameras that stand apart. */
 class StereoTest {
@@ -102,7 +102,7 @@ class StereoTest {
                 for (int eye : eyes(layout)) {
                     Vector3d seen = new Vector3d(point).sub(eye * EYES / 2, 0, 0);
                     Vector2d pixel = pixel(layout, eye, seen);
-                    RayLife life = RayLife.of(plan, pixel.x, pixel.y, 0, 0);
+                    SampleHistory life = SampleHistory.of(plan, pixel.x, pixel.y, 0, 0);
                     assertThat(life.cameraStart()).isEqualTo(new Event(eye * EYES / 2, 0, 0, TIME));
                     assertThat(life.end().event().position().distance(point)).isLessThan(1e-12);
                     found.add(pixel);
@@ -135,10 +135,10 @@ class StereoTest {
                         .mul(u.dot(ahead) / (velocity.gamma() + 1) + 1)
                         .add(ahead);
                 Vector2d pixel = pixel(layout, eye, seen);
-                RayLife life = RayLife.of(plan, pixel.x, pixel.y, 0, 0);
+                SampleHistory life = SampleHistory.of(plan, pixel.x, pixel.y, 0, 0);
                 assertThat(life.sceneStart().position().distance(there)).isLessThan(1e-9);
                 assertThat(life.end().event().position().distance(point)).isLessThan(1e-8 * depth);
-                Vector2dc formula = projections.get((eye + 1) / 2).position(new SeenFrame(studio, null), point);
+                Vector2dc formula = projections.get((eye + 1) / 2).position(new FrameAppearance(studio, null), point);
                 assertThat(formula.distance(pixel)).isLessThan(1e-8);
             }
         }
@@ -167,7 +167,7 @@ class StereoTest {
     }
 
     private static Vector2dc position(Studio studio, int eye, Vector3dc point) {
-        return Projection.ofEyes(studio).get(eye).position(new SeenFrame(studio, null), point);
+        return Projection.ofEyes(studio).get(eye).position(new FrameAppearance(studio, null), point);
     }
 
     private static Studio paper(Camera camera, int samples) {
@@ -310,7 +310,7 @@ class StereoTest {
                 double column = 360 + Math.toDegrees(longitude + aside) * 2;
                 double latitude = Math.atan2(height, Math.sqrt(distance * distance - EYES * EYES / 4));
                 double row = 180 - Math.toDegrees(latitude) * 2 + (eye > 0 ? 360 : 0);
-                RayLife life = RayLife.of(plan, column, row, 0, 0);
+                SampleHistory life = SampleHistory.of(plan, column, row, 0, 0);
                 assertThat(life.cameraStart().position().length()).isCloseTo(EYES / 2, within(1e-12));
                 assertThat(life.cameraStart().time()).isZero();
                 assertThat(life.end().event().position().distance(point)).isLessThan(1e-10 * distance);

@@ -24,8 +24,8 @@ import tompkins.studio.Lighting;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.surface.ColouredSurface;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** What is known of wheels that roll without slipping, in photographs. */
 class WheelFactsTest {
@@ -47,9 +47,9 @@ class WheelFactsTest {
         return studio.withCamera(camera.withShutter(new AperturePlaneShutter(time)));
     }
 
-    private static RayLife middle(Studio studio) {
+    private static SampleHistory middle(Studio studio) {
         RenderPlan plan = RenderPlan.of(studio);
-        return RayLife.of(plan, plan.width() / 2.0, plan.height() / 2.0, 0, 0);
+        return SampleHistory.of(plan, plan.width() / 2.0, plan.height() / 2.0, 0, 0);
     }
 
     /** Head-on, the point at the road has D = 1, the hub that of its speed, and the top its square. */
@@ -60,7 +60,7 @@ class WheelFactsTest {
         Studio studio =
                 studio(new Vector3d(0, 0, -1), new Vector3d(1, 0, 0), new Vector3d(0, height, 0), 0, aim, aim.length());
 
-        RayLife life = middle(studio);
+        SampleHistory life = middle(studio);
 
         assertThat(life.end()).as("the ball is seen").isNotNull();
         assertThat(life.dopplerFactor()).isCloseTo(factor, within(0.02 * factor));
@@ -79,7 +79,7 @@ class WheelFactsTest {
         Vector3d place = new Vector3d(-radius / GAMMA * Math.sin(anomaly), -radius * Math.cos(anomaly), FAR);
         Studio studio = studio(new Vector3d(1, 0, 0), new Vector3d(0, 0, 1), ball, 0, place, 0);
 
-        RayLife life = middle(studio.withView(View.MEASURED));
+        SampleHistory life = middle(studio.withView(View.MEASURED));
 
         assertThat(life.end()).as("the ball is there").isNotNull();
         assertThat(life.end().event().position().distance(place)).isLessThan(2e-3);
@@ -95,7 +95,7 @@ class WheelFactsTest {
         Vector3d aim = new Vector3d(SPEED * sceneTime, 0.75, FAR);
         Studio studio = studio(new Vector3d(1, 0, 0), new Vector3d(0, 0, 1), ball, 0, aim, sceneTime + aim.length());
 
-        RayLife.Rest rest = middle(studio).end().rest();
+        SampleHistory.Rest rest = middle(studio).end().rest();
 
         assertThat(rest.event().time()).isCloseTo(time * Math.sqrt(1 - 0.6 * 0.6), within(0.01));
         assertThat(rest.event().position().distance(ball)).isLessThan(2e-3);

@@ -188,7 +188,7 @@ class AdaptiveScheduleTest {
     private static void takeFirstPasses(AdaptiveSchedule schedule) {
         Pass first = schedule.next(() -> false);
         Pass others = schedule.next(() -> false);
-        assertThat(first.share() + others.share()).isEqualTo(1);
+        assertThat(first.fraction() + others.fraction()).isEqualTo(1);
         assertThat(others.samples()).isEqualTo(first.samples());
     }
 

@@ -82,7 +82,7 @@ class CostForecastTest {
     /** A cold part at 1000 samples in a second, half done, and a warm one at 4000; 0.5 s of planning. */
     @Test
     void whatIsLeftGoesAtTheGreatestSpeed() {
-        PartCosts costs = new PartCosts();
+        ForecastSamples costs = new ForecastSamples();
         costs.add(10, 500, 0.5, 1, 0.5);
         costs.add(30, 6000, 1, 2, 0.5);
 
@@ -96,7 +96,7 @@ class CostForecastTest {
      */
     @Test
     void aPartThatGetsFasterTellsTheSpeedOfItsEnd() {
-        PartCosts costs = new PartCosts();
+        ForecastSamples costs = new ForecastSamples();
         costs.note(1000, 1);
         costs.note(1900, 1.1);
         costs.note(6000, 2);
@@ -112,7 +112,7 @@ class CostForecastTest {
      */
     @Test
     void partsThatWereStoppedTellWhatTheyTook() {
-        PartCosts costs = new PartCosts();
+        ForecastSamples costs = new ForecastSamples();
         costs.add(2560, 0, 0, 2, 0);
         assertThat(costs.isEmpty()).isTrue();
 

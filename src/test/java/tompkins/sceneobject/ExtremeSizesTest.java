@@ -3,7 +3,6 @@ package tompkins.sceneobject;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -16,6 +15,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.fuzz.RandomStudio;
 import tompkins.primitive.Placement;
 import tompkins.primitive.Primitive;
+import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -49,7 +49,7 @@ class ExtremeSizesTest {
     }
 
     static Stream<Class<?>> types() {
-        return Arrays.stream(SceneObject.class.getPermittedSubclasses());
+        return Descriptions.members(SceneObject.class).stream();
     }
 
     @ParameterizedTest

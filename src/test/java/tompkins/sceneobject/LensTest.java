@@ -20,8 +20,8 @@ import tompkins.ray.Ray;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.Refractive;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 class LensTest {
 
@@ -35,13 +35,13 @@ class LensTest {
     }
 
     /** The main branch of a ray from a point into a lens and on to a wall. */
-    private static List<RayLife.Encounter> ray(Lens lens, double x, double pixelX, double pixelY) {
+    private static List<SampleHistory.Encounter> ray(Lens lens, double x, double pixelX, double pixelY) {
         Plane wall = new Plane("wall", new Vector3d(0, 0, WALL), TO_CAMERA, ColouredSurface.DEFAULT);
         Studio studio = Studio.DEFAULT
                 .withCamera(Descriptions.with(ThinLensCamera.DEFAULT, "position", new Vector3d(x, 0, 0)))
                 .withSettings(Studio.DEFAULT.settings().withSize(400, 300))
                 .withScene(List.of(lens, wall));
-        return RayLife.of(RenderPlan.of(studio), pixelX, pixelY, 0, 0).mainHits();
+        return SampleHistory.of(RenderPlan.of(studio), pixelX, pixelY, 0, 0).mainHits();
     }
 
     /**
@@ -52,7 +52,7 @@ class LensTest {
     @CsvSource({"0, 0.5, 0.5", "0, 0.3, 0", "0.1, 0, 0.7", "0.1, -0.8, 0.9", "0.4, -0.3, -0.2", "0, 1, 1"})
     void bringsParallelRaysToItsFocus(double edge, double front, double back) {
         double height = 1e-4;
-        List<RayLife.Encounter> hits = ray(lens(edge, front, back), height, 200, 150);
+        List<SampleHistory.Encounter> hits = ray(lens(edge, front, back), height, 200, 150);
         assertThat(hits).hasSize(3);
         Vector3d out = hits.get(1).event().position();
         Vector3d wall = hits.get(2).event().position();
@@ -79,7 +79,7 @@ class LensTest {
         SplittableRandom random = new SplittableRandom(1621);
         int through = 0;
         for (int i = 0; i < 100; i++) {
-            List<RayLife.Encounter> hits =
+            List<SampleHistory.Encounter> hits =
                     ray(lens, 0, 200 + random.nextDouble(-35, 35), 150 + random.nextDouble(-35, 35));
             if (hits.size() != 3
                     || Math.abs(hits.get(1).event().z() - MIDDLE.z()) <= edge / 2 + 1e-9

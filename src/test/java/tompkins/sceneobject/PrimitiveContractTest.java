@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
@@ -16,6 +15,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.fuzz.RandomStudio;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
+import tompkins.property.Descriptions;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
@@ -35,7 +35,7 @@ class PrimitiveContractTest {
     private final RandomAims aims = new RandomAims(7);
 
     static Stream<Class<?>> types() {
-        return Arrays.stream(SceneObject.class.getPermittedSubclasses());
+        return Descriptions.members(SceneObject.class).stream();
     }
 
     private static List<Primitive> primitives(Class<?> type) {
@@ -299,7 +299,7 @@ class PrimitiveContractTest {
     void treeFindsWhatTheListFinds() {
         List<SceneObject> objects = new ArrayList<>();
         for (int seed = 0; objects.size() < 300; seed++) {
-            Class<?>[] types = SceneObject.class.getPermittedSubclasses();
+            Class<?>[] types = Descriptions.members(SceneObject.class).toArray(Class<?>[]::new);
             SceneObject object = RandomStudio.object(seed, types[seed % types.length], TILED);
             if (isOneOfATree(object)) {
                 Vector3d place = aims.vector(60);

@@ -3,7 +3,6 @@ package tompkins.sceneobject;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
@@ -22,7 +21,7 @@ class ShiftedTest {
     private static final Vector3dc SHIFT = new Vector3d(0.25, -3, 1.5);
 
     static Stream<Class<?>> types() {
-        return Arrays.stream(SceneObject.class.getPermittedSubclasses());
+        return Descriptions.members(SceneObject.class).stream();
     }
 
     /** A usual object of a type; those that hold nothing hold something. */

@@ -15,8 +15,8 @@ import tompkins.sceneobject.Group;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** The rays that were drawn through a burning glass. */
 class DrawnRaysTest {
@@ -57,8 +57,8 @@ class DrawnRaysTest {
                 .withCamera(Descriptions.with(ThinLensCamera.DEFAULT, "horizontalAngleDegrees", 30.0))
                 .withSettings(SCENE.settings().withSize(401, 301));
         RenderPlan plan = RenderPlan.of(before);
-        List<RayLife> lives = IntStream.of(30, 90, 150, 210, 270)
-                .mapToObj(row -> RayLife.of(plan, 200.5, row + 0.5, 0, 0))
+        List<SampleHistory> lives = IntStream.of(30, 90, 150, 210, 270)
+                .mapToObj(row -> SampleHistory.of(plan, 200.5, row + 0.5, 0, 0))
                 .toList();
 
         List<Group> drawn = rays(RayTubes.addedTo(before, "rays", lives));

@@ -9,8 +9,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.ThinLensCamera;
 import tompkins.studio.Studio;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** The numbers that the scenes with long exposures and rolling shutters tell in their remarks, measured on rays. */
 class ExposureScenesTest {
@@ -31,8 +31,8 @@ class ExposureScenesTest {
             edge = Math.tan(Math.toRadians(((ThinLensCamera) studio.camera()).horizontalAngleDegrees() / 2));
         }
 
-        RayLife ray(double x, double y, double moment) {
-            return RayLife.of(plan, WIDTH / 2.0 * (1 + x / edge), row(y), 0, 0, moment);
+        SampleHistory ray(double x, double y, double moment) {
+            return SampleHistory.of(plan, WIDTH / 2.0 * (1 + x / edge), row(y), 0, 0, moment);
         }
 
         private double row(double y) {
@@ -51,12 +51,12 @@ class ExposureScenesTest {
         }
 
         boolean meets(String name, double x, double y, double moment) {
-            RayLife life = ray(x, y, moment);
+            SampleHistory life = ray(x, y, moment);
             return life.end() != null && life.end().object().description().equals(name);
         }
 
         /** The mean over the exposure time. */
-        double mean(double x, double y, ToDoubleFunction<RayLife> value) {
+        double mean(double x, double y, ToDoubleFunction<SampleHistory> value) {
             double sum = 0;
             for (int i = 0; i < MOMENTS; i++) {
                 sum += value.applyAsDouble(ray(x, y, (i + 0.5) / MOMENTS));

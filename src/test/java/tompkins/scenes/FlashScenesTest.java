@@ -15,8 +15,8 @@ import tompkins.explain.Explanation;
 import tompkins.explain.Flashes;
 import tompkins.studio.Studio;
 import tompkins.trace.FlashSight;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 import tompkins.world.LitSpan;
 
 /** The scenes with light in flight show what their remarks say. */
@@ -67,8 +67,8 @@ class FlashScenesTest {
         double largest = 0;
         for (double x = 0.5; x < plan.width(); x++) {
             double radius = 2002 * Math.tan(Math.toRadians(0.2)) * Math.abs(2 * x / plan.width() - 1);
-            RayLife.Encounter seen =
-                    RayLife.of(plan, x, plan.height() / 2.0, 0, 0).end();
+            SampleHistory.Encounter seen =
+                    SampleHistory.of(plan, x, plan.height() / 2.0, 0, 0).end();
             boolean isDust = radius > 0.122;
             assertThat(seen.object().description()).isEqualTo(isDust ? "dust" : "star");
             if (isDust) {
@@ -92,10 +92,10 @@ class FlashScenesTest {
                 .contains("from 2004.0", "to 2010.");
     }
 
-    private static RayLife.Encounter post(RenderPlan plan) {
+    private static SampleHistory.Encounter post(RenderPlan plan) {
         for (double x = 0.5; x < plan.width(); x++) {
-            RayLife.Encounter seen =
-                    RayLife.of(plan, x, 0.52 * plan.height(), 0, 0).end();
+            SampleHistory.Encounter seen =
+                    SampleHistory.of(plan, x, 0.52 * plan.height(), 0, 0).end();
             if (seen != null && seen.object().description().equals("middle of the train")) {
                 return seen;
             }

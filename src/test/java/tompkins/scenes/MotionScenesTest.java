@@ -17,8 +17,8 @@ import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Event;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** The numbers that the scenes of the topic Motion tell in their remarks, measured on their rays. */
 class MotionScenesTest {
@@ -28,11 +28,11 @@ class MotionScenesTest {
     }
 
     /** What a row of the picture sees, pixel by pixel. */
-    private static List<RayLife.Encounter> row(Studio studio, double row) {
+    private static List<SampleHistory.Encounter> row(Studio studio, double row) {
         RenderPlan plan = RenderPlan.of(studio.withSettings(studio.settings().withSize(2000, 1500)));
-        List<RayLife.Encounter> seen = new ArrayList<>();
+        List<SampleHistory.Encounter> seen = new ArrayList<>();
         for (int column = 0; column < 2000; column++) {
-            RayLife life = RayLife.of(plan, column + 0.5, row * 1500, 0, 0);
+            SampleHistory life = SampleHistory.of(plan, column + 0.5, row * 1500, 0, 0);
             if (life != null && life.end() != null) {
                 seen.add(life.end());
             }
@@ -40,36 +40,36 @@ class MotionScenesTest {
         return seen;
     }
 
-    private static double width(List<RayLife.Encounter> hits, Predicate<RayLife.Encounter> which) {
+    private static double width(List<SampleHistory.Encounter> hits, Predicate<SampleHistory.Encounter> which) {
         List<Double> places =
                 hits.stream().filter(which).map(hit -> hit.event().x()).toList();
         assertThat(places).hasSizeGreaterThan(5);
         return places.get(places.size() - 1) - places.get(0);
     }
 
-    private static Predicate<RayLife.Encounter> named(String name) {
+    private static Predicate<SampleHistory.Encounter> named(String name) {
         return hit -> hit.object().description().equals(name);
     }
 
-    private static Predicate<RayLife.Encounter> frontOfRod() {
+    private static Predicate<SampleHistory.Encounter> frontOfRod() {
         return named("rod").and(hit -> hit.rest().event().z() < -0.2);
     }
 
-    private static Predicate<RayLife.Encounter> onFront() {
+    private static Predicate<SampleHistory.Encounter> onFront() {
         return named("cube").and(hit -> Math.abs(hit.rest().event().z() - 11) < 1e-9);
     }
 
-    private static Predicate<RayLife.Encounter> onRearSide() {
+    private static Predicate<SampleHistory.Encounter> onRearSide() {
         return named("cube").and(hit -> Math.abs(hit.rest().event().x() + 1) < 1e-9);
     }
 
     /** Front 2/gamma; the far edge of the rear side is farther away, so that its light is as much older. */
     @Test
     void cubeLooksTurned() throws Exception {
-        List<RayLife.Encounter> hits = row(SceneFiles.read("motion-cube"), 0.5);
+        List<SampleHistory.Encounter> hits = row(SceneFiles.read("motion-cube"), 0.5);
 
         assertThat(width(hits, onFront())).isCloseTo(1.2, within(0.02));
-        List<RayLife.Encounter> side = hits.stream().filter(onRearSide()).toList();
+        List<SampleHistory.Encounter> side = hits.stream().filter(onRearSide()).toList();
         Event near = side.get(side.size() - 1).event();
         Event far = side.get(0).event();
         double older =
@@ -91,7 +91,7 @@ class MotionScenesTest {
     @ParameterizedTest
     @CsvSource({"8, 1.483", "11.045, 1.2", "14, 1.039"})
     void cubeIsSeenWhereItsLightSays(double time, double width) throws Exception {
-        List<RayLife.Encounter> front = row(at(SceneFiles.read("motion-cube"), time), 0.5).stream()
+        List<SampleHistory.Encounter> front = row(at(SceneFiles.read("motion-cube"), time), 0.5).stream()
                 .filter(onFront())
                 .toList();
         double beside = Math.hypot(11, 1);
@@ -126,7 +126,7 @@ class MotionScenesTest {
         Vector3d towards = new Vector3d(seenAt(0, time, beside), -0.6, 7.75);
         Camera turned = Descriptions.with(
                 Descriptions.with(studio.camera(), "viewDirection", towards), "horizontalAngleDegrees", degrees);
-        List<RayLife.Encounter> rod = row(studio.withCamera(turned), 0.5).stream()
+        List<SampleHistory.Encounter> rod = row(studio.withCamera(turned), 0.5).stream()
                 .filter(frontOfRod())
                 .toList();
         double[] places =
@@ -144,13 +144,13 @@ class MotionScenesTest {
     @Test
     void clocksOfTheUpperRowDisagreeWhenMeasured() throws Exception {
         Studio studio = SceneFiles.read("motion-clocks").withView(View.MEASURED);
-        List<RayLife.Encounter> clocks = row(at(studio, 0), 0.378).stream()
+        List<SampleHistory.Encounter> clocks = row(at(studio, 0), 0.378).stream()
                 .filter(named("clock"))
                 .filter(hit -> hit.rest().motion() != null)
                 .toList();
         assertThat(clocks).hasSizeGreaterThan(100);
-        RayLife.Encounter first = clocks.get(0);
-        RayLife.Encounter last = clocks.get(clocks.size() - 1);
+        SampleHistory.Encounter first = clocks.get(0);
+        SampleHistory.Encounter last = clocks.get(clocks.size() - 1);
         double own = last.rest().event().x() - first.rest().event().x();
         assertThat(last.rest().clockReading() - first.rest().clockReading()).isCloseTo(-0.6 * own, within(1e-9));
     }
@@ -179,7 +179,7 @@ class MotionScenesTest {
         }
         Vector3d place = new Vector3d(velocity).mul(early).add(start);
         double x = 320 * (1 + place.x / place.z / Math.tan(Math.toRadians(22)));
-        RayLife life = RayLife.of(RenderPlan.of(at(studio, time)), x, 240, 0, 0);
+        SampleHistory life = SampleHistory.of(RenderPlan.of(at(studio, time)), x, 240, 0, 0);
         assertThat(life.end().object().description()).isEqualTo("blob");
         // its front is seen as it was up to ten times as much later as it is nearer
         assertThat(life.end().event().position().distance(place)).isLessThan(1.6);

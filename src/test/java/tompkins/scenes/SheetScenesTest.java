@@ -16,14 +16,14 @@ import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.surface.ConfocalLensletArray;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** Lenslets in place of the Lorentz window of Fig. 4, and a telescope before the camera. */
 class SheetScenesTest {
 
     private static Vector3d sceneDirection(RenderPlan plan, double x, double y) {
-        return new Vector3d(RayLife.of(plan, x, y, 0, 0).sceneDirection());
+        return new Vector3d(SampleHistory.of(plan, x, y, 0, 0).sceneDirection());
     }
 
     /** In degrees. */
@@ -105,7 +105,7 @@ class SheetScenesTest {
         int height = scene.settings().height();
         for (int x = 0; x <= width; x += width / 8) {
             for (int y = 0; y <= height; y += height / 8) {
-                RayLife seen = RayLife.of(telescope, x, y, 0, 0);
+                SampleHistory seen = SampleHistory.of(telescope, x, y, 0, 0);
                 assertThat(seen.sceneDirection().distance(sceneDirection(lenslets, x, y)))
                         .isLessThan(1e-14);
                 assertThat(seen.mainHits()).hasSizeGreaterThanOrEqualTo(2);
@@ -129,9 +129,10 @@ class SheetScenesTest {
         int turned = 0;
         for (int x = 0; x <= resting.settings().width(); x += 20) {
             for (int y = 7; y <= resting.settings().height(); y += 20) {
-                RayLife life = RayLife.of(still, x, y, 0, 0);
-                List<RayLife.Encounter> hits = life.mainHits();
-                List<RayLife.Encounter> same = RayLife.of(flying, x, y, 0, 0).mainHits();
+                SampleHistory life = SampleHistory.of(still, x, y, 0, 0);
+                List<SampleHistory.Encounter> hits = life.mainHits();
+                List<SampleHistory.Encounter> same =
+                        SampleHistory.of(flying, x, y, 0, 0).mainHits();
                 assertThat(same).hasSameSizeAs(hits);
                 for (int i = 0; i < hits.size(); i++) {
                     Vector3d place = new Vector3d(hits.get(i).rest().event().position());

@@ -23,9 +23,9 @@ import tompkins.studio.RideMoment;
 import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.surface.Refractive;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
-import tompkins.world.SeenFrame;
+import tompkins.trace.SampleHistory;
+import tompkins.world.FrameAppearance;
 
 /** What the scenes of the topic Stars, and the ride among them, tell in their remarks. */
 class StarScenesTest {
@@ -38,11 +38,11 @@ class StarScenesTest {
     }
 
     private static Vector3d look(Studio studio, Star star) {
-        return new SeenFrame(studio, null).look(sky(studio).direction(star));
+        return new FrameAppearance(studio, null).look(sky(studio).direction(star));
     }
 
     private static double dopplerFactor(Studio studio, Star star) {
-        return new SeenFrame(studio, null).dopplerFactorAlong(sky(studio).direction(star));
+        return new FrameAppearance(studio, null).dopplerFactorAlong(sky(studio).direction(star));
     }
 
     /** East is to the left, north is up. */
@@ -152,7 +152,7 @@ class StarScenesTest {
             double gamma = 1 / Math.sqrt(1 - speed * speed);
             double scale = 1 - speed * seen.x;
             Vector3d star = new Vector3d((seen.x - speed) / scale, 0, seen.z / (gamma * scale));
-            RayLife life = RayLife.of(plan, 320 + across, 240, 0, 0);
+            SampleHistory life = SampleHistory.of(plan, 320 + across, 240, 0, 0);
             assertThat(life.lastDirection().distance(star)).isLessThan(1e-12);
         }
     }
@@ -229,12 +229,12 @@ class StarScenesTest {
         for (double degrees : new double[] {2, 8, 15}) {
             double r = Math.toRadians(degrees);
             double i = 2 * Math.atan(3 * Math.tan(r / 2));
-            RayLife life = RayLife.of(plan, 320 + perRadian * Math.tan(r), 240, 0, 0);
+            SampleHistory life = SampleHistory.of(plan, 320 + perRadian * Math.tan(r), 240, 0, 0);
             assertThat(life.lastDirection().distance(new Vector3d(Math.sin(i), 0, -Math.cos(i))))
                     .isLessThan(1e-12);
             assertThat(life.lastDopplerFactor()).isCloseTo(Math.sin(i) / Math.sin(r), within(1e-12));
         }
-        RayLife middle = plan.middleLife();
+        SampleHistory middle = plan.middleLife();
         assertThat(middle.lastDopplerFactor()).isCloseTo(3, within(1e-12));
         assertThat(middle.end() == null ? middle.hits().get(0).event().z() : Double.NaN)
                 .isCloseTo(6, within(1e-12));

@@ -15,8 +15,8 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.LensEvent;
 import tompkins.studio.RideMoment;
 import tompkins.studio.Studio;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** What the remarks of the first scene say. */
 class TownSquareTest {
@@ -36,7 +36,7 @@ class TownSquareTest {
         double edge = 0.75 * Math.tan(Math.toRadians(37.5));
         List<Double> places = new ArrayList<>();
         for (int row = 0; row < HEIGHT; row++) {
-            RayLife life = RayLife.of(plan, 2.0 * HEIGHT / 3, row + 0.5, 0, 0);
+            SampleHistory life = SampleHistory.of(plan, 2.0 * HEIGHT / 3, row + 0.5, 0, 0);
             if (life != null
                     && life.end() != null
                     && life.end().object().description().equals("clock, front")) {
@@ -89,7 +89,7 @@ class TownSquareTest {
     void nothingIsInTheWayOfTheRide() {
         Studio rest = SceneFiles.read("town-square").withVelocity(Velocity.of(new Vector3d()));
 
-        RayLife ahead = RayLife.of(RenderPlan.of(rest), 320, 240, 0, 0);
+        SampleHistory ahead = SampleHistory.of(RenderPlan.of(rest), 320, 240, 0, 0);
 
         assertThat(ahead.end() == null || ahead.end().event().z() > 10.8564).isTrue();
     }

@@ -13,8 +13,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** What the remarks of a scene speak of is whole in its picture. */
 class ViewTest {
@@ -31,7 +31,7 @@ class ViewTest {
             List<Integer> rows = new ArrayList<>();
             for (int y = 0; y < HEIGHT; y++) {
                 for (int x = 0; x < WIDTH; x++) {
-                    RayLife.Encounter seen = seen(plan, x, y);
+                    SampleHistory.Encounter seen = seen(plan, x, y);
                     if (seen != null && seen.object().description().equals(object)) {
                         columns.add(x);
                         rows.add(y);
@@ -107,7 +107,7 @@ class ViewTest {
             double area = 0;
             for (int y = place.top; y <= place.bottom; y++) {
                 for (int x = place.left; x <= place.right; x++) {
-                    RayLife ray = RayLife.of(plan, x + 0.5, y + 0.5, 0, 0);
+                    SampleHistory ray = SampleHistory.of(plan, x + 0.5, y + 0.5, 0, 0);
                     if (!ray.hits().isEmpty()
                             && ray.hits().get(0).object().description().equals(name)) {
                         Vector3d direction = new Vector3d(ray.cameraDirection());
@@ -151,7 +151,7 @@ class ViewTest {
         RenderPlan plan = plan(SceneFiles.read(scene));
         for (int y = 0; y < HEIGHT; y++) {
             for (int x = 0; x < WIDTH; x++) {
-                RayLife.Encounter seen = seen(plan, x, y);
+                SampleHistory.Encounter seen = seen(plan, x, y);
                 assertThat(seen != null && seen.object().description().equals("window"))
                         .as("at %d, %d", x, y)
                         .isEqualTo(x >= WIDTH / 2);
@@ -169,8 +169,9 @@ class ViewTest {
     }
 
     /** What a pixel shows, or null. */
-    private static RayLife.Encounter seen(RenderPlan plan, int x, int y) {
-        List<RayLife.Encounter> hits = RayLife.of(plan, x + 0.5, y + 0.5, 0, 0).hits();
+    private static SampleHistory.Encounter seen(RenderPlan plan, int x, int y) {
+        List<SampleHistory.Encounter> hits =
+                SampleHistory.of(plan, x + 0.5, y + 0.5, 0, 0).hits();
         return hits.isEmpty() ? null : hits.get(0);
     }
 }

@@ -19,6 +19,7 @@ import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Group;
+import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -34,7 +35,10 @@ class LampShadowsTest {
     @ValueSource(ints = {200, 5_000, 40_000})
     void shadowsAreThoseOfTheTree(int count) {
         Random random = new Random(count);
-        ObjectTree tree = new ObjectTree(primitives(mixed(count, random)));
+        List<SceneObject> objects = mixed(count, random);
+        objects.add(
+                new Plane("behind the lamp", new Vector3d(0, 0, -20), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT));
+        ObjectTree tree = new ObjectTree(primitives(objects));
         assertSameShadows(tree, LampShadows.of(LAMP, tree), random);
     }
 

@@ -3,7 +3,6 @@ package tompkins.search;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
@@ -17,6 +16,7 @@ import tompkins.primitive.CapPrimitive;
 import tompkins.primitive.CylinderPrimitive;
 import tompkins.primitive.Primitive;
 import tompkins.primitive.RayStarts;
+import tompkins.property.Descriptions;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
@@ -36,7 +36,7 @@ class QuickRejectionTest {
     private final RandomAims aims = new RandomAims(3);
 
     static Stream<Primitive> primitives() {
-        return Arrays.stream(SceneObject.class.getPermittedSubclasses())
+        return Descriptions.members(SceneObject.class).stream()
                 .flatMap(type -> Stream.of(1, 2, 3, 4)
                         .flatMap(seed ->
                                 PrimitiveCollector.primitivesOf(

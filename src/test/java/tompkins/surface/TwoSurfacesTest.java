@@ -23,8 +23,8 @@ import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 
 /** Surfaces on two sides, and two surfaces in one place. */
 class TwoSurfacesTest {
@@ -40,7 +40,7 @@ class TwoSurfacesTest {
     /** What is seen straight ahead of the origin. */
     private static Colour ahead(SceneObject... objects) {
         Studio studio = Studios.dark().withScene(List.of(objects)).withVelocity(Velocity.REST);
-        return RayLife.of(
+        return SampleHistory.of(
                         RenderPlan.of(studio),
                         studio.settings().width() / 2.0,
                         studio.settings().height() / 2.0,

@@ -31,12 +31,12 @@ class EndlessRaysTest {
     @Test
     void ofTooManyHitsTheFirstAndTheLastAreKept() {
         int depth = 30_000;
-        RayLife life = RayLife.of(plan(mixture(0), depth), 1.3, 0.2, 0, 0);
-        assertThat(life.hits()).hasSize(RayLife.MOST_HITS + 1);
+        SampleHistory life = SampleHistory.of(plan(mixture(0), depth), 1.3, 0.2, 0, 0);
+        assertThat(life.hits()).hasSize(SampleHistory.MOST_HITS + 1);
         assertThat(life.hits().size() + life.hitsLeftOut()).isEqualTo(depth + 1);
         double first = life.hits().get(0).distance();
         double chord = life.hits().get(1).distance();
-        assertThat(life.end()).isSameAs(life.hits().get(RayLife.MOST_HITS));
+        assertThat(life.end()).isSameAs(life.hits().get(SampleHistory.MOST_HITS));
         // all chords of a ray in a sphere have one length, and light takes the time of their length
         assertThat(-life.end().event().time())
                 .isCloseTo(first + depth * chord - life.cameraStart().time(), within(1e-6 * depth));
@@ -46,9 +46,9 @@ class EndlessRaysTest {
     /** Two mirrors at each point, until a branch is too faint to be split: 2^k branches at the k-th hit. */
     @Test
     void weakerBranchesAreNotKeptForEver() {
-        RayLife life = RayLife.of(plan(mixture(1), 200), 1.3, 0.2, 0, 0);
+        SampleHistory life = SampleHistory.of(plan(mixture(1), 200), 1.3, 0.2, 0, 0);
         assertThat(life.mainHits()).hasSize(201);
-        assertThat(life.hits()).hasSize(201 + RayLife.MOST_HITS);
+        assertThat(life.hits()).hasSize(201 + SampleHistory.MOST_HITS);
         assertThat(life.hitsLeftOut()).isGreaterThan(50_000);
     }
 
@@ -56,8 +56,8 @@ class EndlessRaysTest {
     @Test
     void theWayIsThatOfTheMainBranch() {
         RenderPlan plan = plan(mixture(2), 1000);
-        RayLife all = RayLife.of(plan, 1.3, 0.2, 0, 0);
-        RayLife way = RayLife.way(plan, 1.3, 0.2, 0, 0, MIDDLE);
+        SampleHistory all = SampleHistory.of(plan, 1.3, 0.2, 0, 0);
+        SampleHistory way = SampleHistory.way(plan, 1.3, 0.2, 0, 0, MIDDLE);
         assertThat(way.mainHits()).hasSize(1001).hasSameSizeAs(all.mainHits());
         assertThat(way.end().event()).isEqualTo(all.end().event());
         assertThat(way.hits().size() + way.hitsLeftOut()).isLessThan(1001 + 200);

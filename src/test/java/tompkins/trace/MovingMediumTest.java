@@ -50,7 +50,8 @@ class MovingMediumTest {
             names = {"LORENTZ", "GALILEAN"})
     void lightOfTheEdgeComesThroughGlass(TransformationLaw law) {
         for (Vector3d view : List.of(new Vector3d(0, 0, 1), new Vector3d(1, 0, 0), new Vector3d(-2, 0.5, -1))) {
-            RayLife.Encounter edge = RayLife.of(plan(law, new Vector3d(0.2, 0.1, 0.5), view), 0.5, 0.5, 0, 0)
+            SampleHistory.Encounter edge = SampleHistory.of(
+                            plan(law, new Vector3d(0.2, 0.1, 0.5), view), 0.5, 0.5, 0, 0)
                     .mainHits()
                     .get(0);
 
@@ -66,7 +67,7 @@ class MovingMediumTest {
         Studio studio = plan(law, new Vector3d(), new Vector3d(0, 0, 1))
                 .studio()
                 .withCameraFrame(List.of(new Plane("", new Vector3d(0, 0, 1), new Vector3d(0, 0, -1), Mirror.DEFAULT)));
-        RayLife life = RayLife.of(RenderPlan.of(studio), 0.5, 0.5, 0, 0);
+        SampleHistory life = SampleHistory.of(RenderPlan.of(studio), 0.5, 0.5, 0, 0);
         Event edge = life.mainHits().get(1).event();
 
         assertThat(edge.position().distance(new Vector3d(0, 0, -RADIUS))).isLessThan(1e-12);
@@ -103,7 +104,8 @@ class MovingMediumTest {
     @ParameterizedTest
     @CsvSource({"LORENTZ, 0.5", "GALILEAN, 0.5", "LORENTZ, -0.3", "GALILEAN, -0.3"})
     void whatIsSeenAcrossTheMotionLagsBehind(TransformationLaw law, double speed) {
-        RayLife life = RayLife.of(plan(law, new Vector3d(0, 0, speed), new Vector3d(1, 0, 0)), 0.5, 0.5, 0, 0);
+        SampleHistory life =
+                SampleHistory.of(plan(law, new Vector3d(0, 0, speed), new Vector3d(1, 0, 0)), 0.5, 0.5, 0, 0);
         double slowness = 1 / Math.sqrt(1 / (INDEX * INDEX) - speed * speed);
         Vector3d direction = new Vector3d(1, 0, -speed * slowness).normalize();
 
@@ -120,7 +122,7 @@ class MovingMediumTest {
             assertThat(plan.tracer(counts).sample(0.5, 0.5, 0, 0, 0.5)).isEqualTo(Colour.BLACK);
             assertThat(counts.notFinite).isZero();
         }
-        RayLife ahead = RayLife.of(
+        SampleHistory ahead = SampleHistory.of(
                 plan(TransformationLaw.GALILEAN, new Vector3d(0, 0, 0.9), new Vector3d(0, 0, 1)), 0.5, 0.5, 0, 0);
         assertThat(ahead.mainHits().get(0).event().time()).isCloseTo(-RADIUS * INDEX, within(1e-12));
     }

@@ -106,12 +106,12 @@ class TouchingSurfacesTest {
                 .withSettings(Studio.DEFAULT.settings().withSize(SIZE, SIZE));
     }
 
-    private static RayLife middle(Studio studio) {
+    private static SampleHistory middle(Studio studio) {
         return RenderPlan.of(studio).middleLife();
     }
 
-    private static RayLife life(Studio studio, double x, double y) {
-        return RayLife.of(RenderPlan.of(studio), x, y, 0, 0);
+    private static SampleHistory life(Studio studio, double x, double y) {
+        return SampleHistory.of(RenderPlan.of(studio), x, y, 0, 0);
     }
 
     private static SceneObject sheet(Surface surface) {
@@ -188,9 +188,9 @@ class TouchingSurfacesTest {
         int[] triangle = faces ? new int[] {0, 2, 1} : new int[] {0, 1, 2};
         SceneObject decal =
                 new TriangleMesh("decal", new MeshData("", corners, triangle, new byte[0]), HALF_RED, false);
-        RayLife life = life(studio(sheet(WHITE), decal), 40, 40);
+        SampleHistory life = life(studio(sheet(WHITE), decal), 40, 40);
         assertColour(life.colour(), 0.5, 1, 1);
-        assertThat(life.mainHits()).extracting(RayLife.Encounter::surface).containsExactly(HALF_RED, WHITE);
+        assertThat(life.mainHits()).extracting(SampleHistory.Encounter::surface).containsExactly(HALF_RED, WHITE);
     }
 
     /** A ray along the common edge of pieces meets one of them. */
@@ -222,12 +222,12 @@ class TouchingSurfacesTest {
         SceneObject glass = layer(4, 5, GLASS);
         SceneObject water = layer(5, 7, WATER);
         for (Studio studio : List.of(studio(glass, water, WHITE_WALL), studio(water, glass, WHITE_WALL))) {
-            RayLife life = life(studio, pixel, SIZE / 2.0);
-            List<RayLife.Encounter> hits = life.mainHits();
+            SampleHistory life = life(studio, pixel, SIZE / 2.0);
+            List<SampleHistory.Encounter> hits = life.mainHits();
             assertThat(hits).hasSize(4);
             assertThat(hits.get(3).event().position().x()).isCloseTo(x, within(1e-12));
             double normalShare = Math.pow((1.5 - 1.333) / (1.5 + 1.333), 2);
-            double passed = middle(studio).mainHits().get(2).share();
+            double passed = middle(studio).mainHits().get(2).fraction();
             assertThat(passed).isCloseTo(0.96 * (1 - normalShare), within(1e-12));
         }
     }
@@ -261,10 +261,10 @@ class TouchingSurfacesTest {
 
     @Test
     void equalMediaHaveNoBoundary() {
-        List<RayLife.Encounter> hits = middle(studio(layer(4, 5, GLASS), layer(5, 7, GLASS), WHITE_WALL))
+        List<SampleHistory.Encounter> hits = middle(studio(layer(4, 5, GLASS), layer(5, 7, GLASS), WHITE_WALL))
                 .mainHits();
         assertThat(hits).hasSize(3);
-        assertThat(hits.get(2).share()).isCloseTo(0.96 * 0.96, within(1e-12));
+        assertThat(hits.get(2).fraction()).isCloseTo(0.96 * 0.96, within(1e-12));
     }
 
     @Test
@@ -298,9 +298,9 @@ class TouchingSurfacesTest {
         SceneObject behind = layer(-1, 0, HALF_RED);
         SceneObject ahead = layer(0, 3, HALF_GREEN);
         SceneObject sheet = new Plane("sheet", new Vector3d(), new Vector3d(0, 0.6, 0.8), HALF_RED);
-        List<RayLife.Encounter> hits =
+        List<SampleHistory.Encounter> hits =
                 middle(studio(behind, ahead, sheet, WHITE_WALL)).mainHits();
-        assertThat(hits).extracting(RayLife.Encounter::surface).containsExactly(HALF_GREEN, WHITE);
+        assertThat(hits).extracting(SampleHistory.Encounter::surface).containsExactly(HALF_GREEN, WHITE);
     }
 
     @Test

@@ -79,7 +79,8 @@ class UsableObjectsTest {
     @Timeout(value = 600, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
     void copiesOfCopiesOfNothingAreNothing() {
         Studio studio = Studio.DEFAULT.withScene(List.of(millionOf(millionOf(Hidden.DEFAULT))));
-        assertThat(RayLife.of(RenderPlan.of(studio), 320.5, 239.5, 0, 0).hits()).isEmpty();
+        assertThat(SampleHistory.of(RenderPlan.of(studio), 320.5, 239.5, 0, 0).hits())
+                .isEmpty();
     }
 
     @Test
@@ -117,7 +118,8 @@ class UsableObjectsTest {
     @ParameterizedTest
     @MethodSource
     void usable(SceneObject object) {
-        RayLife life = RayLife.of(RenderPlan.of(Studio.DEFAULT.withScene(List.of(object))), 320.5, 239.5, 0, 0);
+        SampleHistory life =
+                SampleHistory.of(RenderPlan.of(Studio.DEFAULT.withScene(List.of(object))), 320.5, 239.5, 0, 0);
         assertThat(life.hits()).hasSize(1);
         assertThat(life.hits().get(0).event().position().isFinite()).isTrue();
         assertThat(1 / FocusDistance.of(focusedOn(object))).isFinite().isNotZero();

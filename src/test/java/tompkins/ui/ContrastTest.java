@@ -92,11 +92,6 @@ class ContrastTest {
                     .as("%s, %s", look, text)
                     .isGreaterThanOrEqualTo(LEAST);
         }
-        for (String mark : List.of("Tompkins.found", "Tompkins.foundHere")) {
-            assertThat(contrast(UIManager.getColor("EditorPane.foreground"), UIManager.getColor(mark)))
-                    .as("%s, %s", look, mark)
-                    .isGreaterThanOrEqualTo(LEAST);
-        }
         for (String kind : List.of("Button", "ToggleButton", "TextField", "ComboBox", "ToolTip")) {
             assertThat(contrast(UIManager.getColor(kind + ".foreground"), UIManager.getColor(kind + ".background")))
                     .as("%s, %s", look, kind)

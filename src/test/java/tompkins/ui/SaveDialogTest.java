@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
-import javax.swing.JButton;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
@@ -99,21 +98,12 @@ class SaveDialogTest {
         }
     }
 
-    /** As the scene says, or some times as large as on the screen. */
     @Test
     void sizeAndQualityOfAPhotographAreAsked() throws IOException {
         driver.menu("menu.savePhotograph");
         driver.chooser();
         JTextField width = driver.find(JTextField.class, "Width");
         assertThat(width.getText()).isEqualTo("" + driver.studio().settings().width());
-        JButton twice = driver.find(JButton.class, Texts.get("photograph.timesName", 2));
-        int onScreen = driver.window().view().size().width;
-        // at first, after a typed size and after a wrong one
-        for (String typed : List.of("96", "0", "96")) {
-            WindowDriver.onEventThread(() -> twice.doClick());
-            assertThat(width.getText()).as("before " + typed).isEqualTo("" + 2 * onScreen);
-            Components.enter(driver.window().frame(), "Width", typed);
-        }
         Container chooser = driver.chooser();
         WindowDriver.onEventThread(() -> {
             Components.enter(chooser, "Width", "1e308");

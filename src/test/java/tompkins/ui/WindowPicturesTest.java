@@ -127,7 +127,8 @@ class WindowPicturesTest {
         switch (shot) {
             case PROJECTOR -> press(driver, JMenuItem.class, "look.PROJECTOR");
             case CONTROLS ->
-                WindowDriver.onEventThread(() -> driver.window().side().edit(StudioPath.parse("scene[0]").orElseThrow()));
+                WindowDriver.onEventThread(() ->
+                        driver.window().side().edit(StudioPath.parse("scene[0]").orElseThrow()));
             case RIDE -> ride(driver);
             case PINNED_RAY -> {
                 driver.click(driver.find(PictureCanvas.class, "picture"));

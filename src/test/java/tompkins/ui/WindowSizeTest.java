@@ -10,8 +10,6 @@ import javax.swing.JFrame;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.ui.model.Settings;
 
 /** What is remembered of a window that is maximised, by a frame that does so without a window manager. */
@@ -97,26 +95,5 @@ class WindowSizeTest {
 
     private void assertSize(int width, int height) {
         assertThat(frame.getSize()).isEqualTo(new Dimension(width, height));
-    }
-
-    @Test
-    void largeTypeMakesAWindowLargerUntilSmallTypeComesBack() {
-        size.require(new Dimension(640, 400));
-        assertSize(800, 600);
-        size.require(new Dimension(1000, 500));
-        assertSize(1000, 600);
-        size.require(new Dimension(640, 700));
-        assertSize(800, 700);
-        size.require(new Dimension(640, 400));
-        assertSize(800, 600);
-    }
-
-    @ParameterizedTest
-    @CsvSource({"1100, 900, " + JFrame.NORMAL, "1600, 1000, " + JFrame.MAXIMIZED_BOTH})
-    void aSizeThatSomebodyGaveAWindowStays(int width, int height, int state) {
-        size.require(new Dimension(1000, 500));
-        frame.resize(width, height, state);
-        size.require(new Dimension(640, 400));
-        assertSize(width, height);
     }
 }

@@ -142,7 +142,8 @@ class GoldenStarsTest {
 
         static Seen of(GoldenRow row) {
             Star star = new Star(row.number("ra"), row.number("dec"), row.number("v"), row.number("bv"));
-            SeenFrame frame = new SeenFrame(Studio.DEFAULT.withVelocity(Velocity.of(row.vector("beta_"))), null);
+            FrameAppearance frame =
+                    new FrameAppearance(Studio.DEFAULT.withVelocity(Velocity.of(row.vector("beta_"))), null);
             Vector3d scene = StarSky.DEFAULT.direction(star);
             Vector3d look = frame.look(scene);
             return new Seen(star, scene, look, frame.dopplerFactorAlong(scene));
@@ -182,7 +183,7 @@ class GoldenStarsTest {
         String name = law.name().toLowerCase(Locale.ROOT);
         for (GoldenRow row : GoldenTable.rows("m12_counts")) {
             Vector3d motion = row.vector("dir_");
-            SeenFrame frame = new SeenFrame(
+            FrameAppearance frame = new FrameAppearance(
                     Studio.DEFAULT.withVelocity(Velocity.of(motion.mul(row.number("beta"), new Vector3d()))), null);
             int all = 0;
             int ahead = 0;

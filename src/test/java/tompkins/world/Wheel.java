@@ -14,7 +14,7 @@ import tompkins.sceneobject.Rotating;
 import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
-import tompkins.spacetime.PointFrame;
+import tompkins.spacetime.MomentaryRestFrame;
 import tompkins.spacetime.Velocity;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.Mirror;
@@ -43,7 +43,7 @@ final class Wheel {
     Vector3d normal;
     Vector3d pointNormal;
     Ray mirrored;
-    PointFrame point;
+    MomentaryRestFrame point;
 
     Wheel(GoldenRow row) {
         measures = row.has("kind", "place") || row.has("kind", "measured_ray");
@@ -111,7 +111,7 @@ final class Wheel {
     }
 
     private void enterPoint() {
-        point = new PointFrame(found.hit, scene.law);
+        point = new MomentaryRestFrame(found.hit, scene.law);
         normal = found.normal();
         inPoint = point.enter(found.ray);
         point.enterHit();

@@ -148,7 +148,7 @@ class WorldTest {
         Studio studio = studio(moving(0.6, 0, BALL, inner, moving(0.2, 0, BALL)), moving(0.3, 0, BALL));
         FrameRoutes routes = world(studio).routes(frames(studio, AT_THE_ORIGIN));
 
-        assertThat(routes.leadsThrough(from, third, to)).isEqualTo(expected);
+        assertThat(routes.passesThrough(from, third, to)).isEqualTo(expected);
     }
 
     /** Coordinates begin near a moving camera that is far away; boxes are told in those of the scene. */

@@ -104,8 +104,7 @@ public final class AnimationExport {
             throws Exception {
         int threads = Runtime.getRuntime().availableProcessors();
         try (AnimationWriter writer = file.call()) {
-            List<String> warnings =
-                    new AnimationRecorder(film, caption, decorations, false, threads).record(writer, progress);
+            List<String> warnings = new AnimationRecorder(film, caption, decorations, threads).record(writer, progress);
             return new Exported(writer.finish(), warnings);
         }
     }

@@ -1,7 +1,5 @@
 package tompkins.ui.animate;
 
-import java.awt.Dimension;
-import java.awt.FontMetrics;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.BiConsumer;
@@ -52,7 +50,7 @@ public final class PlayPanel extends Part {
     private final SceneSize size = new SceneSize();
     private final NumberChoice numbers = new NumberChoice(this::suggestValues);
     private final JComboBox<Animation.Course> courses = new JComboBox<>(Animation.Course.values());
-    private final JToggleButton play = new PlayButton();
+    private final JToggleButton play = new JToggleButton(Texts.get("play.play"));
     private final JCheckBox loop = new JCheckBox(Texts.get("play.loop"), true);
     private final ValueSlider scrubber = new ValueSlider(
             Texts.get("play.scrubber"),
@@ -202,7 +200,7 @@ public final class PlayPanel extends Part {
     }
 
     private void showTime() {
-        value.setText(property().text().apply(model.studio()));
+        value.setText(property().text(model.studio()));
         scrubber.show(time);
     }
 
@@ -320,7 +318,7 @@ public final class PlayPanel extends Part {
         lastTick = now;
         boolean over = next >= 1 && !loop.isSelected();
         moveTo(over ? 1 : next % 1, Pace.FILM);
-        if (over || EntryField.isOvertaken()) {
+        if (over) {
             setPlaying(false);
         }
     }
@@ -335,24 +333,5 @@ public final class PlayPanel extends Part {
         });
         played = present();
         showTime();
-    }
-
-    /** A button as wide as the wider of its texts, so that nothing moves when it is pressed. */
-    @SuppressWarnings("serial") // never written to a stream
-    private static final class PlayButton extends JToggleButton {
-
-        PlayButton() {
-            super(Texts.get("play.play"));
-        }
-
-        @Override
-        public Dimension getPreferredSize() {
-            Dimension size = super.getPreferredSize();
-            FontMetrics metrics = getFontMetrics(getFont());
-            int widest =
-                    Math.max(metrics.stringWidth(Texts.get("play.play")), metrics.stringWidth(Texts.get("play.pause")));
-            size.width += widest - metrics.stringWidth(getText());
-            return size;
-        }
     }
 }

@@ -146,14 +146,7 @@ public final class ComparePanel extends Part {
         shutters.setVisible(other() == Other.OTHER_SHUTTER);
         boolean compares = other() != Other.NOTHING;
         views.setVisible(compares);
-        hint.setText(compares ? hint() : "");
-    }
-
-    private String hint() {
-        if (compared().isSame(model.studio())) {
-            return Texts.get("compare.same");
-        }
-        return Texts.get(view() == Comparison.SPLIT ? "compare.splitHint" : "compare.hint");
+        hint.setText(compares ? Texts.get(view() == Comparison.SPLIT ? "compare.splitHint" : "compare.hint") : "");
     }
 
     private Other other() {

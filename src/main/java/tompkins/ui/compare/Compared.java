@@ -35,14 +35,4 @@ public record Compared(ComparePanel.Other other, Class<?> shutter, Comparison vi
             case OTHER_SHUTTER -> now.camera().accepts(shutter) ? Shutters.replaced(now, shutter) : now;
         };
     }
-
-    /** Whether the other picture shows exactly what the photograph of a studio shows. */
-    boolean isSame(Studio now) {
-        return switch (other) {
-            case NOTHING, KEPT_PICTURE -> false;
-            case AT_REST -> now.velocity().isRest();
-            case GALILEAN_CAMERA, UNCHANGED_COLOURS, SEEN, MEASURED, OTHER_SHUTTER ->
-                studio(now).equals(now);
-        };
-    }
 }

@@ -5,7 +5,6 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
-import tompkins.shutter.Shutter;
 import tompkins.studio.Studio;
 import tompkins.ui.model.Pace;
 import tompkins.ui.model.StudioModel;
@@ -36,9 +35,6 @@ public final class ComparedPicture implements AutoCloseable {
 
     /** When it may be asked for again on a ride, by the clock of {@link System#nanoTime}. */
     private long again = System.nanoTime();
-
-    /** What is on the screen; null if nothing is. */
-    private Picture shown;
 
     /** The studio of a camera at rest where one on a ride is; gives null where there is no ride. */
     private Supplier<Studio> rideAtRest = () -> null;
@@ -82,14 +78,14 @@ public final class ComparedPicture implements AutoCloseable {
         Studio wanted = wanted();
         if (wanted == null) {
             stop();
-            set(null);
-        } else if (mayRender(pace) && !(sizes.apply(wanted).equals(size) && looksAsBefore(wanted, pace))) {
+            screen.setOther(null);
+        } else if (mayRender(pace) && !(sizes.apply(wanted).equals(size) && isAskedFor(wanted, pace))) {
             studio = wanted;
             asked = pace;
             size = sizes.apply(wanted);
             if (kept != null && kept.complete() && studio == kept.studio() && kept.isOfSize(size)) {
                 controller.stop();
-                set(kept);
+                screen.setOther(kept);
             } else {
                 controller.show(studio, size, asked);
             }
@@ -112,35 +108,16 @@ public final class ComparedPicture implements AutoCloseable {
                 : compared.studio(model.studio());
     }
 
-    /** Whether the picture would be that of before: on a ride only time may go on, and nothing change with it. */
-    private boolean looksAsBefore(Studio wanted, Pace pace) {
-        if (wanted.equals(studio)) {
-            return !asked.isGlimpse() || pace.isGlimpse();
-        }
-        if (!pace.isGlimpse()
-                || shown == null
-                || !shown.studio().equals(studio)
-                || !shown.plan().isStill()) {
-            return false;
-        }
-        Shutter shutter = wanted.camera().shutter();
-        Shutter before = studio.camera().shutter();
-        return shutter.hasOpeningTime()
-                && before.hasOpeningTime()
-                && studio.equals(
-                        wanted.withCamera(wanted.camera().withShutter(shutter.openedAt(before.openingTime()))));
-    }
-
-    private void set(Picture picture) {
-        shown = picture;
-        screen.setOther(picture);
+    /** Whether the picture is there or on its way; one that was asked for on a ride is no whole picture. */
+    private boolean isAskedFor(Studio wanted, Pace pace) {
+        return wanted.equals(studio) && (!asked.isGlimpse() || pace.isGlimpse());
     }
 
     private void show(Picture picture) {
         SwingUtilities.invokeLater(() -> {
             // what is no longer wanted may still arrive
             if (picture.studio().equals(studio)) {
-                set(picture);
+                screen.setOther(picture);
                 again = System.nanoTime()
                         + Math.min(LONGEST_REST, RESTS * picture.time().toNanos());
             }

@@ -2,7 +2,6 @@ package tompkins.ui.editor;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
@@ -21,7 +20,7 @@ import tompkins.studio.StudioPath;
 import tompkins.studio.View;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.widget.Numbers;
-import tompkins.world.SeenFrame;
+import tompkins.world.FrameAppearance;
 
 /** Finds out whether an object of the scene lies within the edges of the picture, and brings objects there. */
 final class InPicture {
@@ -63,24 +62,7 @@ final class InPicture {
     }
 
     private static boolean shows(Projection projection, FrameMotion motion, Vector3dc point) {
-        return projection.shows(projection.position(new SeenFrame(projection.studio(), motion), point));
-    }
-
-    /** Whether no part of an object that is added to a studio lies in the picture; what hides it does not count. */
-    static boolean liesOutside(Studio studio, SceneObject object) {
-        Projection projection = Projection.of(studio);
-        return alone(studio, object).objects().stream().noneMatch(part -> reaches(projection, part))
-                && !isSeen(studio, object);
-    }
-
-    /** Whether a point of the box around a part lies in the picture. */
-    private static boolean reaches(Projection projection, SceneShapes.Thing part) {
-        Vector3d[] corners = part.bounds().corners();
-        SeenFrame frame = new SeenFrame(projection.studio(), part.motion());
-        return Stream.of(corners)
-                .flatMap(from -> Stream.of(corners)
-                        .map(to -> from.add(to, new Vector3d()).mul(0.5)))
-                .anyMatch(point -> projection.shows(projection.position(frame, point)));
+        return projection.shows(projection.position(new FrameAppearance(projection.studio(), motion), point));
     }
 
     private static SceneShapes alone(Studio studio, SceneObject object) {
@@ -131,7 +113,7 @@ final class InPicture {
         RenderPlan after = RenderPlan.of(studio.withScene(longer));
         Projection projection = Projection.of(studio);
         double changed = alone(studio, object).objects().stream()
-                        .map(part -> projection.position(new SeenFrame(studio, part.motion()), part.middle()))
+                        .map(part -> projection.position(new FrameAppearance(studio, part.motion()), part.middle()))
                         .filter(projection::shows)
                         .anyMatch(middle -> differ(before, after, middle.x(), middle.y()))
                 ? 1
@@ -167,7 +149,7 @@ final class InPicture {
         }
         FrameMotion motion = parts.get(0).motion();
         Vector3d middle = parts.get(0).middle();
-        Event wanted = new SeenFrame(studio, motion).fromCamera(ahead(studio, aside));
+        Event wanted = new FrameAppearance(studio, motion).fromCamera(ahead(studio, aside));
         Vector3d shift = ObjectShift.of(studio.withScene(List.of(object)), FIRST, FIRST, motion)
                 .bringing(new Event(middle.x, middle.y, middle.z, wanted.time()), null, 0, wanted);
         return object.shifted(Numbers.rounded(shift, 3));

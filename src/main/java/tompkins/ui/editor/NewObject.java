@@ -4,12 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.function.Predicate;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.light.LightSource;
 import tompkins.light.PointLight;
-import tompkins.math.Vectors;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
 import tompkins.property.Descriptions;
@@ -42,21 +40,11 @@ final class NewObject {
     /** Where objects usually are, ahead of a camera at the origin. */
     private static final Vector3dc AHEAD = Sphere.DEFAULT.centre();
 
-    /** How far a wall stands behind the middle of what is ahead, and from the next wall. */
-    private static final double WALLS_APART = 10;
-
     private NewObject() {}
 
-    /**
-     * A new element of a list, of a type, in a place of its own.
-     *
-     * @param seen whether a floor is seen; otherwise a plane becomes a wall
-     */
-    static Object of(Class<?> type, List<?> list, Predicate<Plane> seen) {
+    /** A new element of a list, of a type, in a place of its own if it has an end. */
+    static Object of(Class<?> type, List<?> list) {
         Object standard = Descriptions.standard(type);
-        if (standard instanceof Plane plane) {
-            return floorOrWall(plane, list, seen);
-        }
         if (standard instanceof TriangleMesh mesh) {
             return beside(ahead(mesh), list);
         }
@@ -69,27 +57,6 @@ final class NewObject {
     private static SceneObject ahead(TriangleMesh mesh) {
         Placed ahead = Descriptions.with(Placed.DEFAULT, "translation", AHEAD);
         return Descriptions.with(Descriptions.with(ahead, "object", mesh), "description", mesh.description());
-    }
-
-    /** A floor; or if there is one already, or it is not seen, a wall behind everything. */
-    private static Plane floorOrWall(Plane floor, List<?> list, Predicate<Plane> seen) {
-        Plane next = floor;
-        double farthest = occupied(list).stream().mapToDouble(Bounds::maxZ).reduce(AHEAD.z(), Math::max);
-        for (int walls = 1; isTaken(next, list) || walls == 1 && !seen.test(next); walls++) {
-            Vector3d point = new Vector3d(0, 0, Math.ceil(farthest) + walls * WALLS_APART);
-            next = new Plane(floor.description(), point, new Vector3d(0, 0, -1), floor.surface());
-        }
-        return next;
-    }
-
-    /** Whether another plane lies in the same place. */
-    private static boolean isTaken(Plane plane, List<?> list) {
-        Vector3d normal = Vectors.unit(plane.normal());
-        return list.stream()
-                .map(Hiding::content)
-                .anyMatch(each -> each instanceof Plane other
-                        && normal.cross(other.normal(), new Vector3d()).length() == 0
-                        && normal.dot(other.point()) == normal.dot(plane.point()));
     }
 
     private static LightSource beside(PointLight lamp, List<?> list) {

@@ -318,8 +318,7 @@ public final class SceneEditor extends Part {
         int place = entry == null ? list().size() : (Integer) entry.path().last() + 1;
         List<?> before = list();
         Studio studio = model.studio();
-        boolean hides = path.equals(SCENE) && !isFirstObject(path);
-        Object made = NewObject.of(type, before, plane -> !hides || InPicture.isSeen(studio, plane));
+        Object made = NewObject.of(type, before);
         Object added =
                 path.equals(SCENE) && made instanceof SceneObject object ? InPicture.inSight(studio, object) : made;
         List<Object> longer = new ArrayList<>(before);
@@ -333,7 +332,7 @@ public final class SceneEditor extends Part {
             select(type.isInstance(added) ? element : element.then("object"));
             if (added instanceof LightSource && !before.isEmpty()) {
                 note.setText(Texts.get("tree.moreLight", before.size()));
-            } else if (path.equals(SCENE) && InPicture.liesOutside(studio, (SceneObject) added)) {
+            } else if (path.equals(SCENE) && !InPicture.isSeen(studio, (SceneObject) added)) {
                 note.setText(Texts.get("tree.outOfPicture"));
             }
         }

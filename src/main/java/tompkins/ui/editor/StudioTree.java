@@ -1,6 +1,5 @@
 package tompkins.ui.editor;
 
-import java.awt.event.MouseEvent;
 import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
 import java.util.Collections;
@@ -13,7 +12,6 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JTree;
-import javax.swing.ToolTipManager;
 import javax.swing.tree.DefaultMutableTreeNode;
 import javax.swing.tree.DefaultTreeCellRenderer;
 import javax.swing.tree.DefaultTreeModel;
@@ -23,7 +21,6 @@ import tompkins.property.Descriptions;
 import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
-import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.Wording;
@@ -45,19 +42,13 @@ final class StudioTree {
             return !path.steps().isEmpty() && path.last() instanceof Integer;
         }
 
-        /** The label, shortened to the room that there is. */
         @Override
         public String toString() {
-            return label.codePointCount(0, label.length()) <= LONGEST
-                    ? label
-                    : label.substring(0, label.offsetByCodePoints(0, LONGEST - 1))
-                                    .strip() + "\u2026";
+            return label;
         }
     }
 
-    private static final int LONGEST = 28;
-
-    private final JTree tree = new LabelledTree();
+    private final JTree tree = new JTree();
     private final Updating updating = new Updating();
 
     /** A tree that tells which line was chosen. */
@@ -67,23 +58,6 @@ final class StudioTree {
         tree.getAccessibleContext().setAccessibleName(Texts.get("tree.name"));
         tree.getSelectionModel().setSelectionMode(TreeSelectionModel.SINGLE_TREE_SELECTION);
         tree.addTreeSelectionListener(event -> updating.unless(() -> chosen.accept(chosenLine())));
-    }
-
-    /** A tree whose tooltips show the whole label of a shortened line. */
-    private static final class LabelledTree extends JTree {
-
-        private static final long serialVersionUID = 1;
-
-        LabelledTree() {
-            ToolTipManager.sharedInstance().registerComponent(this);
-        }
-
-        @Override
-        public String getToolTipText(MouseEvent event) {
-            TreePath path = getPathForLocation(event.getX(), event.getY());
-            Line line = path == null ? null : line(path);
-            return line == null || line.label().equals(line.toString()) ? null : Naming.wrapped(line.label());
-        }
     }
 
     JComponent component() {

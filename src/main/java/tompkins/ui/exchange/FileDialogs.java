@@ -19,7 +19,7 @@ public final class FileDialogs implements FileContentEditor.Choosers {
     private final WindowParts window;
     private final Runnable pause;
 
-    /** The folder where a file was last read or saved while the scene has the same file; null before. */
+    /** The folder where a file was last read or saved; null before. */
     private File lastFolder;
 
     /** The dialogs of a window; {@code pause} pauses what moves there by itself. */
@@ -34,7 +34,7 @@ public final class FileDialogs implements FileContentEditor.Choosers {
     }
 
     /**
-     * A file chooser, behind which nothing moves. It starts where a file was last read or saved for this scene, else in
+     * A file chooser, behind which nothing moves. It starts where a file was last read or saved, else in
      * the folder of the scene, else where any file was last opened or saved.
      */
     @Override
@@ -56,11 +56,6 @@ public final class FileDialogs implements FileContentEditor.Choosers {
                 .map(file -> file.toAbsolutePath().getParent().toFile())
                 .findFirst()
                 .orElse(null);
-    }
-
-    /** Tells that a scene from another file is about to be shown, whose files are elsewhere. */
-    void forgetFolder() {
-        lastFolder = null;
     }
 
     /** The name for files of the scene, without an ending: that of its own file, or its title up to a colon. */

@@ -40,7 +40,7 @@ public final class PhotographExport {
         List<FormatFilter<PictureFormat>> formats = Stream.of(PictureFormat.values())
                 .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
                 .toList();
-        PhotographOptions options = new PhotographOptions(studio, window.view().size().width);
+        PhotographOptions options = new PhotographOptions(studio);
         JFileChooser chooser = dialogs.chooser();
         chooser.setAccessory(options.component());
         SaveDialog.ask(

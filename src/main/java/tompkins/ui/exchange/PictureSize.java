@@ -48,17 +48,6 @@ public final class PictureSize {
         Rows.add(rows, Texts.get("export.height"), height.field(), "");
     }
 
-    /**
-     * Takes a width in pixels, in place of what was typed.
-     *
-     * @throws tompkins.property.InvalidPropertyException if no picture may be so wide
-     */
-    void setWidth(int pixels) {
-        width.revert();
-        height.revert();
-        scale("width", pixels, own.width());
-    }
-
     private void scale(String side, int pixels, int before) {
         Require.within(side, pixels, 1, RenderSettings.LONGEST_SIDE);
         double scale = (double) pixels / before;

@@ -1,11 +1,6 @@
 package tompkins.ui.exchange;
 
-import java.awt.SecondaryLoop;
-import java.awt.Toolkit;
 import java.nio.file.Path;
-import java.util.Objects;
-import java.util.concurrent.CancellationException;
-import java.util.concurrent.atomic.AtomicBoolean;
 import javax.swing.JFileChooser;
 import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
@@ -130,6 +125,7 @@ public final class SceneOpener {
     private void showOf(Path file, Studio studio) {
         show(studio, file);
         window.settings().addRecentFile(file);
+        dialogs.used(file);
     }
 
     /** Shows an example. */
@@ -139,56 +135,15 @@ public final class SceneOpener {
 
     /** Shows a scene; refused values of the one before it go, and each part of the window forgets what it has of it. */
     private void show(Studio studio, Path file) {
-        if (!Objects.equals(file, window.model().file())) {
-            dialogs.forgetFolder();
-        }
         window.model().open(studio, file);
         saver.hold(file, studio);
         EntryField.in(window.frame()).forEach(EntryField::revert);
     }
 
-    /** Whether files can be dropped on the window, and what becomes of them. */
+    /** Opens the first of the files that are dropped on the window. */
     public FileDrop drop() {
-        return new FileDrop(files -> ChosenFile.path(window.frame(), files.get(0))
-                .map(ChosenFile::plain)
-                .filter(file -> take(file, files.size()))
-                .isPresent());
-    }
-
-    /**
-     * Reads a file that was dropped, the first of some, while the window goes on, and says whether that could be done.
-     * Questions and messages come after the drop, because the program from which it comes waits for its end.
-     */
-    private boolean take(Path file, int dropped) {
-        SecondaryLoop reading =
-                Toolkit.getDefaultToolkit().getSystemEventQueue().createSecondaryLoop();
-        AtomicBoolean taken = new AtomicBoolean();
-        BackgroundTask.<Runnable>start(
-                window.frame(),
-                Texts.get("file.opening", file),
-                task -> {
-                    try {
-                        Studio studio = StudioReader.read(file);
-                        task.requireWanted();
-                        taken.set(true);
-                        return () -> leaveForAnother(() -> {
-                            showOf(file, studio);
-                            if (dropped > 1) {
-                                window.status().say(Texts.get("file.firstOfSeveral", file, dropped));
-                            }
-                        });
-                    } catch (CancellationException stopped) {
-                        throw stopped;
-                    } catch (RuntimeException | Error refused) {
-                        return () -> Messages.error(window.frame(), Messages.of(refused));
-                    }
-                },
-                next -> {
-                    reading.exit();
-                    SwingUtilities.invokeLater(next);
-                },
-                reading::exit);
-        reading.enter();
-        return taken.get();
+        // the program from which they come waits for the end of the drop, and not for questions
+        return new FileDrop(files -> SwingUtilities.invokeLater(
+                () -> ChosenFile.path(window.frame(), files.get(0)).ifPresent(this::open)));
     }
 }

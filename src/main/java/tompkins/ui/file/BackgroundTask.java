@@ -52,11 +52,6 @@ public final class BackgroundTask<T> extends SwingWorker<T, Void> {
     /** Shorter work shows no window. */
     private static final int PATIENCE_MILLISECONDS = 400;
 
-    /** The share of the work that must be done before the rest is estimated. */
-    private static final double LEAST_SHARE = 0.01;
-
-    private static final double LONGEST_IN_SECONDS = 100;
-
     /** The tasks that run at the moment. */
     private static final List<BackgroundTask<?>> RUNNING = new ArrayList<>();
 
@@ -69,7 +64,6 @@ public final class BackgroundTask<T> extends SwingWorker<T, Void> {
     private final Consumer<? super T> taker;
     private final Runnable notDone;
     private final JProgressBar bar = new JProgressBar(0, STEPS);
-    private final long start = System.nanoTime();
     private final Timer timer = new Timer(PATIENCE_MILLISECONDS, event -> refresh());
     private volatile double share;
 
@@ -211,7 +205,6 @@ public final class BackgroundTask<T> extends SwingWorker<T, Void> {
 
     private void refresh() {
         bar.setValue((int) (share * STEPS));
-        bar.setString(remaining(share, (System.nanoTime() - start) / 1e9));
         // showing it again would take the focus from whatever the user does meanwhile
         if (dialog == null) {
             dialog = dialog();
@@ -241,16 +234,5 @@ public final class BackgroundTask<T> extends SwingWorker<T, Void> {
         made.setResizable(false);
         made.setLocationRelativeTo(owner);
         return made;
-    }
-
-    /** How long it will still take, estimated after some seconds; empty before enough is done. */
-    static String remaining(double share, double seconds) {
-        if (share < LEAST_SHARE) {
-            return "";
-        }
-        double left = seconds * (1 - share) / share;
-        return left < LONGEST_IN_SECONDS
-                ? Texts.get("task.secondsLeft", Math.round(left))
-                : Texts.get("task.minutesLeft", Math.round(left / 60));
     }
 }

@@ -5,20 +5,17 @@ import java.awt.datatransfer.UnsupportedFlavorException;
 import java.io.File;
 import java.io.IOException;
 import java.util.List;
-import java.util.function.Predicate;
+import java.util.function.Consumer;
 import javax.swing.TransferHandler;
 
 /** Reads files that are dropped on the window. They are copied, and stay where they are. */
 @SuppressWarnings("serial") // never written to a stream
 public final class FileDrop extends TransferHandler {
 
-    private final transient Predicate<List<File>> taker;
+    private final transient Consumer<List<File>> taker;
 
-    /**
-     * A handler that gives the dropped files, which are at least one, to {@code taker}, on the event thread. The taker
-     * says whether it could read the first.
-     */
-    public FileDrop(Predicate<List<File>> taker) {
+    /** A handler that gives the dropped files, which are at least one, to {@code taker}, on the event thread. */
+    public FileDrop(Consumer<List<File>> taker) {
         this.taker = taker;
     }
 
@@ -44,8 +41,10 @@ public final class FileDrop extends TransferHandler {
         }
         try {
             List<?> dropped = (List<?>) support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
-            return !dropped.isEmpty()
-                    && taker.test(dropped.stream().map(File.class::cast).toList());
+            if (!dropped.isEmpty()) {
+                taker.accept(dropped.stream().map(File.class::cast).toList());
+            }
+            return !dropped.isEmpty();
         } catch (UnsupportedFlavorException | IOException notFiles) {
             return false;
         }

@@ -3,7 +3,6 @@ package tompkins.ui.help;
 import java.awt.BorderLayout;
 import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
-import java.awt.event.MouseEvent;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
@@ -68,7 +67,7 @@ public final class HelpWindow {
         text.setEditable(false);
         text.putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
         text.addHyperlinkListener(event -> {
-            if (event.getEventType() == HyperlinkEvent.EventType.ACTIVATED && isMeant(event)) {
+            if (event.getEventType() == HyperlinkEvent.EventType.ACTIVATED) {
                 follow(event.getDescription());
             }
         });
@@ -154,7 +153,6 @@ public final class HelpWindow {
         HTMLDocument document = (HTMLDocument) text.getDocument();
         document.setBase(shown.url());
         text.setText(shown.html());
-        find.searchAgain();
         back.setEnabled(!past.isEmpty());
         window.setTitle(heading(document));
         text.getAccessibleContext().setAccessibleName(window.getTitle());
@@ -164,24 +162,6 @@ public final class HelpWindow {
         try {
             String all = document.getText(0, document.getLength()).strip();
             return Texts.get("help.title", all.lines().findFirst().orElse(""));
-        } catch (BadLocationException impossible) {
-            throw new IllegalStateException(impossible);
-        }
-    }
-
-    /**
-     * Whether a click is meant for a link: Swing takes a click anywhere after the end of a line for one on the link at
-     * the end of the line.
-     */
-    private boolean isMeant(HyperlinkEvent event) {
-        if (!(event.getInputEvent() instanceof MouseEvent click)) {
-            return true;
-        }
-        try {
-            Rectangle near =
-                    text.modelToView2D(text.viewToModel2D(click.getPoint())).getBounds();
-            near.grow(near.height / 2, 0);
-            return near.contains(click.getPoint());
         } catch (BadLocationException impossible) {
             throw new IllegalStateException(impossible);
         }

@@ -65,13 +65,6 @@ public final class KeyTable extends Part {
                 .orElse(lines.size());
     }
 
-    /** Puts the columns below each other where both are wider than the room for them. */
-    public void fitInto(int width) {
-        if (panel.getPreferredSize().width > width) {
-            panel.setLayout(new MigLayout("novisualpadding, insets 0, wrap 1, gap 0 9"));
-        }
-    }
-
     private static JComponent column(List<String> lines) {
         JPanel column = new JPanel(new MigLayout("novisualpadding, insets 0, wrap 2, gap 16 0"));
         for (String line : lines) {

@@ -59,7 +59,6 @@ public final class LessonCourse {
             List<String> titles = new ArrayList<>(finished());
             titles.add(lesson.title());
             settings.setText(FINISHED, String.join(SEPARATOR, titles));
-            settings.save();
         }
     }
 

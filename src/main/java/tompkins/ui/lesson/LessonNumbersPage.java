@@ -36,7 +36,7 @@ final class LessonNumbersPage extends Part {
             String unit = FactText.SIGNS.unit(number.unit());
             table.add(Note.paragraph(FactText.readable(number.name())).component(), "wmin 0, gaptop 4");
             String predicted = FactText.readable(result.predictedText()) + unit;
-            add(new Note(Texts.get("lesson.predicted", predicted, unbroken(number.formula()))));
+            add(new Note(Texts.get("lesson.predicted", predicted, FactText.readable(number.formula()))));
             String measured = FactText.readable(result.measuredText()) + unit;
             String key = result.agrees() ? "lesson.agrees" : "lesson.differs";
             add(Note.paragraph(Texts.get(key, measured, FactText.readable(result.allowedText()))));
@@ -49,20 +49,6 @@ final class LessonNumbersPage extends Part {
 
     private void add(Note line) {
         table.add(line.component(), "wmin 0");
-    }
-
-    /** A formula that breaks into lines outside of its parentheses only. */
-    static String unbroken(String formula) {
-        StringBuilder text = new StringBuilder(FactText.readable(formula));
-        int depth = 0;
-        for (int i = 0; i < text.length(); i++) {
-            char sign = text.charAt(i);
-            depth += sign == '(' ? 1 : sign == ')' ? -1 : 0;
-            if (sign == ' ' && depth > 0) {
-                text.setCharAt(i, '\u00a0');
-            }
-        }
-        return text.toString();
     }
 
     /** Says that it is being measured. */

@@ -1,5 +1,6 @@
 package tompkins.ui.model;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.StringWriter;
@@ -13,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import tompkins.file.FileException;
 import tompkins.file.PendingFile;
@@ -25,6 +27,8 @@ import tompkins.ui.widget.Texts;
  */
 public final class Settings {
 
+    private static final String PROPERTY = "tompkins.settings";
+    private static final String PROGRAM = "tompkins";
     private static final String FILE = "window.properties";
     private static final String RECENT = "recent.";
     private static final int MOST_RECENT = 8;
@@ -35,55 +39,73 @@ public final class Settings {
     /** Null if nothing can be kept. */
     private final Path file;
 
-    private Properties values;
-
-    /** What was set since the last saving: another program may have set something else in the file meanwhile. */
-    private final List<Consumer<Properties>> changes = new ArrayList<>();
+    private final Properties values = new Properties();
 
     /** What the user should know about the settings; empty if there is nothing. */
-    private String trouble;
+    private String trouble = "";
 
     /** Told of it, once; null before it is asked for, and after that. */
     private Consumer<String> listener;
 
     /** The settings as they were kept the last time. */
     public Settings() {
-        this(SettingsFolder.find());
+        this(find());
+        if (file == null) {
+            tell(Texts.get("settings.noFolder"));
+        }
     }
 
-    private Settings(SettingsFolder folder) {
-        this(folder.path() == null ? null : folder.path().resolve(FILE), folder.trouble());
-    }
-
-    /** Settings in a file; whatever cannot be read counts as not set. */
+    /** Settings in a file; whatever cannot be read counts as not set, and so does all if the file is null. */
     public Settings(Path file) {
-        this(file, "");
-    }
-
-    private Settings(Path file, String trouble) {
         this.file = file == null ? null : file.toAbsolutePath();
-        this.trouble = trouble;
-        values = kept();
+        read();
     }
 
-    /** What the file holds; nothing if it cannot be read. */
-    private Properties kept() {
-        Properties kept = new Properties();
+    private static Path find() {
+        try {
+            return file(System::getProperty, System::getenv);
+        } catch (InvalidPathException notAName) {
+            return null;
+        }
+    }
+
+    /**
+     * The file in the folder that the system property names, or else in the one for settings of the user.
+     *
+     * @param property the system's properties by their names; null for what is not set
+     * @param environment the environment in the same way
+     */
+    static Path file(UnaryOperator<String> property, UnaryOperator<String> environment) {
+        String chosen = property.apply(PROPERTY);
+        if (chosen != null && !chosen.isEmpty()) {
+            return Path.of(chosen, FILE);
+        }
+        // by the XDG Base Directory Specification, a path that is empty or relative counts as not set
+        return Stream.of("APPDATA", "XDG_CONFIG_HOME")
+                .map(environment)
+                .filter(folder -> folder != null && new File(folder).isAbsolute())
+                .findFirst()
+                .map(folder -> Path.of(folder, PROGRAM, FILE))
+                .orElseGet(() -> Path.of(property.apply("user.home"), ".config", PROGRAM, FILE));
+    }
+
+    /** Takes what the file holds; nothing if it cannot be read. */
+    private void read() {
         if (file == null || Files.notExists(file)) {
-            return kept;
+            return;
         }
         try {
             if (!Files.isRegularFile(file) || Files.size(file) > LARGEST) {
                 throw new IOException(Texts.get("settings.notOurs"));
             }
+            Properties kept = new Properties();
             kept.load(new StringReader(Files.readString(file)));
-            return kept;
+            values.putAll(kept);
         } catch (CharacterCodingException | IllegalArgumentException damaged) {
             tell(Texts.get("settings.notRead", file, Texts.get("settings.notOurs")));
         } catch (IOException failure) {
             tell(Texts.get("settings.notRead", file, FileException.reason(failure)));
         }
-        return new Properties();
     }
 
     /** Tells somebody what the user should know about the settings, now or when it happens; once. */
@@ -112,7 +134,6 @@ public final class Settings {
     /** Keeps the colours of the window. */
     public void setLook(Look look) {
         setText("look", look.name());
-        save();
     }
 
     /** A text, or another one if it was never set. */
@@ -122,12 +143,10 @@ public final class Settings {
 
     /** Keeps a text under a name. */
     public void setText(String name, String text) {
-        change(properties -> properties.setProperty(name, text));
-    }
-
-    private void change(Consumer<Properties> change) {
-        change.accept(values);
-        changes.add(change);
+        // another program may have set something else meanwhile
+        read();
+        values.setProperty(name, text);
+        write();
     }
 
     /** A number, or another one if it was never set. */
@@ -146,14 +165,10 @@ public final class Settings {
 
     /** The files that were opened or saved last, the newest first. */
     public List<Path> recentFiles() {
-        return recentFiles(values);
-    }
-
-    private static List<Path> recentFiles(Properties properties) {
         List<Path> files = new ArrayList<>();
         for (int i = 0; i < MOST_RECENT; i++) {
             try {
-                files.add(Path.of(properties.getProperty(RECENT + i, "")));
+                files.add(Path.of(text(RECENT + i, "")));
             } catch (InvalidPathException damaged) {
                 // it counts as not set
             }
@@ -165,35 +180,26 @@ public final class Settings {
 
     /** Puts a file first among the recent ones. */
     public void addRecentFile(Path opened) {
-        Path absolute = opened.toAbsolutePath();
-        change(properties -> {
-            List<Path> files = recentFiles(properties);
-            files.remove(absolute);
-            files.add(0, absolute);
-            for (int i = 0; i < Math.min(MOST_RECENT, files.size()); i++) {
-                properties.setProperty(RECENT + i, files.get(i).toString());
-            }
-        });
-        save();
+        read();
+        List<Path> files = recentFiles();
+        files.remove(opened.toAbsolutePath());
+        files.add(0, opened.toAbsolutePath());
+        for (int i = 0; i < Math.min(MOST_RECENT, files.size()); i++) {
+            values.setProperty(RECENT + i, files.get(i).toString());
+        }
+        write();
     }
 
-    /**
-     * Puts what was set into the file, beside what other programs have set there; if the folder cannot be written,
-     * nothing is remembered, and the user is told so.
-     */
-    public void save() {
+    /** If the folder cannot be written, nothing is remembered, and the user is told so. */
+    private void write() {
         if (file == null) {
             return;
         }
-        Properties now = kept();
-        changes.forEach(change -> change.accept(now));
         try {
             Files.createDirectories(file.getParent());
             StringWriter text = new StringWriter();
-            now.store(text, null);
+            values.store(text, null);
             PendingFile.save(file, true, out -> out.write(text.toString().getBytes(StandardCharsets.UTF_8)));
-            values = now;
-            changes.clear();
         } catch (IOException | UncheckedIOException failure) {
             tell(Texts.get("settings.notKept", file, FileException.reason(failure)));
         }

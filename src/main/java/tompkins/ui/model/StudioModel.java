@@ -153,22 +153,6 @@ public final class StudioModel {
         return isModified() && current.edited();
     }
 
-    /**
-     * Whether the studio is an example that was changed, so that its title and its remarks no longer fit the picture:
-     * something other than size, quality and the number of a lesson has changed, but they have not.
-     */
-    public boolean isChangedExample() {
-        Studio now = studio();
-        Studio before = opened();
-        return file() == null
-                && !before.topic().equals(Studio.DEFAULT.topic())
-                && now.title().equals(before.title())
-                && now.remarks().equals(before.remarks())
-                && !LessonStudio.unmoved(now, before)
-                        .withSettings(before.settings())
-                        .equals(before);
-    }
-
     /** Takes another studio, as a step that can be undone. */
     public void set(Studio studio) {
         change(current.editedTo(studio), null, Pace.HAND);
@@ -211,22 +195,6 @@ public final class StudioModel {
         gestures.remove(gesture);
         if (untold) {
             tellOthers();
-        }
-    }
-
-    /**
-     * Takes back what the only gesture that goes on has changed, as if it had never begun; nothing if there are none or
-     * several.
-     *
-     * @param ending lets go what makes the gesture
-     */
-    public void takeBackGesture(Runnable ending) {
-        Step before = gestures.size() == 1 ? past.pop() : null;
-        ending.run();
-        if (before != null) {
-            gestures.clear();
-            current = before;
-            tellListeners();
         }
     }
 

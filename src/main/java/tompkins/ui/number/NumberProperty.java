@@ -3,8 +3,7 @@ package tompkins.ui.number;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
-import java.util.function.Function;
+import java.util.stream.Stream;
 import org.joml.Vector3dc;
 import tompkins.property.Descriptions;
 import tompkins.spacetime.SpeedScale;
@@ -18,29 +17,28 @@ import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Wording;
 
 /**
- * A number of the studio under the name that the window gives it. Two are equal if they have the same name and the same
- * place.
+ * A number of the studio under the name that the window gives it.
  *
  * @param name what the user calls it
  * @param number where it stands
- * @param text its value, for reading
  */
-public record NumberProperty(String name, StudioNumber number, Function<Studio, String> text) {
+public record NumberProperty(String name, StudioNumber number) {
 
     /** The most numbers that are offered; scenes can have millions. */
     private static final int MOST = 500;
 
-    /** A number that is shown with its first digits. */
-    private NumberProperty(String name, StudioNumber number) {
-        this(name, number, studio -> Numbers.brief(number.in(studio)));
-    }
-
     /** The speed on a scale; the direction stays. */
     public static NumberProperty speed(SpeedScale scale) {
-        return new NumberProperty(
-                Texts.get("scale." + scale.name() + ".name"),
-                StudioNumber.speed(scale),
-                studio -> SpeedText.of(studio.velocity(), scale));
+        return new NumberProperty(Texts.get("scale." + scale.name() + ".name"), StudioNumber.speed(scale));
+    }
+
+    /** Its value in a studio, for reading; a speed as its field shows it, another number with its first digits. */
+    public String text(Studio studio) {
+        return Stream.of(SpeedScale.values())
+                .filter(scale -> number.equals(StudioNumber.speed(scale)))
+                .findFirst()
+                .map(scale -> SpeedText.of(studio.velocity(), scale))
+                .orElseGet(() -> Numbers.brief(number.in(studio)));
     }
 
     /** The time at which the shutter opens. */
@@ -105,16 +103,6 @@ public record NumberProperty(String name, StudioNumber number, Function<Studio, 
                 collect(Descriptions.value(component, value), path.then(component.getName()), label, properties);
             }
         }
-    }
-
-    @Override
-    public boolean equals(Object other) {
-        return other instanceof NumberProperty property && name.equals(property.name) && number.equals(property.number);
-    }
-
-    @Override
-    public int hashCode() {
-        return Objects.hash(name, number);
     }
 
     @Override

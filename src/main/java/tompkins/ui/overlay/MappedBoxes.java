@@ -10,8 +10,8 @@ import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameRoute;
 import tompkins.studio.LensEvent;
 import tompkins.trace.RenderPlan;
+import tompkins.world.FrameAppearance;
 import tompkins.world.InertialFrame;
-import tompkins.world.SeenFrame;
 
 /** The boxes around the objects of a scene, as a map shows them, in coordinates of the scene. */
 final class MappedBoxes {
@@ -69,7 +69,7 @@ final class MappedBoxes {
     }
 
     private void add(InertialFrame frame) {
-        SeenFrame light = new SeenFrame(plan.studio(), frame.motion());
+        FrameAppearance light = new FrameAppearance(plan.studio(), frame.motion());
         for (Primitive primitive : frame.objects().primitives()) {
             Bounds bounds = primitive.allBounds();
             if (bounds != null && count < MOST) {
@@ -79,7 +79,7 @@ final class MappedBoxes {
         }
     }
 
-    private void add(InertialFrame frame, SeenFrame light, Bounds box) {
+    private void add(InertialFrame frame, FrameAppearance light, Bounds box) {
         Vector3d[] corners = box.corners();
         boolean shows = box.distance(light.fromCamera(lensInCamera).position()) > 0;
         if (frame.motion() == null) {
@@ -110,7 +110,7 @@ final class MappedBoxes {
     }
 
     /** Where a point of a moving frame was when its light left; null if none reaches the lens. */
-    private Vector3d seen(FrameRoute toScene, SeenFrame light, Vector3dc point) {
+    private Vector3d seen(FrameRoute toScene, FrameAppearance light, Vector3dc point) {
         Event event = light.seen(point, lensInCamera);
         return event == null ? null : toScene.transform(event).position();
     }

@@ -10,18 +10,14 @@ import tompkins.ui.picture.Asker;
 import tompkins.ui.picture.PictureCanvas;
 
 /**
- * What is drawn over the picture on the screen. The settings keep whether the arrow and the rate of a ride are; what
- * belongs to one scene, such as outlines and the map, goes when another is opened. A photograph that is saved has none
- * of it; what formulas say about the scene is also drawn into pictures that are copied and animations that are
- * exported.
+ * What is drawn over the picture on the screen. The settings keep whether the arrow is; what belongs to one scene, such
+ * as outlines and the map, goes when another is opened. A photograph that is saved has none of it; what formulas say
+ * about the scene is also drawn into pictures that are copied and animations that are exported.
  */
 public final class PictureOverlays {
 
     /** Where the camera flies. */
-    public static final String ARROW = "arrow";
-
-    /** How many pictures of a ride there are in a second. */
-    public static final String RATE = "rate";
+    private static final String ARROW = "arrow";
 
     private final PictureCanvas canvas;
     private final Settings settings;
@@ -43,15 +39,14 @@ public final class PictureOverlays {
         update();
     }
 
-    /** Whether the arrow, or the rate, is drawn; at first only the arrow is. */
-    public boolean isShown(String name) {
-        return settings.number(name, name.equals(ARROW) ? 1 : 0) != 0;
+    /** Whether the arrow is drawn; it is at first. */
+    public boolean isArrowShown() {
+        return settings.number(ARROW, 1) != 0;
     }
 
-    /** Draws the arrow, or the rate, from now on, or not. */
-    public void setShown(String name, boolean shown) {
-        settings.setNumber(name, shown ? 1 : 0);
-        settings.save();
+    /** Draws the arrow from now on, or not. */
+    public void setArrowShown(boolean shown) {
+        settings.setNumber(ARROW, shown ? 1 : 0);
         update();
     }
 
@@ -92,7 +87,7 @@ public final class PictureOverlays {
     }
 
     private void update() {
-        arrow.setShown(isShown(ARROW));
+        arrow.setShown(isArrowShown());
         map.setShown(axis);
         overlay.setShown(kinds);
         canvas.repaint();

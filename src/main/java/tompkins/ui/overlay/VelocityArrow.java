@@ -3,7 +3,6 @@ package tompkins.ui.overlay;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
-import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.util.ArrayList;
@@ -15,7 +14,6 @@ import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.Aim.PicturePosition;
-import tompkins.camera.Camera;
 import tompkins.studio.Studio;
 import tompkins.ui.picture.Mark;
 import tompkins.ui.picture.Overlay;
@@ -25,18 +23,11 @@ import tompkins.ui.widget.Texts;
 
 /**
  * Where the camera flies, and where it comes from: a ring with a point for the one, a ring with a cross for the other,
- * like the head and the tail of an arrow. If both are outside the picture, an arrow at its edge points to where it
- * flies.
+ * like the head and the tail of an arrow.
  */
 public final class VelocityArrow implements Overlay {
 
     private static final double RADIUS = 10;
-
-    /** How far from the edge of the picture the arrow ends, and how long it is. */
-    private static final double MARGIN = 14;
-
-    private static final double LENGTH = 34;
-    private static final double HEAD = 11;
 
     /** Room for the black edge of a text. */
     private static final int EDGE = 2;
@@ -61,9 +52,6 @@ public final class VelocityArrow implements Overlay {
         tails.forEach(tail -> paintTail(g, tail));
         labels(g, Texts.get("arrow.ahead"), heads, visible);
         labels(g, Texts.get("arrow.back"), tails, visible);
-        if (heads.isEmpty() && tails.isEmpty()) {
-            paintArrow(g, sideways(studio.camera(), ahead), visible);
-        }
     }
 
     /** Where each eye sees a direction, as far as it is visible. */
@@ -79,12 +67,6 @@ public final class VelocityArrow implements Overlay {
             }
         }
         return places;
-    }
-
-    /** To the right and down in the picture, the way to a direction outside it; straight back counts as up. */
-    private static Vector2d sideways(Camera camera, Vector3dc direction) {
-        Vector2d sideways = new Vector2d(direction.dot(camera.rightDirection()), -direction.dot(camera.upDirection()));
-        return sideways.length() < 1e-9 ? new Vector2d(0, -1) : sideways.normalize();
     }
 
     private static void paintHead(Graphics2D g, Vector2dc place) {
@@ -122,23 +104,5 @@ public final class VelocityArrow implements Overlay {
                 Mark.paintText(g, font, text, x, place.y() + RADIUS + font.getSize2D() / 2);
             }
         }
-    }
-
-    private static void paintArrow(Graphics2D g, Vector2d sideways, Rectangle bounds) {
-        double middleX = bounds.getCenterX();
-        double middleY = bounds.getCenterY();
-        double reach = Math.min(
-                (bounds.width / 2.0 - MARGIN) / Math.max(1e-9, Math.abs(sideways.x)),
-                (bounds.height / 2.0 - MARGIN) / Math.max(1e-9, Math.abs(sideways.y)));
-        Path2D arrow = new Path2D.Double();
-        arrow.moveTo(-LENGTH, 0);
-        arrow.lineTo(0, 0);
-        arrow.moveTo(-HEAD, -HEAD * 0.6);
-        arrow.lineTo(0, 0);
-        arrow.lineTo(-HEAD, HEAD * 0.6);
-        arrow.transform(AffineTransform.getRotateInstance(Math.atan2(sideways.y, sideways.x)));
-        arrow.transform(
-                AffineTransform.getTranslateInstance(middleX + reach * sideways.x, middleY + reach * sideways.y));
-        Mark.paint(g, arrow);
     }
 }

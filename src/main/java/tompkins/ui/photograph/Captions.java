@@ -57,7 +57,6 @@ public final class Captions {
     /** Shows captions from now on, or hides them. */
     public void setShown(boolean shown) {
         settings.setNumber(SETTING, shown ? 1 : 0);
-        settings.save();
         update();
     }
 
@@ -161,7 +160,7 @@ public final class Captions {
         List<String> words = new ArrayList<>();
         // another shutter may have no opening time
         if (number != null && !number.number().isSpeed() && number.number().isIn(studio)) {
-            words.add(Texts.get("caption.number", number.name(), number.text().apply(studio)));
+            words.add(Texts.get("caption.number", number.name(), number.text(studio)));
         }
         words.add(motion(studio));
         return String.join(", ", words);

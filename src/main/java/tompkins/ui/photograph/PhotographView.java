@@ -14,7 +14,7 @@ import tompkins.camera.Camera;
 import tompkins.camera.FocusDistance;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
-import tompkins.trace.RayLife;
+import tompkins.trace.SampleHistory;
 import tompkins.ui.compare.Compared;
 import tompkins.ui.compare.ComparedPicture;
 import tompkins.ui.model.Pace;
@@ -211,7 +211,7 @@ public final class PhotographView implements AutoCloseable {
     }
 
     /** Follows a cone of rays around that of the pinned pixel; the answer comes on the event thread. */
-    public void askCone(Consumer<List<RayLife>> answer) {
+    public void askCone(Consumer<List<SampleHistory>> answer) {
         pin.askCone(answer);
     }
 

@@ -13,7 +13,7 @@ import tompkins.measure.Sighting;
 import tompkins.studio.PanoramaBackground;
 import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
-import tompkins.trace.RayLife;
+import tompkins.trace.SampleHistory;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.RenderController;
 import tompkins.ui.ray.PixelReading;
@@ -177,7 +177,7 @@ public final class StatusBar extends Part {
         if (moves && !Double.isNaN(sighting.dopplerFactor())) {
             details.add(Texts.get("probe.ratio", Numbers.brief(sighting.dopplerFactor(), 4)));
         }
-        RayLife.Encounter hit = sighting.hit();
+        SampleHistory.Encounter hit = sighting.hit();
         if (hit != null) {
             details.add(
                     Texts.get("status.events", Numbers.brief(sighting.inScene()), Numbers.brief(sighting.inCamera())));

@@ -51,20 +51,6 @@ public record Picture(
         EMPTY
     }
 
-    /** A picture that is no glimpse. */
-    public Picture(
-            Studio studio,
-            RenderPlan plan,
-            LinearImage image,
-            boolean complete,
-            Duration time,
-            double samples,
-            double error,
-            List<String> warnings,
-            Flaw flaw) {
-        this(studio, plan, image, null, complete, time, samples, error, warnings, flaw);
-    }
-
     /** How the screen shows it, in its own size. */
     public BufferedImage levels() {
         return glimpse != null

@@ -8,8 +8,8 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import tompkins.camera.SamplePositions;
 import tompkins.measure.RayCone;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 import tompkins.ui.picture.Asker;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
@@ -110,7 +110,7 @@ public final class PixelPin implements PictureTool {
     }
 
     /** Follows a cone of rays around the pinned one; the answer comes on the event thread. */
-    public void askCone(Consumer<List<RayLife>> answer) {
+    public void askCone(Consumer<List<SampleHistory>> answer) {
         Picture picture = picture();
         if (place != null && picture != null) {
             Point2D middle = picture.inPixels(canvas.shown().placeIn(picture, place));
@@ -118,7 +118,7 @@ public final class PixelPin implements PictureTool {
         }
     }
 
-    private static List<RayLife> cone(RenderPlan plan, Point2D middle) {
+    private static List<SampleHistory> cone(RenderPlan plan, Point2D middle) {
         return RayCone.around(plan, middle.getX(), middle.getY(), RAYS_OF_CONE, SamplePositions.MIDDLE);
     }
 

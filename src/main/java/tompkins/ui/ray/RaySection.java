@@ -1,18 +1,17 @@
 package tompkins.ui.ray;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.util.Collections;
 import java.util.IdentityHashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComponent;
-import javax.swing.JMenuItem;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JPopupMenu;
 import tompkins.io.FactText;
 import tompkins.measure.RayHistory;
 import tompkins.measure.RayTubes;
@@ -20,23 +19,23 @@ import tompkins.primitive.Described;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.trace.Frame;
-import tompkins.trace.RayLife;
+import tompkins.trace.SampleHistory;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Buttons;
 import tompkins.ui.widget.ChoiceRow;
+import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
-import tompkins.ui.widget.Section;
 import tompkins.ui.widget.Texts;
 
 /** The life of the ray of a pinned pixel, in a part of the side panel that is there only while a pixel is pinned. */
-public final class RaySection {
+public final class RaySection extends Part {
 
     /** The size of the diagram, in sizes of the type. */
     private static final double DIAGRAM = 12.5;
 
     private final StudioModel model;
     private final Runnable unpin;
-    private final Consumer<Consumer<List<RayLife>>> cones;
+    private final Consumer<Consumer<List<SampleHistory>>> cones;
     private final Consumer<StudioPath> editor;
     private final StoryPane story = new StoryPane();
     private final DiagramPane diagram = new DiagramPane(DIAGRAM);
@@ -51,10 +50,9 @@ public final class RaySection {
     private final JButton edit = Buttons.of("ray.edit", this::edit);
     private final JButton drawRay = Buttons.of("ray.draw", this::drawRay);
     private final JButton drawCone = Buttons.of("ray.cone", this::drawCone);
-    private final Section section;
 
     /** The pinned ray, if it has a life. */
-    private List<RayLife> rays = List.of();
+    private List<SampleHistory> rays = List.of();
 
     /** What is photographed in its picture; null if nothing is pinned. */
     private Studio studio;
@@ -69,7 +67,11 @@ public final class RaySection {
      * @param editor opens the editor for an object that the ray hit
      */
     public RaySection(
-            StudioModel model, Runnable unpin, Consumer<Consumer<List<RayLife>>> cones, Consumer<StudioPath> editor) {
+            StudioModel model,
+            Runnable unpin,
+            Consumer<Consumer<List<SampleHistory>>> cones,
+            Consumer<StudioPath> editor) {
+        super(Rows.column());
         this.model = model;
         this.unpin = unpin;
         this.cones = cones;
@@ -85,18 +87,14 @@ public final class RaySection {
         buttons.add(drawRay);
         buttons.add(drawCone);
         buttons.add(Buttons.of("ray.enlarge", () -> large.open(component())));
-        JPanel content = Rows.column();
-        content.add(frames, "wmin 0");
-        content.add(diagram, "wmin 0");
-        content.add(story, "wmin 0");
-        content.add(buttons, "wmin 0");
-        section = new Section(Texts.get("ray.title"), content, true);
-        section.component().setVisible(false);
-    }
-
-    /** The section itself. */
-    public JComponent component() {
-        return section.component();
+        JLabel title = new JLabel(Texts.get("ray.title"));
+        title.putClientProperty(FlatClientProperties.STYLE, "font: bold");
+        panel.add(title);
+        panel.add(frames, "wmin 0");
+        panel.add(diagram, "wmin 0");
+        panel.add(story, "wmin 0");
+        panel.add(buttons, "wmin 0");
+        panel.setVisible(false);
     }
 
     /**
@@ -105,11 +103,11 @@ public final class RaySection {
      * @param picture name of the picture to which the ray belongs, or null if it is the studio's
      */
     public void show(PixelReading reading, String picture) {
-        section.component().setVisible(reading != null);
+        panel.setVisible(reading != null);
         // an unpinned ray must not keep its scene in memory
-        RayLife life = reading == null ? null : reading.sighting().life();
+        SampleHistory life = reading == null ? null : reading.sighting().life();
         rays = life == null ? List.of() : List.of(life);
-        edit.setEnabled(!objects().isEmpty());
+        edit.setEnabled(object().isPresent());
         drawRay.setEnabled(RayTubes.canDraw(rays));
         drawCone.setEnabled(RayTubes.canDraw(rays));
         studio = reading == null ? null : reading.sighting().studio();
@@ -138,19 +136,16 @@ public final class RaySection {
         large.show(drawn, text);
     }
 
-    /** The objects that the ray hit and that the studio still holds, with their names. */
-    private Map<StudioPath, String> objects() {
-        Map<StudioPath, String> objects = new LinkedHashMap<>();
+    /** The first object that the ray hit and that the studio still holds. */
+    private Optional<StudioPath> object() {
         // glass is hit again and again, and finding it in a large scene takes time
         Set<Described> sought = Collections.newSetFromMap(new IdentityHashMap<>());
-        for (RayLife.Encounter hit :
-                rays.stream().flatMap(ray -> ray.hits().stream()).toList()) {
-            if (sought.add(hit.object())) {
-                StudioPath.to(model.studio(), hit.object())
-                        .ifPresent(path -> objects.put(path, hit.object().description()));
-            }
-        }
-        return objects;
+        return rays.stream()
+                .flatMap(ray -> ray.hits().stream())
+                .map(SampleHistory.Encounter::object)
+                .filter(sought::add)
+                .flatMap(object -> StudioPath.to(model.studio(), object).stream())
+                .findFirst();
     }
 
     private void drawRay() {
@@ -167,30 +162,16 @@ public final class RaySection {
     }
 
     /** Draws rays in one step that can be undone. Their pixel shows the end of a rod now, and so is no more pinned. */
-    private void draw(String kind, List<RayLife> drawn) {
+    private void draw(String kind, List<SampleHistory> drawn) {
         String name = Texts.get("ray.drawn." + kind, pixel);
         unpin.run();
         model.set(RayTubes.addedTo(model.studio(), name, drawn));
     }
 
     private void edit() {
-        Map<StudioPath, String> objects = objects();
-        // they may have been deleted since
-        edit.setEnabled(!objects.isEmpty());
-        if (objects.size() == 1) {
-            editor.accept(objects.keySet().iterator().next());
-            return;
-        }
-        if (objects.isEmpty()) {
-            return;
-        }
-        JPopupMenu menu = new JPopupMenu();
-        objects.forEach((path, name) -> {
-            JMenuItem item = new JMenuItem();
-            item.setText(name);
-            item.addActionListener(event -> editor.accept(path));
-            menu.add(item);
-        });
-        menu.show(edit, 0, edit.getHeight());
+        Optional<StudioPath> object = object();
+        // it may have been deleted since
+        edit.setEnabled(object.isPresent());
+        object.ifPresent(editor);
     }
 }

@@ -17,7 +17,7 @@ import tompkins.studio.RideLeg;
 import tompkins.studio.RideMoment;
 import tompkins.studio.Studio;
 import tompkins.trace.Frame;
-import tompkins.trace.RayLife;
+import tompkins.trace.SampleHistory;
 import tompkins.ui.widget.Numbers;
 
 /**
@@ -78,14 +78,14 @@ public record SpaceTimeDiagram(
     private static final Event ZERO = new Event(0, 0, 0, 0);
 
     /** The diagram of a ray of a studio's picture. */
-    static SpaceTimeDiagram of(RayLife life, Studio studio, Frame frame) {
+    static SpaceTimeDiagram of(SampleHistory life, Studio studio, Frame frame) {
         boolean ofScene = frame == Frame.SCENE;
         SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
         SpaceTimeTransformation fromOther = ofScene ? sceneFromCamera : sceneFromCamera.inverse();
         Vector3dc along = along(life.end(), studio);
         Event origin = ofScene ? sceneFromCamera.transform(life.cameraStart()) : life.cameraStart();
         List<Point2D> path = new ArrayList<>(List.of(new Point2D.Double()));
-        for (RayLife.Encounter hit : life.mainHits()) {
+        for (SampleHistory.Encounter hit : life.mainHits()) {
             path.add(place(ofScene ? hit.inScene(sceneFromCamera) : hit.inCamera(sceneFromCamera), origin, along));
         }
         Point2D onwards = null;
@@ -184,7 +184,7 @@ public record SpaceTimeDiagram(
     }
 
     /** The direction of x: that in which the camera flies, or else the object at which the ray ends. */
-    private static Vector3dc along(RayLife.Encounter end, Studio studio) {
+    private static Vector3dc along(SampleHistory.Encounter end, Studio studio) {
         if (studio.velocity().isRest() && end != null && end.movesByItself()) {
             Vector3d way = worldLine(end, studio, Frame.SCENE).position();
             // where a wheel touches the ground it rests for a moment
@@ -196,7 +196,7 @@ public record SpaceTimeDiagram(
     }
 
     /** How place and time in a frame change along the worldline of the point that was hit. */
-    private static Event worldLine(RayLife.Encounter hit, Studio studio, Frame frame) {
+    private static Event worldLine(SampleHistory.Encounter hit, Studio studio, Frame frame) {
         SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
         Vector3dc turning = hit.rest().velocity();
         Event own = turning == null ? new Event(0, 0, 0, 1) : new Event(turning.x(), turning.y(), turning.z(), 1);

@@ -22,7 +22,6 @@ import tompkins.studio.Studio;
 import tompkins.ui.animate.AnimationExport;
 import tompkins.ui.animate.PlayPanel;
 import tompkins.ui.number.NumberProperty;
-import tompkins.ui.overlay.PictureOverlays;
 import tompkins.ui.photograph.Captions;
 import tompkins.ui.photograph.WindowParts;
 import tompkins.ui.picture.Picture;
@@ -44,7 +43,6 @@ public final class Motion {
     private final Captions captions;
     private final RidePilot pilot;
     private final SteeringMouse steering;
-    private final RideRate rate = new RideRate();
     private final RideKeys keys;
     private final TabStrip strip;
 
@@ -61,7 +59,7 @@ public final class Motion {
         canvas = window.view().canvas();
         pilot = new RidePilot(window.model(), window.status()::report);
         steering = new SteeringMouse(canvas, new Steering(window.model(), window.view(), pilot));
-        keys = new RideKeys(canvas, pilot, steering::turn, letter -> ridePanel().offerKeyboard(letter));
+        keys = new RideKeys(canvas, pilot, steering::turn);
         canvas.addOverlay((g, picture, bounds, visible, free) -> paintLine(g, picture, free));
         captions.setRidden(this::isOnRide);
         pilot.addListener(canvas::repaint);
@@ -100,18 +98,9 @@ public final class Motion {
 
     /** Pauses what moves by itself; false if nothing did. */
     public boolean pauseIfMoving() {
-        boolean moves = isMoving();
+        boolean moves = play != null && play.isPlaying() || pilot.isRiding();
         pause();
         return moves;
-    }
-
-    /** Whether something moves by itself. */
-    public boolean isMoving() {
-        return isPlaying() || pilot.isRiding();
-    }
-
-    private boolean isPlaying() {
-        return play != null && play.isPlaying();
     }
 
     private PlayPanel playPanel() {
@@ -201,7 +190,6 @@ public final class Motion {
     }
 
     private void paintLine(Graphics2D g, Picture picture, Rectangle free) {
-        rate.note(picture);
         List<String> parts = parts();
         if (!parts.isEmpty()) {
             Font font = Look.captions();
@@ -226,9 +214,6 @@ public final class Motion {
         if (isOnRide()) {
             parts.addAll(state(moment));
             parts.addAll(Captions.parts(moment, pilot.isRiding()));
-            if (pilot.isRiding() && window.settings().number(PictureOverlays.RATE, 0) != 0) {
-                parts.add(rate.text());
-            }
         }
         return parts;
     }

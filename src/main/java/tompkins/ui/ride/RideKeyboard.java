@@ -4,7 +4,6 @@ import java.awt.event.KeyEvent;
 import java.awt.im.InputContext;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.IntUnaryOperator;
 import java.util.stream.Collectors;
@@ -15,15 +14,13 @@ import tompkins.ui.widget.Texts;
  * A keyboard, by the letters that lie where an American one has W, A, S, D, Q, E and B: a ride is steered by places
  * under the fingers, and Java tells letters.
  *
- * @param name what it is called; empty for one that somebody typed
+ * @param name what it is called
  * @param letters seven small letters, in that order
  */
 public record RideKeyboard(String name, String letters) {
 
     /** The command of the last letter; those before are the directions of thrust. */
     static final int BRAKE = 6;
-
-    private static final int COUNT = BRAKE + 1;
 
     /** The languages and countries of which most keyboards have A where others have Q. */
     private static final Set<String> AZERTY = Set.of("fr_FR", "fr_BE", "nl_BE", "fr");
@@ -50,16 +47,12 @@ public record RideKeyboard(String name, String letters) {
         return common().get(azerty ? 1 : 0);
     }
 
-    /** The keyboard with some letters, between which there may be spaces; null if they are not seven. */
-    static RideKeyboard of(String typed) {
-        String letters = mapped(typed.replaceAll("\\s", ""), Character::toLowerCase);
-        if (letters.length() != COUNT || letters.chars().distinct().count() != COUNT) {
-            return null;
-        }
+    /** The common keyboard with some letters; the usual one if there is none. */
+    static RideKeyboard of(String letters) {
         return common().stream()
                 .filter(keyboard -> keyboard.letters.equals(letters))
                 .findFirst()
-                .orElse(new RideKeyboard("", letters));
+                .orElseGet(RideKeyboard::usual);
     }
 
     /** The letters as they stand on keys, with spaces between them. */
@@ -90,12 +83,5 @@ public record RideKeyboard(String name, String letters) {
         return here >= 0 || place == KeyEvent.VK_UNDEFINED
                 ? here
                 : common().get(0).letters.indexOf(Character.toLowerCase(place));
-    }
-
-    /** The first common keyboard on which a letter steers that does not steer on this one; empty if there is none. */
-    Optional<RideKeyboard> other(char letter) {
-        return common().stream()
-                .filter(keyboard -> command(letter) < 0 && keyboard.command(letter) >= 0)
-                .findFirst();
     }
 }

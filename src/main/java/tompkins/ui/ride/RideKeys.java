@@ -10,7 +10,6 @@ import java.beans.PropertyChangeListener;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.text.JTextComponent;
@@ -57,7 +56,6 @@ final class RideKeys {
     private final PictureCanvas canvas;
     private final RidePilot pilot;
     private final Turn turn;
-    private final Consumer<Character> unused;
     private final KeyEventPostProcessor elsewhere = this::takeUnused;
     private final PropertyChangeListener focus = event -> letGo();
     private final Map<Integer, Held> held = new HashMap<>();
@@ -70,13 +68,8 @@ final class RideKeys {
         void by(int right, int up);
     }
 
-    /**
-     * Listens to the keys of a canvas.
-     *
-     * @param unused takes letters that do nothing, while the camera flies
-     */
-    RideKeys(PictureCanvas canvas, RidePilot pilot, Turn turn, Consumer<Character> unused) {
-        this.unused = unused;
+    /** Listens to the keys of a canvas. */
+    RideKeys(PictureCanvas canvas, RidePilot pilot, Turn turn) {
         this.pilot = pilot;
         this.turn = turn;
         this.canvas = canvas;
@@ -146,8 +139,6 @@ final class RideKeys {
                 } else if (event.getModifiersEx() == 0 && event.getKeyCode() == KeyEvent.VK_HOME) {
                     // a ride that is paused begins anew, too, and a replay ends
                     pilot.home();
-                } else if (event.getModifiersEx() == 0 && keyboard.command(LatinKeys.letter(event)) >= 0) {
-                    pilot.tellThatItPauses();
                 }
             }
             default -> {
@@ -195,7 +186,6 @@ final class RideKeys {
                 case KeyEvent.VK_PAGE_UP -> turn.by(0, 1);
                 case KeyEvent.VK_PAGE_DOWN -> turn.by(0, -1);
                 default -> {
-                    unused.accept(LatinKeys.letter(event));
                     return;
                 }
             }

@@ -1,8 +1,6 @@
 package tompkins.ui.ride;
 
 import java.awt.Color;
-import java.awt.Dimension;
-import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
@@ -62,21 +60,11 @@ public final class RidePanel extends Part {
 
     private final ValueSlider light;
 
-    /** The names of keyboards have room in its list alone. */
-    private final JComboBox<String> keyboard = new JComboBox<>() {
-        @Override
-        public Dimension getPreferredSize() {
-            int height = super.getPreferredSize().height;
-            return new Dimension(getFontMetrics(getFont()).stringWidth("W W W W W W W") + 2 * height, height);
-        }
-    };
+    private final JComboBox<RideKeyboard> keyboard =
+            new JComboBox<>(RideKeyboard.common().toArray(RideKeyboard[]::new));
 
     private final Consumer<RideKeyboard> steerer;
-    private RideKeyboard letters;
-    private double told;
     private final Note keys = new Note("");
-    private final JButton otherKeyboard = new JButton();
-    private boolean offered;
     private final Note note = new Note("");
 
     /**
@@ -94,7 +82,7 @@ public final class RidePanel extends Part {
             Consumer<Studio> exporter,
             Consumer<RideKeyboard> steerer) {
         super(new JPanel(
-                new MigLayout("novisualpadding, insets 0 4 0 4, fillx, hidemode 3, gap 6 4", "[][][][grow,fill][][]")));
+                new MigLayout("novisualpadding, insets 0 4 0 4, fillx, hidemode 3, gap 6 4", "[][][][grow,fill][]")));
         this.model = model;
         this.pilot = pilot;
         this.flown = flown;
@@ -123,7 +111,6 @@ public final class RidePanel extends Part {
         panel.add(home);
         panel.add(challenges);
         panel.add(task, "wmin 0");
-        panel.add(otherKeyboard);
         panel.add(showMore, "wrap");
         panel.add(more, "span, growx");
         panel.setVisible(false);
@@ -143,7 +130,7 @@ public final class RidePanel extends Part {
         JPanel views = Rows.panel();
         new StudioRow(model, "view", Texts.get("row.view")).addTo(views);
         more.add(views, "gapleft push, wmin 0, wrap");
-        more.add(keyboard, "span, split 2, wmin pref");
+        more.add(keyboard, "span, split 2, wmin 0");
         more.add(keys.component(), "growx, wmin 0, wrap");
         more.add(note.component(), "span, growx, wmin 0");
         more.setVisible(false);
@@ -155,15 +142,13 @@ public final class RidePanel extends Part {
         flown.run();
     }
 
-    /** Lists the rides of the scene: each challenge with the way to go, or with what became of it. */
+    /** Lists the rides of the scene: each challenge that was tried with what became of it. */
     private void offerRides() {
         JPopupMenu menu = new JPopupMenu();
         for (Ride offer : model.studio().rides()) {
             RideTask.Verdict verdict = pilot.task().verdict(offer);
-            String far = RideTask.distance(offer);
             JMenuItem item = new JMenuItem();
-            String end = verdict == null ? far : verdict.text();
-            item.setText(end.isEmpty() ? offer.name() : offer.name() + "   (" + end + ")");
+            item.setText(verdict == null ? offer.name() : offer.name() + "   (" + verdict.text() + ")");
             item.setName(offer.name());
             if (verdict != null) {
                 item.setForeground(colour(verdict));
@@ -178,53 +163,20 @@ public final class RidePanel extends Part {
         return UIManager.getColor(verdict.met() ? "Tompkins.done" : "Tompkins.error");
     }
 
-    /** The letters of common keyboards; others can be typed. */
+    /** The letters of common keyboards. */
     private void offerKeyboards(Settings settings) {
         Naming.name(keyboard, "ride.keyboard");
-        List<RideKeyboard> common = RideKeyboard.common();
-        common.forEach(known -> keyboard.addItem(known.text()));
-        Naming.items(
-                keyboard,
-                text -> common.stream()
-                        .filter(known -> known.text().equals(text))
-                        .map(known -> text + "   " + known.name())
-                        .findFirst()
-                        .orElse(text));
-        keyboard.setEditable(true);
-        RideKeyboard kept = RideKeyboard.of(settings.text(KEYBOARD, ""));
-        steerBy(kept == null ? RideKeyboard.usual() : kept);
-        otherKeyboard.setName("ride.otherKeyboard");
-        otherKeyboard.setVisible(false);
-        otherKeyboard.addActionListener(event -> flown.run());
-        keyboard.addActionListener(event -> {
-            RideKeyboard chosen = RideKeyboard.of(String.valueOf(keyboard.getSelectedItem()));
-            otherKeyboard.setVisible(false);
-            // a text that is not seven letters is undone
-            steerBy(chosen == null ? letters : chosen);
-            if (chosen != null) {
-                settings.setText(KEYBOARD, chosen.letters());
-                settings.save();
-            }
-        });
+        Naming.items(keyboard, known -> known.text() + "   " + known.name());
+        keyboard.setSelectedItem(RideKeyboard.of(settings.text(KEYBOARD, "")));
+        steer();
+        keyboard.addActionListener(event -> settings.setText(KEYBOARD, steer().letters()));
     }
 
-    /** Offers, once, the keyboard on which a letter steers that does nothing on the present one. */
-    void offerKeyboard(char letter) {
-        letters.other(letter).filter(other -> !offered).ifPresent(other -> {
-            offered = true;
-            otherKeyboard.setText(Texts.get("ride.otherKeyboard", other.text(), other.name()));
-            otherKeyboard.addActionListener(event -> keyboard.setSelectedItem(other.text()));
-            otherKeyboard.setVisible(true);
-        });
-    }
-
-    private void steerBy(RideKeyboard chosen) {
-        letters = chosen;
+    private RideKeyboard steer() {
+        RideKeyboard chosen = (RideKeyboard) keyboard.getSelectedItem();
         steerer.accept(chosen);
-        if (!chosen.text().equals(keyboard.getSelectedItem())) {
-            keyboard.setSelectedItem(chosen.text());
-        }
         keys.setText(Texts.get("ride.keys", (Object[]) chosen.text().split(" ")));
+        return chosen;
     }
 
     /** Shows the bar, or hides it and pauses. */
@@ -243,7 +195,6 @@ public final class RidePanel extends Part {
     private void setUnits(double exact) {
         double rounded = NumberText.rounded(exact, 2);
         pilot.setUnitsPerSecond(rounded);
-        told = rounded;
         units.setText(Texts.get(rounded == 1 ? "ride.unit" : "ride.units", Numbers.brief(rounded)));
     }
 
@@ -253,10 +204,8 @@ public final class RidePanel extends Part {
         ride.setText(Texts.get(riding ? "ride.pause" : "ride.ride"));
         record.setSelected(pilot.isRecording());
         record.setText(Texts.get(pilot.isRecording() ? "ride.stopRecording" : "ride.record"));
-        if (pilot.unitsPerSecond() != told) {
-            light.show(pilot.unitsPerSecond());
-            setUnits(pilot.unitsPerSecond());
-        }
+        light.show(pilot.unitsPerSecond());
+        setUnits(pilot.unitsPerSecond());
         updateTask();
     }
 

@@ -109,13 +109,6 @@ public final class RidePilot {
         return gesture;
     }
 
-    /** Says how to go on, if there is a ride that no key steers now. */
-    void tellThatItPauses() {
-        if (moment() != null) {
-            teller.accept(Texts.get(isRiding() ? "ride.steerReplay" : "ride.steerPause"));
-        }
-    }
-
     /** The present moment of the ride, which may be paused; null if the camera has been moved elsewhere since. */
     public RideMoment moment() {
         Studio now = model.studio();

@@ -1,7 +1,6 @@
 package tompkins.ui.ride;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -112,18 +111,6 @@ final class RideTask {
         }
         double distance = next.position().distance(now.rider().event().position()) - next.within();
         return toGo(distance, place(next, ride)) + GAP + clocks(next, now);
-    }
-
-    /** How far it is from the start of a ride to the farthest of its goals; empty without one. */
-    static String distance(Ride ride) {
-        return ride.challenge().stream()
-                .max(Comparator.comparingDouble(goal -> distance(goal, ride)))
-                .map(goal -> toGo(distance(goal, ride), place(goal, ride)))
-                .orElse("");
-    }
-
-    private static double distance(RideGoal goal, Ride ride) {
-        return goal.position().distance(ride.position()) - goal.within();
     }
 
     /** The key of the name of a place: a ride may lead home. */

@@ -1,5 +1,7 @@
 package tompkins.ui.ride;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.UnaryOperator;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -40,13 +42,8 @@ final class Steering {
     /** The distance of what is under the hand; NaN while it is unknown. */
     private double distance = Double.NaN;
 
-    private boolean asked;
-
-    /** What waits for the distance; null if nothing does. */
-    private Runnable waiting;
-
-    private PicturePosition waitingFrom;
-    private double waitingNotches;
+    /** What waits for the distance, which was asked for with the first. */
+    private final List<Runnable> waiting = new ArrayList<>();
 
     /** Whether the gesture ends as soon as the distance has come. */
     private boolean ending;
@@ -85,12 +82,10 @@ final class Steering {
 
     /** Moves the lens sideways and up, so that what was seen at one place is seen near another. */
     void slide(PicturePosition from, PicturePosition to) {
-        waitingFrom = waitingFrom == null ? from : waitingFrom;
         whenFar(from, () -> {
             Camera camera = camera();
-            Vector3d first = waitingFrom.direction(camera);
+            Vector3d first = from.direction(camera);
             Vector3d second = to.direction(camera);
-            waitingFrom = null;
             // the plane in which it moves: across the view of a lens, across the first direction of a panorama
             Vector3d across = camera instanceof ThinLensCamera ? Vectors.unit(camera.viewDirection()) : first;
             double oblique = second.dot(across);
@@ -112,10 +107,8 @@ final class Steering {
 
     /** Moves the lens towards what is at a place, by notches of the wheel towards the user. */
     void approach(PicturePosition place, double notches) {
-        waitingNotches += notches;
         whenFar(place, () -> {
-            double left = distance * Math.pow(1 - STEP, -waitingNotches);
-            waitingNotches = 0;
+            double left = distance * Math.pow(1 - STEP, -notches);
             move(place.direction(camera()).mul(distance - left));
             distance = left;
         });
@@ -147,21 +140,19 @@ final class Steering {
             // the answer to the previous gesture never came
             forget();
         }
-        waiting = action;
-        if (!asked) {
-            asked = true;
+        waiting.add(action);
+        if (waiting.size() == 1) {
             view.askDistance(place, this::answer);
         }
     }
 
     private void answer(double far) {
-        if (waiting == null) {
+        if (waiting.isEmpty()) {
             return;
         }
         distance = far;
-        Runnable action = waiting;
-        waiting = null;
-        action.run();
+        waiting.forEach(Runnable::run);
+        waiting.clear();
         if (ending) {
             letGo();
         }
@@ -169,7 +160,7 @@ final class Steering {
 
     /** The gesture is over. */
     void letGo() {
-        ending = waiting != null;
+        ending = !waiting.isEmpty();
         if (!ending) {
             forget();
             model.endGesture(gesture);
@@ -178,10 +169,7 @@ final class Steering {
 
     private void forget() {
         distance = Double.NaN;
-        asked = false;
         ending = false;
-        waiting = null;
-        waitingFrom = null;
-        waitingNotches = 0;
+        waiting.clear();
     }
 }

@@ -38,9 +38,6 @@ public final class EntryField {
     /** The text as the field shows it: a field of one line has no line ends. */
     private String displayed = "";
 
-    /** Whether the value has changed elsewhere since the typing began. */
-    private boolean overtaken;
-
     /**
      * Makes a component a field for a value.
      *
@@ -147,27 +144,9 @@ public final class EntryField {
         shown = text;
         if (pending && !same && field.isFocusOwner() && !isWrong()) {
             displayed = text;
-            overtaken = true;
         } else if (!pending || !same) {
             revert();
         }
-    }
-
-    /** Whether the value of the field in which the user is typing has changed elsewhere meanwhile. */
-    public static boolean isOvertaken() {
-        return of(KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner())
-                .anyMatch(field -> field.overtaken);
-    }
-
-    /** What the field showed before something was typed. */
-    public String displayed() {
-        return displayed;
-    }
-
-    /** Takes a text as if it had been typed. */
-    public void enter(String text) {
-        field.setText(text);
-        commit();
     }
 
     /** Whether something was typed but not taken, because it was refused or is not finished. */
@@ -223,7 +202,6 @@ public final class EntryField {
     }
 
     private void clear() {
-        overtaken = false;
         if (isWrong()) {
             field.putClientProperty(FlatClientProperties.OUTLINE, null);
             field.getAccessibleContext().setAccessibleDescription(tip);

@@ -2,10 +2,8 @@ package tompkins.ui.widget;
 
 import java.awt.AWTEvent;
 import java.awt.Component;
-import java.awt.KeyboardFocusManager;
 import java.awt.Window;
 import java.awt.event.AWTEventListener;
-import java.awt.event.ComponentEvent;
 import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
@@ -14,17 +12,12 @@ import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
 
 /**
- * Scrolls to what has the focus, in a window and in those that it owns, as long as the user works with the keys: when
- * the focus comes, and again when something above it becomes longer or shorter, or less of it is seen. What the mouse
- * presses stays where it is, and so does what the wheel scrolls to.
+ * Scrolls to what gets the focus, in a window and in those that it owns, as long as the user works with the keys. What
+ * the mouse presses stays where it is.
  */
 public final class FocusFollower implements AWTEventListener {
 
-    private static final long EVENTS = AWTEvent.FOCUS_EVENT_MASK
-            | AWTEvent.COMPONENT_EVENT_MASK
-            | AWTEvent.KEY_EVENT_MASK
-            | AWTEvent.MOUSE_EVENT_MASK
-            | AWTEvent.MOUSE_WHEEL_EVENT_MASK;
+    private static final long EVENTS = AWTEvent.FOCUS_EVENT_MASK | AWTEvent.KEY_EVENT_MASK | AWTEvent.MOUSE_EVENT_MASK;
 
     private final Window window;
 
@@ -44,20 +37,9 @@ public final class FocusFollower implements AWTEventListener {
     public void eventDispatched(AWTEvent event) {
         switch (event.getID()) {
             case KeyEvent.KEY_PRESSED -> usesKeys = true;
-            case MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_WHEEL -> usesKeys = false;
+            case MouseEvent.MOUSE_PRESSED -> usesKeys = false;
             case FocusEvent.FOCUS_GAINED -> follow((Component) event.getSource());
-            case ComponentEvent.COMPONENT_MOVED, ComponentEvent.COMPONENT_RESIZED ->
-                laidOut((Component) event.getSource(), event.getID() == ComponentEvent.COMPONENT_MOVED);
             default -> {}
-        }
-    }
-
-    /** Follows what the layout moves and how much of it is seen; not what is scrolled. */
-    private void laidOut(Component changed, boolean isMoved) {
-        Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
-        boolean isScrolled = isMoved && changed.getParent() instanceof JViewport;
-        if (owner != null && !isScrolled && SwingUtilities.isDescendingFrom(owner, changed)) {
-            follow(owner);
         }
     }
 

@@ -7,7 +7,6 @@ import javax.swing.JComponent;
 import javax.swing.JOptionPane;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
-import javax.swing.UIManager;
 import tompkins.property.OneLine;
 
 /** Messages that must not be overlooked. */
@@ -19,8 +18,6 @@ public final class Messages {
     /** What a dialog has above and below its content, in sizes of its type. */
     private static final double FRAME = 12;
 
-    private static final double FRAME_WIDTH = 6;
-
     private Messages() {}
 
     /** Says what went wrong. */
@@ -31,11 +28,6 @@ public final class Messages {
     /** Shows a message until it is closed. */
     public static void tell(Component parent, String title, String message) {
         show(parent, title, message, JOptionPane.PLAIN_MESSAGE);
-    }
-
-    /** How wide what {@link #tell(Component, String, JComponent)} shows can be on the screen of a component. */
-    public static int width(Component parent) {
-        return Screens.room(parent).width - Look.pixels(FRAME_WIDTH) - UIManager.getInt("ScrollBar.width");
     }
 
     /** Shows a message that is laid out already, with a scroll bar if the screen is too low for it. */

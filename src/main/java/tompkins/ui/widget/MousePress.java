@@ -10,9 +10,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 
-/**
- * Knows whether a button of the mouse is down anywhere in the windows, lets actions wait for its end, and ends drags.
- */
+/** Knows whether a button of the mouse is down anywhere in the windows, and lets actions wait for its end. */
 public final class MousePress {
 
     private static final int BUTTONS =
@@ -25,36 +23,9 @@ public final class MousePress {
     private final List<Runnable> waiting = new ArrayList<>();
     private boolean down;
 
-    /** The last event of a drag that goes on; null if none does, or if it was ended before its button came up. */
-    private MouseEvent drag;
-
-    private boolean ended;
-
     private MousePress() {
         Toolkit.getDefaultToolkit()
                 .addAWTEventListener(this::note, AWTEvent.MOUSE_EVENT_MASK | AWTEvent.MOUSE_MOTION_EVENT_MASK);
-    }
-
-    /** Whether something is dragged. */
-    public static boolean isDragging() {
-        return MOUSE.drag != null;
-    }
-
-    /** Ends a drag that goes on as if its button had been let go, but never as a click. */
-    public static void endDrag() {
-        MouseEvent last = MOUSE.drag;
-        last.getComponent()
-                .dispatchEvent(new MouseEvent(
-                        last.getComponent(),
-                        MouseEvent.MOUSE_RELEASED,
-                        last.getWhen(),
-                        0,
-                        last.getX(),
-                        last.getY(),
-                        1,
-                        false,
-                        MouseEvent.NOBUTTON));
-        MOUSE.ended = true;
     }
 
     /** Tells of every press, before the component under the mouse and the focus are told. */
@@ -75,8 +46,6 @@ public final class MousePress {
         if (event instanceof MouseEvent mouse) {
             // the state in any event, because some releases are not reported
             down = (mouse.getModifiersEx() & BUTTONS) != 0;
-            ended &= down;
-            drag = !down || ended ? null : event.getID() == MouseEvent.MOUSE_DRAGGED ? mouse : drag;
             if (event.getID() == MouseEvent.MOUSE_PRESSED) {
                 watchers.forEach(watcher -> watcher.accept(mouse.getComponent()));
             }

@@ -81,11 +81,6 @@ public final class NumberField {
         }
     }
 
-    /** Takes back what was typed and not taken. */
-    public void revert() {
-        entry.revert();
-    }
-
     /** Shows a number; digits that do not fit stay in the model. */
     public void show(Number number) {
         value = number;

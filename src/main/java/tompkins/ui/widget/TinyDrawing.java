@@ -31,7 +31,7 @@ public final class TinyDrawing {
 
     /** The drawing of a type, in the colours of the look and of the text beside it; null if it has none. */
     public static Icon of(Class<?> type) {
-        String name = type.getSimpleName();
+        String name = name(type);
         if (!DRAWINGS.containsKey(name)) {
             return null;
         }
@@ -77,6 +77,15 @@ public final class TinyDrawing {
         } else {
             g.fill(shape);
         }
+    }
+
+    /** The name of the drawing of a type; what other jars add has one for all of its kind. */
+    private static String name(Class<?> type) {
+        return Stream.of(type.getInterfaces())
+                .map(Class::getSimpleName)
+                .filter(DRAWINGS::containsKey)
+                .findFirst()
+                .orElse(type.getSimpleName());
     }
 
     private static Shape shape(char letter, double... numbers) {

@@ -12,7 +12,6 @@ import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
-import javax.swing.JToggleButton;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
@@ -78,17 +77,6 @@ class PlayPanelTest {
     @AfterEach
     void stop() {
         play.setPlaying(false);
-    }
-
-    @Test
-    void theButtonKeepsItsWidthWhenItIsPressed() {
-        WindowDriver.onEventThread(() -> {
-            JToggleButton button = Components.find(panel, JToggleButton.class, "Play");
-            int width = button.getPreferredSize().width;
-            play.setPlaying(true);
-            assertThat(button.getText()).isEqualTo("Pause");
-            assertThat(button.getPreferredSize().width).isEqualTo(width);
-        });
     }
 
     @Test

@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.awt.Container;
-import java.awt.Rectangle;
-import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
@@ -116,25 +114,6 @@ class SceneEditorTest {
         editor.addElement(Prediction.class);
         Lesson lesson = (Lesson) model.studio().lesson();
         assertThat(lesson.predictions()).hasSize(3).last().isEqualTo(Prediction.DEFAULT);
-    }
-
-    @Test
-    void aLongNameIsShortenedAndToldByItsTip() {
-        String name = "A name that is longer than there is room for";
-        model.set(Descriptions.with(model.studio(), "title", name));
-        tree.setSize(tree.getPreferredSize());
-        assertThat(tree.getPathForRow(0).getLastPathComponent().toString())
-                .startsWith("A name that is longer")
-                .endsWith("\u2026")
-                .hasSizeLessThan(name.length());
-        assertThat(tip(0)).isEqualTo(name);
-        assertThat(tip(1)).isNull();
-    }
-
-    private String tip(int row) {
-        Rectangle place = tree.getRowBounds(row);
-        return tree.getToolTipText(
-                new MouseEvent(tree, MouseEvent.MOUSE_MOVED, 0, 0, place.x + 5, place.y + 5, 0, false));
     }
 
     @Test
@@ -303,31 +282,6 @@ class SceneEditorTest {
         assertThat(model.studio().scene())
                 .extracting(SceneObject::description)
                 .containsExactly("mesh", "sphere", "floor");
-    }
-
-    /** A second floor in the same place would be seen instead of the first. */
-    @Test
-    void aSecondPlaneIsAWallBehindEverything() {
-        model.set(Studio.DEFAULT);
-        SceneEditor fresh = new SceneEditor(model);
-        fresh.addElement(Box.class);
-        Plane floor = (Plane) model.studio().scene().get(1);
-        for (int i = 0; i < 2; i++) {
-            fresh.addElement(Plane.class);
-        }
-        List<Plane> walls = model.studio().scene().stream()
-                .filter(object -> object instanceof Plane && object != floor)
-                .map(Plane.class::cast)
-                .toList();
-        assertThat(walls)
-                .extracting(wall -> wall.normal())
-                .containsOnly(new Vector3d(0, 0, -1))
-                .hasSize(2);
-        double back = Box.DEFAULT.to().z();
-        assertThat(walls)
-                .extracting(wall -> wall.point().z())
-                .doesNotHaveDuplicates()
-                .allMatch(z -> z > back);
     }
 
     /** Kinds with something to see as soon as they are added. */

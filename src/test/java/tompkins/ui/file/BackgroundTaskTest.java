@@ -143,14 +143,6 @@ class BackgroundTaskTest {
         assertThat(took).isFalse();
     }
 
-    @Test
-    void whatIsLeftTakesAsLongAsWhatIsDone() {
-        assertThat(BackgroundTask.remaining(0, 60)).isEmpty();
-        assertThat(BackgroundTask.remaining(0.25, 10)).isEqualTo("about 30 s left");
-        assertThat(BackgroundTask.remaining(0.1, 60)).isEqualTo("about 9 min left");
-        assertThat(BackgroundTask.remaining(1, 60)).isEqualTo("about 0 s left");
-    }
-
     /** A second writer might be faster than the first. */
     @Test
     void itIsKnownWhatIsWritten() {

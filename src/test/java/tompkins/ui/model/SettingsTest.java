@@ -30,7 +30,6 @@ class SettingsTest {
         Settings first = settings();
         first.setLook(Look.PROJECTOR);
         first.setNumber("width", 1234);
-        first.save();
         assertThat(settings().look()).isEqualTo(Look.PROJECTOR);
         assertThat(settings().number("width", 1)).isEqualTo(1234);
         assertThat(settings().number("height", 7)).isEqualTo(7);
@@ -89,7 +88,6 @@ class SettingsTest {
         List<String> told = new ArrayList<>();
         settings.tellTrouble(told::add);
         settings.setLook(Look.DARK);
-        settings.save();
         assertThat(settings.look()).isEqualTo(Look.DARK);
         return told;
     }
@@ -120,24 +118,20 @@ class SettingsTest {
 
     @Test
     @OnLinux
-    void theFolderIsWhereItIsWantedOrThatIsTold() {
-        Path home = Path.of("/home/me/.config/tompkins");
-        assertThat(found(null, null)).isEqualTo(new SettingsFolder(home, ""));
-        assertThat(found(null, "/x")).isEqualTo(new SettingsFolder(Path.of("/x/tompkins"), ""));
-        assertThat(found(null, "")).isEqualTo(new SettingsFolder(home, ""));
-        assertThat(found("mine", "/x")).isEqualTo(new SettingsFolder(Path.of("mine"), ""));
-        assertThat(found(null, "relative").path()).isEqualTo(home);
-        assertThat(found(null, "relative").trouble()).contains("XDG_CONFIG_HOME", "relative");
-        assertThat(found("", null).path()).isEqualTo(home);
-        assertThat(found("", null).trouble()).contains("tompkins.settings");
-        assertThat(found("no\0name", null).path()).isNull();
-        assertThat(found("no\0name", null).trouble()).contains("no name");
+    void theFolderIsWhereItIsWanted() {
+        Path home = Path.of("/home/me/.config/tompkins/window.properties");
+        assertThat(found(null, null)).isEqualTo(home);
+        assertThat(found(null, "/x")).isEqualTo(Path.of("/x/tompkins/window.properties"));
+        assertThat(found(null, "")).isEqualTo(home);
+        assertThat(found("mine", "/x")).isEqualTo(Path.of("mine/window.properties"));
+        assertThat(found(null, "relative")).isEqualTo(home);
+        assertThat(found("", null)).isEqualTo(home);
     }
 
-    private static SettingsFolder found(String property, String xdg) {
+    private static Path found(String property, String xdg) {
         Map<String, String> properties = new HashMap<>(Map.of("user.home", "/home/me"));
         properties.put("tompkins.settings", property);
-        return SettingsFolder.find(properties::get, name -> name.equals("XDG_CONFIG_HOME") ? xdg : null);
+        return Settings.file(properties::get, name -> name.equals("XDG_CONFIG_HOME") ? xdg : null);
     }
 
     @Test

@@ -7,10 +7,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
-import tompkins.property.Descriptions;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
-import tompkins.studio.Studios;
 
 class StudioModelTest {
 
@@ -263,26 +261,5 @@ class StudioModelTest {
         model.reset();
         assertThat(model.studio()).isEqualTo(speed(0.6));
         assertThat(model.file()).isEqualTo(Path.of("b.json"));
-    }
-
-    @Test
-    void anExampleThatWasChangedSaysSo() {
-        Studio example = Descriptions.with(Studios.lattice(), "topic", "Aberration");
-        StudioModel examples = new StudioModel(example, null);
-        assertThat(examples.isChangedExample()).isFalse();
-        examples.set(example.withSettings(example.settings().withSamples(9)));
-        assertThat(examples.isChangedExample())
-                .as("the same picture, only finer")
-                .isFalse();
-        examples.set(example.withVelocity(Velocity.of(0, 0, 0.123)));
-        assertThat(examples.isChangedExample()).isTrue();
-        examples.set(Descriptions.with(examples.studio(), "remarks", "Slower than it was."));
-        assertThat(examples.isChangedExample())
-                .as("somebody says what it is now")
-                .isFalse();
-        examples.undo();
-        assertThat(examples.isChangedExample()).isTrue();
-        examples.saved(examples.studio(), Path.of("own.json"));
-        assertThat(examples.isChangedExample()).isFalse();
     }
 }

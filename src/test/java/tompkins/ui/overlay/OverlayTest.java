@@ -81,7 +81,16 @@ class OverlayTest {
         return painted(
                 overlay,
                 new Picture(
-                        large, RenderPlan.of(large), image, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE),
+                        large,
+                        RenderPlan.of(large),
+                        image,
+                        null,
+                        true,
+                        Duration.ZERO,
+                        1,
+                        0,
+                        List.of(),
+                        Picture.Flaw.NONE),
                 free);
     }
 
@@ -228,15 +237,6 @@ class OverlayTest {
         assertThat(beside.width).isBetween(inside.width - 4, inside.width + 4);
     }
 
-    @Test
-    void arrowAtTheEdgePointsOutOfThePicture() {
-        Rectangle right = marked(painted(arrow(), flying(0.5, 0, 0)));
-        assertThat(right.getMaxX()).isBetween(620.0, 630.0);
-        assertThat(right.y + right.height / 2).isBetween(238, 242);
-        Rectangle up = marked(painted(arrow(), flying(0, 0.5, 0)));
-        assertThat(up.y).isBetween(10, 16);
-    }
-
     private static Asker asker() {
         return new Asker("test", error -> {
             throw new AssertionError(error);
@@ -293,8 +293,8 @@ class OverlayTest {
         Studio slow = fine.withCamera(fine.camera().withShutter(DetectorPlaneShutter.DEFAULT))
                 .withSettings(fine.settings().withSize(WIDTH, HEIGHT));
         LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
-        Picture picture =
-                new Picture(slow, RenderPlan.of(slow), image, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE);
+        Picture picture = new Picture(
+                slow, RenderPlan.of(slow), image, null, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE);
 
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isTrue();
         assertThat(again.await(5, TimeUnit.MINUTES)).isTrue();
@@ -315,7 +315,7 @@ class OverlayTest {
         assertThat(marked(painted(overlay, dark)).isEmpty()).isFalse();
         LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
         Picture picture = new Picture(
-                flash, RenderPlan.of(flash), image, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE);
+                flash, RenderPlan.of(flash), image, null, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE);
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isTrue();
         assertThat(again.await(5, TimeUnit.MINUTES)).isTrue();
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isFalse();
@@ -407,6 +407,6 @@ class OverlayTest {
         assertThat(overlays.ofScene()).isEmpty();
         assertThat(overlays.isShown(OverlayKind.OUTLINES)).isFalse();
         assertThat(overlays.map()).isEmpty();
-        assertThat(overlays.isShown(PictureOverlays.ARROW)).isTrue();
+        assertThat(overlays.isArrowShown()).isTrue();
     }
 }

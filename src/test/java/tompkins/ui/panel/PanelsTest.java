@@ -17,7 +17,6 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.FocusDistance;
 import tompkins.camera.PanoramicCamera;
@@ -44,8 +43,8 @@ import tompkins.studio.Studios;
 import tompkins.studio.View;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.LorentzWindow;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 import tompkins.ui.Components;
 import tompkins.ui.compare.ComparePanel;
 import tompkins.ui.compare.Compared;
@@ -342,8 +341,8 @@ class PanelsTest {
         // it passes the middle at time 80, its light comes 10 later
         Components.enter(panel, "Opening time", "89");
         assertThat(model.studio().camera().shutter().openingTime()).isEqualTo(89);
-        RayLife before = RayLife.of(RenderPlan.of(studio), 320, 240, 0, 0);
-        RayLife now = RayLife.of(RenderPlan.of(model.studio()), 320, 240, 0, 0);
+        SampleHistory before = SampleHistory.of(RenderPlan.of(studio), 320, 240, 0, 0);
+        SampleHistory now = SampleHistory.of(RenderPlan.of(model.studio()), 320, 240, 0, 0);
         assertThat(before.end()).isNull();
         assertThat(now.end().object().description()).isEqualTo("sphere");
         assertThat(new SceneSize().times(studio).maximum()).isGreaterThanOrEqualTo(40);
@@ -414,25 +413,6 @@ class PanelsTest {
         assertThat(compared.studio(now).camera().shutter())
                 .as("who wants the same may have it")
                 .isInstanceOf(shutter);
-    }
-
-    @ParameterizedTest
-    @EnumSource(names = {"AT_REST", "GALILEAN_CAMERA", "UNCHANGED_COLOURS", "MEASURED"})
-    void theSamePictureTwiceIsSaidToBe(ComparePanel.Other other) {
-        Studio moving = Studios.lattice().withVelocity(Velocity.of(0, 0, 0.5));
-        ComparePanel panel = comparePanel();
-        compareWith(panel, other);
-        Container shown = (Container) panel.component();
-        model.set(moving.withColours(ColourLaw.DOPPLER));
-        assertThat(Components.notes(shown)).containsExactly(Texts.get("compare.splitHint"));
-        model.set(
-                switch (other) {
-                    case AT_REST -> moving.withVelocity(Velocity.of(SpeedScale.BETA, 0, new Vector3d(0, 1, 0)));
-                    case MEASURED -> moving.withView(View.MEASURED);
-                    case GALILEAN_CAMERA -> moving.withTransformation(TransformationLaw.GALILEAN);
-                    default -> moving.withColours(ColourLaw.UNCHANGED);
-                });
-        assertThat(Components.notes(shown)).containsExactly("Both pictures are the same.");
     }
 
     @Test

@@ -72,7 +72,7 @@ class PictureCanvasTest {
         LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
         Studio sized = studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT));
         Picture picture = new Picture(
-                sized, RenderPlan.of(sized), image, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE);
+                sized, RenderPlan.of(sized), image, null, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE);
         return new ScreenPicture(picture, picture.levels(), null, null, null);
     }
 

@@ -28,7 +28,7 @@ class ScreenPicturesTest {
 
     private static Picture picture(RenderPlan plan, LinearImage image) {
         return new Picture(
-                plan.studio(), plan, image, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
+                plan.studio(), plan, image, null, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
     }
 
     private static Picture grey(int width, int height) {
@@ -89,7 +89,16 @@ class ScreenPicturesTest {
     private static Picture picture(Studio studio, int width, int height) {
         LinearImage image = new LinearImage(width, height, new float[3 * width * height]);
         return new Picture(
-                studio, RenderPlan.of(studio), image, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
+                studio,
+                RenderPlan.of(studio),
+                image,
+                null,
+                true,
+                Duration.ZERO,
+                1,
+                Double.NaN,
+                List.of(),
+                Picture.Flaw.NONE);
     }
 
     /** One bright column in eight: between the columns that a single step looks at, it would be lost. */

@@ -178,7 +178,7 @@ class PixelReadingTest {
     private static Picture picture(Studio studio, int width, int height) {
         RenderPlan plan = RenderPlan.of(studio.withSettings(studio.settings().withSize(width, height)));
         LinearImage image = new LinearImage(width, height, new float[3 * width * height]);
-        return new Picture(studio, plan, image, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
+        return new Picture(studio, plan, image, null, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
     }
 
     /** The picture on the screen has twice as many pixels in a row: the second one shows the first half of it. */

@@ -19,8 +19,8 @@ import tompkins.sceneobject.Group;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
-import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleHistory;
 import tompkins.ui.Components;
 import tompkins.ui.WindowDriver;
 import tompkins.ui.model.StudioModel;
@@ -34,7 +34,7 @@ class RaySectionTest {
     private static final Studio STUDIO = Studios.sphere().withVelocity(Velocity.of(0, 0, 0.8));
 
     /** Who waits for a cone of rays. */
-    private Consumer<List<RayLife>> asked;
+    private Consumer<List<SampleHistory>> asked;
 
     private final StudioModel model = new StudioModel(STUDIO, null);
     private final RaySection section = new RaySection(model, () -> {}, taker -> asked = taker, path -> {});
@@ -97,7 +97,7 @@ class RaySectionTest {
     @Test
     void aConeIsFollowedForTheScene() {
         JButton draw = Components.find(content, JButton.class, Texts.get("ray.cone"));
-        List<RayLife> cone = RayCone.around(RenderPlan.of(STUDIO), 32, 24, 12, SamplePositions.MIDDLE);
+        List<SampleHistory> cone = RayCone.around(RenderPlan.of(STUDIO), 32, 24, 12, SamplePositions.MIDDLE);
         PixelReading reading = reading();
         WindowDriver.onEventThread(() -> {
             section.show(reading, null);
@@ -127,6 +127,15 @@ class RaySectionTest {
     private static Picture picture(Studio studio) {
         LinearImage image = new LinearImage(64, 48, new float[3 * 64 * 48]);
         return new Picture(
-                studio, RenderPlan.of(studio), image, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
+                studio,
+                RenderPlan.of(studio),
+                image,
+                null,
+                true,
+                Duration.ZERO,
+                1,
+                Double.NaN,
+                List.of(),
+                Picture.Flaw.NONE);
     }
 }

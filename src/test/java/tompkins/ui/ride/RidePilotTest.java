@@ -193,7 +193,6 @@ class RidePilotTest {
             panel.setShown(true);
             pilot.begin(ride);
             assertThat(task.getText()).isEqualTo("Fly.");
-            assertThat(RideTask.distance(ride)).isEqualTo("0.24 to go");
             assertThat(pilot.task().verdict(ride)).isNull();
             pilot.setRiding(true);
         });

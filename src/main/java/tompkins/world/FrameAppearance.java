@@ -24,7 +24,7 @@ import tompkins.studio.View;
  * measured view the tangent lies in one time of the camera. In a Galilean world light has speed 1 in the camera frame,
  * and the tangent is (k n, -1) with the k that gives this speed.
  */
-public final class SeenFrame {
+public final class FrameAppearance {
 
     /** A time counts as found if it is off by less than this part of the way. */
     private static final double SETTLED = 1e-9;
@@ -41,16 +41,16 @@ public final class SeenFrame {
     private final FrameRoute outwards;
 
     /** The frame of a motion, in the view of the studio; null means the scene frame. */
-    public SeenFrame(Studio studio, FrameMotion motion) {
+    public FrameAppearance(Studio studio, FrameMotion motion) {
         this(studio, motion, studio.view());
     }
 
     /** The frame of a motion, or the scene frame if that is null, in a view. */
-    public SeenFrame(Studio studio, FrameMotion motion, View view) {
+    public FrameAppearance(Studio studio, FrameMotion motion, View view) {
         this(studio, motion, view, studio.velocity());
     }
 
-    private SeenFrame(Studio studio, FrameMotion motion, View view, Velocity observer) {
+    private FrameAppearance(Studio studio, FrameMotion motion, View view, Velocity observer) {
         this.view = view;
         law = studio.transformation();
         FrameTree camera = FrameTree.described(law, studio.velocity());
@@ -63,8 +63,8 @@ public final class SeenFrame {
      * The frame of a motion, or the scene frame if that is null, as a camera sees it that rests in the scene, at the
      * same event and with the same axes.
      */
-    public static SeenFrame atRest(Studio studio, FrameMotion motion) {
-        return new SeenFrame(studio, motion, studio.view(), Velocity.REST);
+    public static FrameAppearance atRest(Studio studio, FrameMotion motion) {
+        return new FrameAppearance(studio, motion, studio.view(), Velocity.REST);
     }
 
     /** An event of the camera frame, in this frame. */

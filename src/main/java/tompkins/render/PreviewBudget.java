@@ -6,7 +6,7 @@ package tompkins.render;
  * took, and the next ones get more samples or fewer. A busy machine shows fewer pictures rather than blurred ones: they
  * get the samples that the greatest recent speed would allow, until they are good enough.
  */
-final class GlimpseBudget {
+final class PreviewBudget {
 
     /** With this many samples of a pixel a picture is good enough to be looked at. */
     private static final double GOOD_ENOUGH = 0.165;
@@ -24,7 +24,7 @@ final class GlimpseBudget {
     private double rate;
 
     /** Samples of a pixel that the time allows. */
-    private double share = GOOD_ENOUGH;
+    private double fraction = GOOD_ENOUGH;
 
     /**
      * The most samples of a picture, including its first.
@@ -37,7 +37,7 @@ final class GlimpseBudget {
         rate = Math.max(first / firstSeconds, FADING * rate);
         // where rays are slow the picture is coarse, so that it still follows the hand
         double needed = Math.min(GOOD_ENOUGH * pixels, seconds * rate);
-        return (long) Math.max(share > GOOD_ENOUGH ? share * pixels : 0, needed);
+        return (long) Math.max(fraction > GOOD_ENOUGH ? fraction * pixels : 0, needed);
     }
 
     /**
@@ -50,6 +50,6 @@ final class GlimpseBudget {
     synchronized void ended(double took, double seconds) {
         // the square root, since only a part of the time is that of the rays, and each picture is another one
         double change = Math.max(1 / STEP, Math.min(STEP, Math.sqrt(seconds / took)));
-        share = Math.max(GOOD_ENOUGH, Math.min(MOST, share * change));
+        fraction = Math.max(GOOD_ENOUGH, Math.min(MOST, fraction * change));
     }
 }

@@ -21,7 +21,7 @@ import tompkins.studio.Studio;
 import tompkins.studio.View;
 
 /** Where the camera looks to see a point, against rays that another program followed with 80 digits. */
-class SeenFrameTest {
+class FrameAppearanceTest {
 
     @ParameterizedTest
     @CsvSource({"m1_hits, SEEN, lorentz, 55", "m1_hits, SEEN, galilean, 4", "m7_measured_hits, MEASURED, lorentz, 40"})
@@ -38,7 +38,7 @@ class SeenFrameTest {
                     .withTransformation(TransformationLaw.valueOf(law.toUpperCase(Locale.ROOT)));
             Vector3d place = row.vector("p");
             FrameMotion motion = new FrameMotion(null, Velocity.of(v), new Event(place.x, place.y, place.z, 0));
-            SeenFrame frame = new SeenFrame(studio, motion);
+            FrameAppearance frame = new FrameAppearance(studio, motion);
             Vector3d o = row.vector("o");
             Event lens = frame.fromCamera(new Event(o.x, o.y, o.z, row.number("ot")));
             Vector3d towards = row.vector("k").sub(lens.position());
@@ -64,7 +64,7 @@ class SeenFrameTest {
                 .withTransformation(TransformationLaw.GALILEAN);
         FrameMotion motion = new FrameMotion(null, Velocity.of(new Vector3d(0, 0, -0.6)), Event.ORIGIN);
 
-        SeenFrame frame = new SeenFrame(studio, motion);
+        FrameAppearance frame = new FrameAppearance(studio, motion);
 
         assertThat(frame.seen(new Vector3d(0, 0, -4), Event.ORIGIN).time()).isCloseTo(-4 / 2.2, within(1e-15));
         assertThat(frame.seen(new Vector3d(0, 0, 4), Event.ORIGIN)).isNull();
@@ -78,7 +78,7 @@ class SeenFrameTest {
         for (GoldenRow row : rows) {
             FrameMotion outer = new FrameMotion(null, Velocity.of(row.vector("v1_")), Event.ORIGIN);
             FrameMotion inner = new FrameMotion(outer, Velocity.of(row.vector("v2_")), Event.ORIGIN);
-            SeenFrame frame = new SeenFrame(Studio.DEFAULT, inner);
+            FrameAppearance frame = new FrameAppearance(Studio.DEFAULT, inner);
 
             double gamma = outer.velocity().gamma() * inner.velocity().gamma();
             assertThat(Angles.between(frame.look(row.vector("dir2_")), Vectors.unit(row.vector("d_"))))

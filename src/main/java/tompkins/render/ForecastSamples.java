@@ -1,7 +1,7 @@
 package tompkins.render;
 
 /** What the rendered parts of a picture have cost, and what the whole picture will therefore cost. */
-final class PartCosts {
+final class ForecastSamples {
 
     /** A time, in seconds, long enough that a pause of the machine hardly matters. */
     private static final double LONG_ENOUGH = 0.2;
@@ -36,7 +36,7 @@ final class PartCosts {
      *
      * @param partPixels pixels of the part
      * @param partSamples samples that were taken; a part without any only takes time
-     * @param progress the share of its samples that were taken, up to 1
+     * @param progress the fraction of its samples that were taken, up to 1
      * @param seconds how long it took
      * @param planningSeconds how much of this was spent between the passes, which takes as long for all of the picture
      */

@@ -10,7 +10,7 @@ import tompkins.image.ToneCurve;
  * A picture that is seen for a moment: it keeps the levels of one sample of a pixel at most. That is a quarter of the
  * memory of a {@link Film}, which takes more time to fetch than the work on it.
  */
-final class Glimpse extends PixelBuffer {
+final class PreviewFilm extends PixelBuffer {
 
     /** Marks a pixel that has a sample. */
     private static final int SAMPLED = 1 << 24;
@@ -25,7 +25,7 @@ final class Glimpse extends PixelBuffer {
     private final int[] levels;
 
     /** A picture whose light gets its levels by a tone curve. */
-    Glimpse(int width, int height, double exposure, ToneCurve curve) {
+    PreviewFilm(int width, int height, double exposure, ToneCurve curve) {
         super(width, height, exposure);
         table = LevelTable.of(curve);
         levels = new int[width * height];

@@ -10,7 +10,7 @@ import tompkins.ray.SurfaceCoordinates;
  * with its velocity V. Place and time of the hit are the same in it, by a choice of its coordinates. Surfaces answer
  * light there.
  */
-public final class PointFrame {
+public final class MomentaryRestFrame {
 
     private final Velocity velocity;
     private final boolean isLorentz;
@@ -19,7 +19,7 @@ public final class PointFrame {
     private double stretch = 1;
 
     /** The frame of a hit on something that turns, which must stay as it is but for what {@link #enter} sets. */
-    public PointFrame(Hit hit, TransformationLaw law) {
+    public MomentaryRestFrame(Hit hit, TransformationLaw law) {
         this.hit = hit;
         velocity = Velocity.of(hit.velocityX, hit.velocityY, hit.velocityZ);
         isLorentz = law == TransformationLaw.LORENTZ;

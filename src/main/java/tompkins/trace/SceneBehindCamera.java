@@ -7,7 +7,7 @@ import tompkins.ray.RayPacket;
 import tompkins.world.FrameRoutes;
 
 /** The light of rays that leave the objects of the camera frame: that of the scene, after the change of frame. */
-final class SceneEntry implements EscapedLight {
+final class SceneBehindCamera implements EscapedLight {
 
     private final FrameRoutes routes;
     private final MovingMedium medium;
@@ -23,7 +23,7 @@ final class SceneEntry implements EscapedLight {
      * @param shift what becomes of the light at the end, or null if it stays as it is
      * @param observer watches the rays; may be null
      */
-    SceneEntry(
+    SceneBehindCamera(
             FrameRoutes routes, MovingMedium medium, RayTracer sceneTracer, LightShift shift, PathObserver observer) {
         this.routes = routes;
         this.medium = medium;

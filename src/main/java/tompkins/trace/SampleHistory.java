@@ -16,7 +16,7 @@ import tompkins.ray.RayCounts;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.LightInMedium;
-import tompkins.spacetime.PointFrame;
+import tompkins.spacetime.MomentaryRestFrame;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.surface.Surface;
 
@@ -48,7 +48,7 @@ import tompkins.surface.Surface;
  *     medium around it, if it is faster than light there; the ray is that of light that it meets. Null if there is none
  * @param colour the colour of the sample, before exposure
  */
-public record RayLife(
+public record SampleHistory(
         Event cameraStart,
         Vector3dc cameraDirection,
         Event sceneStart,
@@ -87,7 +87,7 @@ public record RayLife(
      * @param frame the frame of place, time and distance
      * @param event where and when
      * @param distance distance from the start of the ray that hit, in that frame
-     * @param share the largest share of the sample's light that the ray that hit can still bring
+     * @param fraction the largest fraction of the sample's light that the ray that hit can still bring
      * @param branch 0 on the main branch, 1 on a weaker one that left it, 2 on a weaker one of that, and so on
      * @param surface the surface
      * @param rest the same hit in the frame in which the object rests
@@ -98,7 +98,7 @@ public record RayLife(
             Frame frame,
             Event event,
             double distance,
-            double share,
+            double fraction,
             int branch,
             Surface surface,
             Rest rest,
@@ -171,7 +171,7 @@ public record RayLife(
     }
 
     /** Follows one sample in the middle of the exposure time; null if it never crosses the shutter. */
-    public static RayLife of(RenderPlan plan, double x, double y, double lensX, double lensY) {
+    public static SampleHistory of(RenderPlan plan, double x, double y, double lensX, double lensY) {
         return of(plan, x, y, lensX, lensY, SamplePositions.MIDDLE);
     }
 
@@ -185,7 +185,7 @@ public record RayLife(
      * @param moment the part of the exposure time that has passed, from 0 to 1
      * @return its life, or null if the sample never crosses the shutter and so has none
      */
-    public static RayLife of(RenderPlan plan, double x, double y, double lensX, double lensY, double moment) {
+    public static SampleHistory of(RenderPlan plan, double x, double y, double lensX, double lensY, double moment) {
         return of(plan, x, y, lensX, lensY, moment, Long.MAX_VALUE);
     }
 
@@ -193,7 +193,7 @@ public record RayLife(
      * As above, for somebody who asks for the way of the light and not for its colour: weaker branches are followed for
      * few hits, and the colour lacks the light of what is left out.
      */
-    public static RayLife way(RenderPlan plan, double x, double y, double lensX, double lensY, double moment) {
+    public static SampleHistory way(RenderPlan plan, double x, double y, double lensX, double lensY, double moment) {
         return of(plan, x, y, lensX, lensY, moment, FEW_HITS);
     }
 
@@ -205,7 +205,7 @@ public record RayLife(
                 .flatMap(life -> life.hits().stream());
     }
 
-    private static RayLife of(
+    private static SampleHistory of(
             RenderPlan plan, double x, double y, double lensX, double lensY, double moment, long mostWeaker) {
         Recorder recorder = new Recorder(plan, mostWeaker);
         Colour colour = plan.tracer(new RayCounts(), recorder).sample(x, y, lensX, lensY, moment);
@@ -301,7 +301,8 @@ public record RayLife(
             }
             Event traced = new Event(hit.x, hit.y, hit.z, hit.time);
             RestFrame rest = primitive.restFrame();
-            PointFrame point = hit.runs ? new PointFrame(hit, rest.rotation().law()) : null;
+            MomentaryRestFrame point =
+                    hit.pointMoves ? new MomentaryRestFrame(hit, rest.rotation().law()) : null;
             Hit event = hit.event == null ? hit : hit.event;
             Event met = frame == Frame.CAMERA
                     ? traced
@@ -370,11 +371,11 @@ public record RayLife(
             }
         }
 
-        RayLife life(Colour colour) {
+        SampleHistory life(Colour colour) {
             if (latest != null) {
                 hits.add(latest);
             }
-            return new RayLife(
+            return new SampleHistory(
                     start,
                     startDirection,
                     crossing,

@@ -23,7 +23,7 @@ import tompkins.studio.Studios;
 import tompkins.trace.RenderPlan;
 
 /** Pictures that are seen for a moment. The size is that of the picture in a window of 1366 x 768 pixels. */
-class GlimpseTest {
+class PreviewFilmTest {
 
     private static final int WIDTH = 826;
     private static final int HEIGHT = 620;
@@ -39,7 +39,7 @@ class GlimpseTest {
     }
 
     private static RenderJob glimpse(RenderPlan plan, double samples) throws InterruptedException {
-        Glimpse film = new Glimpse(
+        PreviewFilm film = new PreviewFilm(
                 WIDTH, HEIGHT, plan.exposure(), plan.studio().settings().toneCurve());
         RenderJob job = RENDERER.start(
                 plan,
@@ -149,7 +149,7 @@ class GlimpseTest {
     /** Other films interpolate light; in a soft picture that is the same. */
     @Test
     void betweenSamplesAreTheMeansOfTheirNeighbours() {
-        Glimpse glimpse = new Glimpse(21, 12, 0.5, ToneCurve.LINEAR);
+        PreviewFilm glimpse = new PreviewFilm(21, 12, 0.5, ToneCurve.LINEAR);
         Film film = new Film(21, 12, 0.5, false);
         for (int row = 0; row < 12; row++) {
             for (int column = 0; column < 21; column++) {
@@ -184,14 +184,14 @@ class GlimpseTest {
     /** With 0.165 samples of a pixel it can be looked at, if the rays take no longer than a picture may. */
     @Test
     void aPictureGetsEnoughToBeLookedAt() {
-        assertThat(new GlimpseBudget().most(1000, 1e-3, 0.02, 100_000)).isEqualTo(16_500);
-        assertThat(new GlimpseBudget().most(100, 1e-3, 0.02, 100_000)).isCloseTo(2_000, within(1L));
+        assertThat(new PreviewBudget().most(1000, 1e-3, 0.02, 100_000)).isEqualTo(16_500);
+        assertThat(new PreviewBudget().most(100, 1e-3, 0.02, 100_000)).isCloseTo(2_000, within(1L));
     }
 
     /** Pictures of 10 ms and 2 microseconds for each sample fit into 60 ms with 25 000 samples. */
     @Test
     void samplesFillTheTimeThatIsThere() {
-        GlimpseBudget budget = new GlimpseBudget();
+        PreviewBudget budget = new PreviewBudget();
         assertThat(settled(budget, 60, 0.01, 2e-6)).isCloseTo(25_000, within(250L));
         // twice as fast from now on; there are never more than 0.4 samples of a pixel
         assertThat(settled(budget, 60, 0.01, 1e-6)).isCloseTo(40_000, within(1L));
@@ -202,13 +202,13 @@ class GlimpseTest {
     /** A single picture that waited for something else changes the next one by a sixth. */
     @Test
     void oneSlowPictureChangesLittle() {
-        GlimpseBudget budget = new GlimpseBudget();
+        PreviewBudget budget = new PreviewBudget();
         settled(budget, 60, 0.01, 2e-6);
         budget.ended(3, 0.06);
         assertThat(budget.most(1000, 1e-3, 0.06, 100_000)).isCloseTo(25_000 * 5 / 6, within(250L));
     }
 
-    private static long settled(GlimpseBudget budget, int pictures, double fixed, double each) {
+    private static long settled(PreviewBudget budget, int pictures, double fixed, double each) {
         long samples = 0;
         for (int i = 0; i < pictures; i++) {
             samples = budget.most(1000, 1e-3, 0.06, 100_000);
@@ -220,7 +220,7 @@ class GlimpseTest {
     /** A slow moment is not taken for a slow machine; a slow scene is, after some time. */
     @Test
     void slownessCountsOnceItLasts() {
-        GlimpseBudget budget = new GlimpseBudget();
+        PreviewBudget budget = new PreviewBudget();
         budget.most(1000, 1e-3, 0.02, 1_000_000);
         assertThat(budget.most(1000, 1e-2, 0.02, 1_000_000)).isCloseTo(19_600, within(1L));
         long last = 0;

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** In all of these pictures each pixel has 16 samples, and in some of them one sample has met a light of 1. */
-class SpecksTest {
+class IsolatedHighlightsTest {
 
     private static final int SIDE = 64;
     private static final int SAMPLES = 16;
@@ -19,7 +19,7 @@ class SpecksTest {
 
     @Test
     void aLightInOnePixelIsASpeck() {
-        Specks specks = specks(film(place(20, 30)));
+        IsolatedHighlights specks = specks(film(place(20, 30)));
         assertThat(specks.isAt(20, 30)).isTrue();
         assertThat(specks.isAt(21, 30)).isFalse();
         assertThat(specks.isEmpty()).isFalse();
@@ -27,7 +27,7 @@ class SpecksTest {
 
     @Test
     void aLightOnTheCornerOfFourPixelsIsASpeck() {
-        Specks specks = specks(film(place(20, 30), place(21, 30), place(20, 31), place(21, 31)));
+        IsolatedHighlights specks = specks(film(place(20, 30), place(21, 30), place(20, 31), place(21, 31)));
         assertThat(specks.isAt(20, 30)).isTrue();
         assertThat(specks.isAt(21, 31)).isTrue();
     }
@@ -68,7 +68,7 @@ class SpecksTest {
         film.restart(place(20, 30));
         meet(film, place(20, 30));
 
-        Specks specks = specks(film);
+        IsolatedHighlights specks = specks(film);
 
         assertThat(specks.isEmpty()).isTrue();
         assertThat(specks.untested().stream())
@@ -95,7 +95,7 @@ class SpecksTest {
                 .toArray();
         Film film = film(places);
         PixelVariance variance = new PixelVariance(film, () -> false);
-        variance.expect(new Specks(film, variance, () -> false));
+        variance.expect(new IsolatedHighlights(film, variance, () -> false));
 
         double perPixel = 64 * VARIANCE / (SIDE * SIDE);
         assertThat(Math.pow(variance.rootMeanSquare(), 2)).isCloseTo(perPixel / 16 / 2, withinPercentage(20));
@@ -110,7 +110,7 @@ class SpecksTest {
         int[] places = IntStream.range(0, 32)
                 .map(i -> place(3 + 4 * (i % 7), 2 + 9 * (i / 7)))
                 .toArray();
-        Specks specks = specks(film(places));
+        IsolatedHighlights specks = specks(film(places));
         assertThat(specks.unseen(10, 10)).isGreaterThan(5 * specks.unseen(50, 50));
         assertThat(specks.unseen(50, 50)).isPositive();
     }
@@ -124,13 +124,13 @@ class SpecksTest {
             int met = isLit ? 10 : 0;
             film.add(pixel, met, met, met, 3 * met, 1008);
         }
-        Specks specks = specks(film);
+        IsolatedHighlights specks = specks(film);
         assertThat(specks.isAt(11, 11)).isTrue();
         assertThat(specks.missed(11, 11)).isLessThan(0.01);
     }
 
-    private static Specks specks(Film film) {
-        return new Specks(film, new PixelVariance(film, () -> false), () -> false);
+    private static IsolatedHighlights specks(Film film) {
+        return new IsolatedHighlights(film, new PixelVariance(film, () -> false), () -> false);
     }
 
     private static int place(int column, int row) {

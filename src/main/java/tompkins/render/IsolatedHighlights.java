@@ -15,14 +15,14 @@ import tompkins.trace.Cancellation;
  *
  * <p>They are counted in regions. Each region relies on the wider one around it until it holds enough specks of its
  * own. What the specks of a region cover of their pixels says how many samples it takes to find such specks: one that
- * covers the share c of its pixel is missed by n samples with the probability exp(-c n).
+ * covers the fraction c of its pixel is missed by n samples with the probability exp(-c n).
  */
-final class Specks {
+final class IsolatedHighlights {
 
     /** What covers more of its pixel is found by a few samples. */
     private static final double LARGEST = 0.25;
 
-    /** A pixel with more than this share of the variance of another shows something of the same kind. */
+    /** A pixel with more than this fraction of the variance of another shows something of the same kind. */
     private static final double SIMILAR = 0.05;
 
     /** Width and height of the smallest regions in pixels. */
@@ -35,9 +35,9 @@ final class Specks {
     private static final double ENOUGH = 4;
 
     /**
-     * Specks count as found, each in its pixel, once it is likely that as many as this are all found. Until then they
-     * count alike in all pixels of a region, which get the same samples. If only pixels with a speck that was found by
-     * luck got more, its light would be corrected, and that of the missed ones never found.
+     * IsolatedHighlights count as found, each in its pixel, once it is likely that as many as this are all found. Until
+     * then they count alike in all pixels of a region, which get the same samples. If only pixels with a speck that was
+     * found by luck got more, its light would be corrected, and that of the missed ones never found.
      */
     private static final int ALL_OF = 32;
 
@@ -68,7 +68,7 @@ final class Specks {
      * @param stopped whether they are no longer wanted
      * @throws java.util.concurrent.CancellationException if they are not
      */
-    Specks(Film film, PixelVariance pixels, BooleanSupplier stopped) {
+    IsolatedHighlights(Film film, PixelVariance pixels, BooleanSupplier stopped) {
         this.film = film;
         this.pixels = pixels;
         found = new BitSet(film.width() * film.height());
@@ -319,7 +319,7 @@ final class Specks {
             return squaredVariance / variance;
         }
 
-        /** The share of a pixel that a speck covers: the square of its mean over that of its light. */
+        /** The fraction of a pixel that a speck covers: the square of its mean over that of its light. */
         double coverage() {
             return variance > 0 ? contrast / variance : Double.POSITIVE_INFINITY;
         }
