@@ -2,8 +2,8 @@ package tompkins.app;
 
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.TypeConversionException;
@@ -73,14 +73,15 @@ final class OptionValues {
     }
 
     private static PictureFormat format(String text) {
-        List<String> names = Stream.of(PictureFormat.values())
-                .map(format -> format.name().toLowerCase(Locale.ROOT))
-                .toList();
-        int index = names.indexOf(text.toLowerCase(Locale.ROOT));
-        if (index < 0) {
-            throw refused("one of " + String.join(", ", names), text);
-        }
-        return PictureFormat.values()[index];
+        return Stream.of(PictureFormat.values())
+                .filter(format -> format.name().equalsIgnoreCase(text))
+                .findFirst()
+                .orElseThrow(() -> refused(
+                        "one of "
+                                + Stream.of(PictureFormat.values())
+                                        .map(format -> format.name().toLowerCase(Locale.ROOT))
+                                        .collect(Collectors.joining(", ")),
+                        text));
     }
 
     /** The refusal of a word; the name of its option stands before it. */

@@ -37,9 +37,6 @@ final class TraceCommand extends ProgramCommand {
     /** Half of the way from the centre of the lens to its right edge. */
     private static final String PUPIL_EXAMPLE = "0.5,0";
 
-    /** The most rays of a cone: more would be a wall. */
-    private static final int MOST_AROUND = 360;
-
     @Parameters(paramLabel = "SCENE", description = "scene file, or saved photograph; - is the standard input")
     private Path scene;
 
