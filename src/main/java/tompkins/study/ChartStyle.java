@@ -2,19 +2,17 @@ package tompkins.study;
 
 import java.awt.Color;
 import java.awt.Font;
-import java.util.ArrayList;
 import java.util.List;
 
 /**
  * Colours and type of a chart.
  *
  * @param paper what it is drawn on
- * @param ink for words, numbers and axes
+ * @param ink for words, numbers, axes and the first curve
  * @param grid fine lines through the numbers of the axes
- * @param curves the colours of the curves, which begin again after the last
  * @param size of the type of most words, in points
  */
-public record ChartStyle(Color paper, Color ink, Color grid, List<Color> curves, float size) {
+public record ChartStyle(Color paper, Color ink, Color grid, float size) {
 
     private static final float PRINTED_SIZE = 12;
 
@@ -30,30 +28,21 @@ public record ChartStyle(Color paper, Color ink, Color grid, List<Color> curves,
 
     /** For documents. */
     public static final ChartStyle PRINTED =
-            new ChartStyle(Color.WHITE, Color.BLACK, new Color(0xdddddd), with(Color.BLACK), PRINTED_SIZE);
+            new ChartStyle(Color.WHITE, Color.BLACK, new Color(0xdddddd), PRINTED_SIZE);
 
     /** For screens in dark rooms. */
-    public static final ChartStyle DARK = new ChartStyle(
-            new Color(0x1c1e21), new Color(0xe4e4e4), new Color(0x3d4147), with(Color.WHITE), PRINTED_SIZE);
-
-    /** A style; the list is copied. */
-    public ChartStyle {
-        curves = List.copyOf(curves);
-    }
-
-    private static List<Color> with(Color first) {
-        List<Color> colours = new ArrayList<>(List.of(first));
-        colours.addAll(HUES);
-        return colours;
-    }
+    public static final ChartStyle DARK =
+            new ChartStyle(new Color(0x1c1e21), new Color(0xe4e4e4), new Color(0x3d4147), PRINTED_SIZE);
 
     /** The same style with type of another size. */
     public ChartStyle withSize(float points) {
-        return new ChartStyle(paper, ink, grid, curves, points);
+        return new ChartStyle(paper, ink, grid, points);
     }
 
-    Color curve(int number) {
-        return curves.get(number % curves.size());
+    /** The colour of a curve, from 0 on; colours begin again after the last. */
+    public Color curve(int number) {
+        int hue = number % (HUES.size() + 1);
+        return hue == 0 ? ink : HUES.get(hue - 1);
     }
 
     Font title() {

@@ -1,14 +1,12 @@
 package tompkins.study;
 
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.io.BundledScenes;
@@ -40,9 +38,8 @@ import tompkins.world.InertialFrame;
  * How many hits on what turns are missed, with so many chords of a ray while it turns by a radian.
  *
  * @param seed of the objects and the rays
- * @param rays rays at objects of each kind
  */
-record ChordStudy(long seed, int rays) implements Study {
+record ChordStudy(long seed) implements Study {
 
     private static final String PROBLEM = "chords";
     private static final String SLIVERS = "slivers";
@@ -51,44 +48,46 @@ record ChordStudy(long seed, int rays) implements Study {
     private static final double REFERENCE = 256;
     private static final double MILLION = 1e6;
     private static final int OBJECTS = 8;
+    private static final int RAYS = 200_000;
 
     /** Distances that differ by less are the same. */
     private static final double SAME = 1e-6;
 
     /** Primitives that turn together, rays past them, and where these meet them with the chords of the reference. */
-    private record Target(List<Primitive> primitives, Ray[] rays, double[] distances) {
+    private record Target(List<Primitive> primitives, Ray[] rays, double[] distances) {}
 
-        static Target of(List<Primitive> primitives, Ray[] rays) {
-            return new Target(primitives, rays, met(primitives, rays, REFERENCE));
-        }
+    private static Target target(List<Primitive> primitives, Supplier<Ray> aimed) {
+        Ray[] rays = Stream.generate(aimed).limit(RAYS).toArray(Ray[]::new);
+        return new Target(primitives, rays, met(primitives, rays, REFERENCE));
     }
 
     @Override
     public String settings() {
-        return StudyText.of("chords.settings", seed, rays, OBJECTS, REFERENCE);
+        return StudyText.of("chords.settings", seed, RAYS, OBJECTS, REFERENCE);
     }
 
     @Override
     public List<Trial> trials() {
-        Map<String, Supplier<List<Target>>> kinds = new LinkedHashMap<>();
-        kinds.put("balls", turning((at, along) -> new Sphere("", at, 0.2, ColouredSurface.DEFAULT)));
-        kinds.put("boxes", turning(ChordStudy::box));
-        kinds.put("rods", turning((at, along) -> cylinder(at, along, 0.3, 0.01)));
-        kinds.put("thin rings", turning((at, along) -> cylinder(at, along, 0.005, 0.25)));
-        kinds.put(SLIVERS, turning(ChordStudy::sliver));
-        kinds.put(SCENES, this::inScenes);
-        Map<String, List<Target>> targets = new HashMap<>();
         List<Trial> trials = new ArrayList<>();
-        kinds.forEach((kind, first) -> {
-            for (double chords : CHORDS) {
-                trials.add(new Trial(
-                        PROBLEM,
-                        kind,
-                        chords,
-                        () -> measure(targets.computeIfAbsent(kind, unused -> first.get()), chords)));
-            }
-        });
+        trials.addAll(trials("balls", () -> turning((at, along) -> new Sphere("", at, 0.2, ColouredSurface.DEFAULT))));
+        trials.addAll(trials("boxes", () -> turning(ChordStudy::box)));
+        trials.addAll(trials("rods", () -> turning((at, along) -> cylinder(at, along, 0.3, 0.01))));
+        trials.addAll(trials("thin rings", () -> turning((at, along) -> cylinder(at, along, 0.005, 0.25))));
+        trials.addAll(trials(SLIVERS, () -> turning(ChordStudy::sliver)));
+        trials.addAll(trials(SCENES, this::inScenes));
         return trials;
+    }
+
+    private static List<Trial> trials(String kind, Supplier<List<Target>> made) {
+        List<Target> targets = new ArrayList<>();
+        return DoubleStream.of(CHORDS)
+                .mapToObj(chords -> new Trial(PROBLEM, kind, chords, () -> {
+                    if (targets.isEmpty()) {
+                        targets.addAll(made.get());
+                    }
+                    return measure(targets, chords);
+                }))
+                .toList();
     }
 
     /** What turns in the bundled scenes, and rays from their cameras through the space around it. */
@@ -105,7 +104,12 @@ record ChordStudy(long seed, int rays) implements Study {
                             .route(null, frame.motion())
                             .transform(plan.lensInScene())
                             .minus(frame.origin());
-                    targets.add(Target.of(turning, raysFrom(lens, turning)));
+                    Bounds box = turning.stream()
+                            .map(Primitive::allBounds)
+                            .reduce(Bounds::with)
+                            .orElseThrow();
+                    SplittableRandom random = new SplittableRandom(seed);
+                    targets.add(target(turning, () -> from(lens, in(box, random), random)));
                 }
             }
         }
@@ -113,21 +117,17 @@ record ChordStudy(long seed, int rays) implements Study {
     }
 
     /** Objects at random places and in random directions, the outermost nearly as fast as light; rays aim at them. */
-    private Supplier<List<Target>> turning(BiFunction<Vector3d, Vector3d, SceneObject> kind) {
-        return () -> {
-            SplittableRandom random = new SplittableRandom(seed);
-            List<SceneObject> objects = new ArrayList<>();
-            for (int i = 0; i < OBJECTS; i++) {
-                objects.add(kind.apply(inBall(random).mul(0.7), inBall(random).normalize()));
-            }
-            PrimitiveCollector collector =
-                    new PrimitiveCollector(point -> Event.ORIGIN, FrameTree.described(TransformationLaw.LORENTZ));
-            new Rotating("", new Vector3d(), new Vector3d(0, 1, 0), 0.95, 0, objects).addTo(collector, Placement.NONE);
-            List<Primitive> primitives = collector.primitives();
-            Ray[] all = new Ray[rays];
-            Arrays.setAll(all, i -> at(primitives.get(random.nextInt(primitives.size())), random));
-            return List.of(Target.of(primitives, all));
-        };
+    private List<Target> turning(BiFunction<Vector3d, Vector3d, SceneObject> kind) {
+        SplittableRandom random = new SplittableRandom(seed);
+        List<SceneObject> objects = new ArrayList<>();
+        for (int i = 0; i < OBJECTS; i++) {
+            objects.add(kind.apply(inBall(random).mul(0.7), inBall(random).normalize()));
+        }
+        PrimitiveCollector collector =
+                new PrimitiveCollector(point -> Event.ORIGIN, FrameTree.described(TransformationLaw.LORENTZ));
+        new Rotating("", new Vector3d(), new Vector3d(0, 1, 0), 0.95, 0, objects).addTo(collector, Placement.NONE);
+        List<Primitive> primitives = collector.primitives();
+        return List.of(target(primitives, () -> at(primitives.get(random.nextInt(primitives.size())), random)));
     }
 
     private static SceneObject box(Vector3d at, Vector3d along) {
@@ -154,17 +154,12 @@ record ChordStudy(long seed, int rays) implements Study {
         return place;
     }
 
-    private Ray[] raysFrom(Event lens, List<Primitive> turning) {
-        SplittableRandom random = new SplittableRandom(seed);
-        Bounds box =
-                turning.stream().map(Primitive::allBounds).reduce(Bounds::with).orElseThrow();
-        Ray[] all = new Ray[rays];
-        for (int i = 0; i < rays; i++) {
-            Vector3dc start = lens.position();
-            Vector3d d = in(box, random).sub(start).normalize();
-            all[i] = Ray.from(start.x(), start.y(), start.z(), d.x, d.y, d.z, lens.time() + random.nextDouble(100));
-        }
-        return all;
+    private static Ray from(Event lens, Vector3d place, SplittableRandom random) {
+        return ray(lens.position(), place.sub(lens.position()).normalize(), lens.time() + random.nextDouble(100));
+    }
+
+    private static Ray ray(Vector3dc start, Vector3dc direction, double time) {
+        return Ray.from(start.x(), start.y(), start.z(), direction.x(), direction.y(), direction.z(), time);
     }
 
     private static Vector3d in(Bounds box, SplittableRandom random) {
@@ -184,7 +179,7 @@ record ChordStudy(long seed, int rays) implements Study {
         Vector3d start = rotation.turned(described.sub(rotation.centre()), rotation.angle(time))
                 .add(rotation.centre())
                 .fma(-far, direction);
-        return Ray.from(start.x, start.y, start.z, direction.x, direction.y, direction.z, time + far);
+        return ray(start, direction, time + far);
     }
 
     private static double[] met(List<Primitive> primitives, Ray[] rays, double chords) {

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
-import java.util.stream.LongStream;
 import tompkins.camera.PixelSampler;
 import tompkins.camera.Sampler;
 import tompkins.render.Quality;
@@ -27,7 +26,6 @@ public final class PictureStudy {
 
     private final String name;
     private final long seed;
-    private final List<Studio> seeded;
     private final boolean sharp;
     private final ScenePixels pixels;
 
@@ -53,9 +51,6 @@ public final class PictureStudy {
         this.name = name;
         this.seed = seed;
         Studio small = Photographs.small(studio, width);
-        seeded = LongStream.range(seed, seed + SEEDS)
-                .mapToObj(run -> small.withSettings(small.settings().withSeed(run)))
-                .toList();
         sharp = !RenderPlan.of(small).blurs();
         pixels = new ScenePixels(small, ScenePixels.ALL, referenceSamples, Double.POSITIVE_INFINITY, cancelled);
     }
@@ -85,12 +80,7 @@ public final class PictureStudy {
     }
 
     private Trial photographed(String method, double setting, Quality quality) {
-        return new Trial(name, method, setting, () -> pixels.photographed(seeded, quality));
-    }
-
-    /** Number of points of the chart. */
-    public int points() {
-        return trials(false).size();
+        return new Trial(name, method, setting, () -> pixels.photographed(seed, SEEDS, quality));
     }
 
     /** The chart. */

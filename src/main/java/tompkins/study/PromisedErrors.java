@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.LongStream;
 import tompkins.io.BundledScenes;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
@@ -23,7 +24,6 @@ record PromisedErrors(Map<String, Studio> studios, long seed, int width, int ref
 
     private static final String PROBLEM = "promise";
     private static final double[] PROMISES = {0.01, Quality.TargetError.DEFAULT.rootMeanSquare()};
-    private static final int SEEDS = 3;
     private static final double TOLERANCE = 1.25;
     private static final double SHARE = 0.95;
 
@@ -44,7 +44,7 @@ record PromisedErrors(Map<String, Studio> studios, long seed, int width, int ref
                 "promise.settings",
                 Arrays.toString(PROMISES),
                 seed,
-                seed + SEEDS - 1,
+                seed + PictureStudy.SEEDS - 1,
                 width,
                 referenceSamples,
                 REFERENCE_ERROR,
@@ -59,14 +59,12 @@ record PromisedErrors(Map<String, Studio> studios, long seed, int width, int ref
             ScenePixels pixels =
                     new ScenePixels(small, ScenePixels.ALL, referenceSamples, REFERENCE_ERROR, () -> false);
             for (double promise : PROMISES) {
-                for (long run = seed; run < seed + SEEDS; run++) {
-                    Studio seeded = small.withSettings(small.settings().withSeed(run));
-                    trials.add(new Trial(
-                            PROBLEM + ":" + name + ":seed " + run,
-                            kind(studio),
-                            promise,
-                            () -> pixels.photographed(List.of(seeded), new Quality.TargetError(promise))));
-                }
+                LongStream.range(seed, seed + PictureStudy.SEEDS)
+                        .forEach(run -> trials.add(new Trial(
+                                PROBLEM + ":" + name + ":seed " + run,
+                                kind(studio),
+                                promise,
+                                () -> pixels.photographed(run, 1, new Quality.TargetError(promise)))));
             }
         });
         return trials;

@@ -82,22 +82,24 @@ final class ScenePixels {
     }
 
     /**
-     * How far the light of photographs is from what it should be; one run for each studio; the studios differ in their
-     * seeds.
+     * How far the light of photographs is from what it should be.
      *
+     * @param seed of the first of several runs
      * @throws CancellationException soon after the measurement was cancelled
      */
-    Figures photographed(List<Studio> studios, Quality quality) {
+    Figures photographed(long seed, int runs, Quality quality) {
         double[] right = reference();
-        List<Figures> runs = new ArrayList<>();
-        for (Studio studio : studios) {
+        List<Figures> figures = new ArrayList<>();
+        Studio studio = plan.studio();
+        for (long run = seed; run < seed + runs; run++) {
             Cancellation.stopIf(cancelled);
-            RenderJob job = Photographs.taken(RenderPlan.of(studio, null, cancelled), quality, cancelled);
+            Studio seeded = studio.withSettings(studio.settings().withSeed(run));
+            RenderJob job = Photographs.taken(RenderPlan.of(seeded, null, cancelled), quality, cancelled);
             RenderReport report = job.report();
             double[] errors = difference(light(blocks.stream(), block -> light(block, job.image())), right);
-            runs.add(Figures.of(report.counts().samples, report.time().toNanos() / 1e9, errors, floor));
+            figures.add(Figures.of(report.counts().samples, report.time().toNanos() / 1e9, errors, floor));
         }
-        return Figures.of(runs);
+        return Figures.of(figures);
     }
 
     /** The light of some pixels, three channels each, from what each block shows. */

@@ -3,7 +3,6 @@ package tompkins.study;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
@@ -83,13 +82,12 @@ record StabilityStudy(long seed) implements Study {
 
     private Figures measure(Place place, String method, double distance) {
         SplittableRandom random = new SplittableRandom(seed);
-        double[] errors = new double[CASES];
+        // an error of 0 would have no place on a logarithmic axis
+        double largest = SMALLEST;
         for (int i = 0; i < CASES; i++) {
             double error = place.worked.errors(distance, random)[method.equals(STABLE) ? 0 : 1];
-            errors[i] = Math.min(NOTHING_LEFT, Double.isNaN(error) ? NOTHING_LEFT : Math.abs(error));
+            largest = Math.max(largest, Double.isNaN(error) ? NOTHING_LEFT : Math.min(NOTHING_LEFT, Math.abs(error)));
         }
-        // an error of 0 would have no place on a logarithmic axis
-        double largest = Math.max(SMALLEST, Arrays.stream(errors).max().orElseThrow());
         return Figures.of(CASES, 0, largest);
     }
 

@@ -7,7 +7,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 import tompkins.file.PendingFile;
@@ -103,8 +102,7 @@ public record StudyData(Origin origin, List<StudyPoint> measurements) {
     }
 
     private static String line(StudyPoint point) {
-        return String.format(
-                Locale.ROOT,
+        return StudyText.format(
                 "%s,%s,%s,%s,%s,%s,%.6g,%.6g",
                 point.problem(),
                 point.method(),
@@ -117,7 +115,7 @@ public record StudyData(Origin origin, List<StudyPoint> measurements) {
     }
 
     private static String line(Spread spread) {
-        return String.format(Locale.ROOT, "%.6g,%.6g,%.6g", spread.low(), spread.middle(), spread.high());
+        return StudyText.format("%.6g,%.6g,%.6g", spread.low(), spread.middle(), spread.high());
     }
 
     private static StudyPoint measurement(String line, Path file) {

@@ -22,10 +22,8 @@ import tompkins.surface.ColouredSurface;
  * From how many objects on a tree is faster.
  *
  * @param seed of the objects and the rays
- * @param mostObjects the largest number of objects
- * @param manyRepeats the number of runs for few objects, whose times are short
  */
-record TreeStudy(long seed, int mostObjects, int manyRepeats) implements Study {
+record TreeStudy(long seed) implements Study {
 
     private static final String SPHERES = "spheres";
     private static final String LIST = "list";
@@ -33,7 +31,12 @@ record TreeStudy(long seed, int mostObjects, int manyRepeats) implements Study {
     private static final String PROGRAM = "the program's choice";
     private static final int RAYS = 20_000;
     private static final int LONGEST_LIST = 10_000;
+    private static final int MOST_OBJECTS = 1_000_000;
     private static final int REPEATS = 3;
+
+    /** Runs for up to {@link #MANY} objects, whose times are short. */
+    private static final int REPEATS_OF_FEW = 25;
+
     private static final double TOLERANCE = 1.5;
     private static final int MANY = 1000;
     private static final int[] STEPS = {10, 20, 30, 40, 60, 80};
@@ -41,17 +44,16 @@ record TreeStudy(long seed, int mostObjects, int manyRepeats) implements Study {
 
     @Override
     public String settings() {
-        return StudyText.of("tree.settings", seed, mostObjects, RAYS, manyRepeats, REPEATS, MANY);
+        return StudyText.of("tree.settings", seed, MOST_OBJECTS, RAYS, REPEATS_OF_FEW, REPEATS, MANY);
     }
 
     @Override
     public List<Trial> trials() {
         List<Trial> trials = new ArrayList<>();
-        for (int decade = 1; 10 * decade <= mostObjects; decade *= 10) {
+        for (int decade = 1; 10 * decade <= MOST_OBJECTS; decade *= 10) {
             for (int step : 10 * decade < MANY ? STEPS : STEPS_OF_MANY) {
-                int objects = step * decade;
-                if (objects <= mostObjects) {
-                    trials.addAll(race(objects));
+                if (step * decade <= MOST_OBJECTS) {
+                    trials.addAll(race(step * decade));
                 }
             }
         }
@@ -66,22 +68,20 @@ record TreeStudy(long seed, int mostObjects, int manyRepeats) implements Study {
         }
         methods.put(TREE, run -> search(objects, 1));
         methods.put(PROGRAM, run -> search(objects, ObjectTree.SMALLEST_TREE));
-        return Race.trials(SPHERES, objects, methods, objects <= MANY ? manyRepeats : REPEATS);
+        return Race.trials(SPHERES, objects, methods, objects <= MANY ? REPEATS_OF_FEW : REPEATS);
     }
 
     private Figures search(int objects, int smallestTree) {
         List<Primitive> primitives = spheres(objects);
         Ray[] rays = rays();
-        return Figures.of(RAYS, Race.seconds(() -> search(new ObjectTree(primitives, smallestTree), rays)), 0);
-    }
-
-    private static double search(ObjectTree tree, Ray[] rays) {
         NearestHit nearest = new NearestHit(new RayCounts());
-        double sum = 0;
-        for (Ray ray : rays) {
-            sum += tree.nearest(ray, nearest) ? nearest.distance() : 0;
-        }
-        return sum;
+        double seconds = Race.seconds(() -> {
+            ObjectTree tree = new ObjectTree(primitives, smallestTree);
+            for (Ray ray : rays) {
+                tree.nearest(ray, nearest);
+            }
+        });
+        return Figures.of(RAYS, seconds, 0);
     }
 
     private List<Primitive> spheres(int count) {
