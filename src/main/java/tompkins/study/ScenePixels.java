@@ -130,16 +130,17 @@ final class ScenePixels {
         SampleTracer tracer = plan.tracer(new RayCounts(), sampler);
         tracer.shareBetween(samples);
         double[] light = new double[block.values()];
+        SampleSink sink = taken -> {
+            for (int i = 0; i < taken.count(); i++) {
+                int place = 3 * ((taken.row(i) - block.top) * block.width + taken.column(i) - block.left);
+                light[place] += taken.red[i];
+                light[place + 1] += taken.green[i];
+                light[place + 2] += taken.blue[i];
+            }
+        };
+        tracer.beginBlock(block.left, block.top, block.width, block.height, 1, sink);
         for (int sample = 0; sample < samples; sample++) {
-            SampleSink sink = taken -> {
-                for (int i = 0; i < taken.count(); i++) {
-                    int place = 3 * ((taken.row(i) - block.top) * block.width + taken.column(i) - block.left);
-                    light[place] += taken.red[i];
-                    light[place + 1] += taken.green[i];
-                    light[place + 2] += taken.blue[i];
-                }
-            };
-            tracer.sampleBlock(block.left, block.top, block.width, block.height, 1, sample, sink);
+            tracer.sampleBlock(sample, sink);
         }
         for (int i = 0; i < light.length; i++) {
             light[i] *= plan.exposure() / samples;
