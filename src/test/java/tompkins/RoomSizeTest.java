@@ -32,14 +32,14 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        28_271),
+                        28_069),
                 arguments("file, image", 4_062),
-                arguments("explain", 849),
-                arguments("lesson, measure, animation", 5_071),
-                arguments("io, app", 8_284),
-                arguments("study", 3_410),
-                arguments("ui", 21_122),
-                arguments("lab", 400));
+                arguments("explain", 850),
+                arguments("lesson, measure, animation", 4_922),
+                arguments("io, app", 7_760),
+                arguments("study", 3_443),
+                arguments("ui", 18_679),
+                arguments("lab", 233));
     }
 
     @ParameterizedTest

@@ -5,6 +5,7 @@ import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import tompkins.render.Quality;
 import tompkins.render.RenderJob;
@@ -39,10 +40,21 @@ final class Figures {
     private static final String OWN = "Tompkins, --error";
     private static final String PROBLEM = "fig1a";
 
-    /** POV-Ray's grids of samples in each pixel. */
-    private static final int[] GRIDS = {2, 3, 4, 6, 8};
+    /** Rows of POV-Ray's grids of samples in a pixel, from this number to the other, above which it knows none. */
+    private static final int LEAST_GRID = 2;
 
-    private static final int REFERENCE_GRID = 16;
+    private static final int MOST_GRID = 9;
+
+    /** Differences at which POV-Ray divides a pixel, and how often it does at most. */
+    private static final double[] DIFFERENCES = {0.3, 0.1, 0.03, 0.01};
+
+    private static final int LEAST_DEPTH = 3;
+    private static final int MOST_DEPTH = 5;
+
+    /** Plain pictures are at most so many times as wide and as high. */
+    private static final int MOST_TIMES = 6;
+
+    private static final int TIMES_OF_REFERENCE = 4;
 
     private Figures() {}
 
@@ -111,28 +123,83 @@ final class Figures {
         return points;
     }
 
+    /** POV-Ray's pictures by which of its settings is the cheapest for their error. */
     private static List<StudyPoint> others(String version) throws IOException, InterruptedException {
-        Studio studio = PaperStudios.fig1a();
-        int width = studio.settings().width();
-        int height = studio.settings().height();
-        double[] reference = PovRay.take(WIDTH, HEIGHT, grid(REFERENCE_GRID)).light();
+        double[] reference = grid(TIMES_OF_REFERENCE, MOST_GRID).take().light();
         List<StudyPoint> points = new ArrayList<>();
-        for (int grid : GRIDS) {
+        List<Setting> settings = settings();
+        for (int setting = 0; setting < settings.size(); setting++) {
             double[] seconds = new double[TURNS];
             double found = 0;
             for (int round = 0; round < TURNS; round++) {
-                PovRay.Taken taken = PovRay.take(WIDTH, HEIGHT, grid(grid));
+                PovRay.Taken taken = settings.get(setting).take();
                 seconds[round] = taken.seconds();
                 found = rootMeanSquare(taken.light(), reference);
             }
-            points.add(point("POV-Ray " + version + ", +R", grid, seconds, found));
+            points.add(point("POV-Ray " + version + ", cheapest setting", setting, seconds, found));
         }
-        return points;
+        return cheapest(points);
+    }
+
+    /**
+     * How POV-Ray takes a picture.
+     *
+     * @param times how many times as wide and as high it is before the means of its pixels are taken
+     * @param antialiasing its options for that
+     */
+    private record Setting(int times, String... antialiasing) {
+
+        PovRay.Taken take() throws IOException, InterruptedException {
+            PovRay.Taken taken = PovRay.take(times * WIDTH, times * HEIGHT, antialiasing);
+            double[] means = new double[3 * WIDTH * HEIGHT];
+            for (int i = 0; i < taken.light().length; i++) {
+                int row = i / (3 * times * WIDTH) / times;
+                int column = i / 3 % (times * WIDTH) / times;
+                means[3 * (row * WIDTH + column) + i % 3] += taken.light()[i] / (times * times);
+            }
+            return new PovRay.Taken(taken.seconds(), means);
+        }
     }
 
     /** More samples where neighbours differ at all, in a jittered grid of that many rows. */
-    private static String[] grid(int rows) {
-        return new String[] {"+AM1", "+A0.0", "+R" + rows};
+    private static Setting grid(int times, int rows) {
+        return new Setting(times, "+AM1", "+A0.0", "+R" + rows);
+    }
+
+    private static List<Setting> settings() {
+        List<Setting> settings = new ArrayList<>();
+        for (int rows = LEAST_GRID; rows <= MOST_GRID; rows++) {
+            settings.add(grid(1, rows));
+            settings.add(grid(2, rows));
+        }
+        for (double difference : DIFFERENCES) {
+            for (int depth = LEAST_DEPTH; depth <= MOST_DEPTH; depth++) {
+                settings.add(new Setting(1, "+AM2", "+A" + difference, "+R" + depth));
+            }
+        }
+        for (int times = 2; times <= MOST_TIMES; times++) {
+            settings.add(new Setting(times, "-A"));
+        }
+        return settings;
+    }
+
+    /** Those than which no cheaper one has as small an error, the cheapest first. */
+    private static List<StudyPoint> cheapest(List<StudyPoint> points) {
+        List<StudyPoint> kept = new ArrayList<>();
+        points.sort(Comparator.comparingDouble(point -> point.seconds().middle()));
+        for (StudyPoint point : points) {
+            double best = kept.isEmpty()
+                    ? Double.POSITIVE_INFINITY
+                    : last(kept).error().middle();
+            if (point.error().middle() < best) {
+                kept.add(point);
+            }
+        }
+        return kept;
+    }
+
+    private static StudyPoint last(List<StudyPoint> points) {
+        return points.get(points.size() - 1);
     }
 
     private static StudyPoint point(String method, double setting, double[] seconds, double error) {

@@ -84,7 +84,7 @@ public record PanoramicCamera(
         if (!accepts(shutter.getClass(), stereo)) {
             throw new InvalidPropertyException(
                     "shutter",
-                    "AperturePlaneShutter, because the eyes of a panorama turn with its columns and fraction no detector or"
+                    "AperturePlaneShutter, because the eyes of a panorama turn with its columns and share no detector or"
                             + " focus",
                     shutter.getClass().getSimpleName());
         }

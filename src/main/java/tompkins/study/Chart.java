@@ -13,28 +13,24 @@ import java.util.function.Function;
  * @param pareto whether to mark the best points, which no other beats on both axes; less is better on both
  * @param own the method of the program, whose points are drawn last and larger; empty if there is none
  */
-public record Chart(String problem, String title, Axis<Double> across, Axis<Spread> up, boolean pareto, String own) {
+public record Chart(String problem, String title, Axis across, Axis up, boolean pareto, String own) {
 
     /**
      * An axis.
      *
      * @param label what it is, with its unit
-     * @param value the place of a measurement
-     * @param <T> a number, or a spread with error bars
+     * @param value the place of a measurement; upwards, with error bars
      */
-    public record Axis<T>(String label, Function<StudyPoint, T> value) {}
+    public record Axis(String label, Function<StudyPoint, Spread> value) {}
 
     /** Seconds of one thread. */
-    static final Axis<Double> SECONDS = new Axis<>("seconds (one thread)", measurement -> measurement.medianSeconds());
-
-    /** Seconds of one thread, upwards. */
-    static final Axis<Spread> TIME = new Axis<>("seconds (one thread)", StudyPoint::seconds);
+    static final Axis SECONDS = new Axis("seconds (one thread)", StudyPoint::seconds);
 
     /** Root mean square error in linear light. */
-    static final Axis<Spread> ERROR = new Axis<>("RMS error in linear light (white = 1)", StudyPoint::error);
+    static final Axis ERROR = new Axis("RMS error in linear light (white = 1)", StudyPoint::error);
 
     /** Rays that were followed. */
-    static final Axis<Double> RAYS = new Axis<>("rays", measurement -> measurement.rays());
+    static final Axis RAYS = new Axis("rays", point -> Spread.exact(point.rays()));
 
     /** Error against time. */
     public static Chart errorAgainstTime(String problem, String title, String own) {
@@ -47,13 +43,13 @@ public record Chart(String problem, String title, Axis<Double> across, Axis<Spre
     }
 
     /** The setting of the trials across. */
-    static Axis<Double> setting(String label) {
-        return new Axis<>(label, StudyPoint::setting);
+    static Axis setting(String label) {
+        return new Axis(label, point -> Spread.exact(point.setting()));
     }
 
     /** The place of a measurement across. */
     double x(StudyPoint point) {
-        return across.value.apply(point);
+        return across.value.apply(point).middle();
     }
 
     /** The place of a measurement upwards. */

@@ -2,9 +2,7 @@ package tompkins.study;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
-import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
@@ -133,7 +131,6 @@ public final class ChartDrawing {
         curves.addSeries(series);
         renderer.setSeriesPaint(number, style.curve(number));
         renderer.setSeriesStroke(number, new BasicStroke(1.6f));
-        renderer.setSeriesShape(number, marker(number));
         if (name.equals(chart.own())) {
             // a ring, so that a point of another method at the same place can be seen inside it
             renderer.setSeriesShape(number, new Ellipse2D.Double(-RING, -RING, 2 * RING, 2 * RING));
@@ -149,21 +146,6 @@ public final class ChartDrawing {
         return points.size() < FEWEST_FOR_SLOPE || !Double.isFinite(law.slope())
                 ? ""
                 : StudyText.format("  (%.2f)", law.slope());
-    }
-
-    private static Shape marker(int number) {
-        if (number % 3 == 0) {
-            return new Ellipse2D.Double(-3, -3, 6, 6);
-        }
-        if (number % 3 == 1) {
-            return new Rectangle2D.Double(-3, -3, 6, 6);
-        }
-        Path2D triangle = new Path2D.Double();
-        triangle.moveTo(0, -4);
-        triangle.lineTo(4, 3);
-        triangle.lineTo(-4, 3);
-        triangle.closePath();
-        return triangle;
     }
 
     /** The points that no other beats on both axes, from the cheapest on. */

@@ -209,7 +209,7 @@ record ChordStudy(long seed, int rays) implements Study {
             }
         }
         // none at all would have no place on a logarithmic axis: half a ray stands for it
-        return Figures.of(count, Spread.exact(0), Math.max(0.5, missed) * MILLION / count);
+        return Figures.of(count, 0, Math.max(0.5, missed) * MILLION / count);
     }
 
     @Override
@@ -218,7 +218,7 @@ record ChordStudy(long seed, int rays) implements Study {
                 PROBLEM,
                 "Hits on what turns that are missed",
                 Chart.setting("chords for each radian"),
-                new Chart.Axis<>("of a million rays", StudyPoint::error),
+                new Chart.Axis("of a million rays", StudyPoint::error),
                 false,
                 ""));
     }

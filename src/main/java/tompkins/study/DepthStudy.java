@@ -27,7 +27,6 @@ final class DepthStudy implements Study {
     private static final String LIMIT = "limit of depth";
     private static final String PROGRAM = StudyText.format("the program: 1/%.0f of the light", 1 / Ray.FAINTEST);
     private static final int[] DEPTHS = {1, 2, 5, 10, 20, 50, 66, 100, 200, 350, 500};
-    private static final int REPEATS = 3;
     private static final double CLEARLY_LESS = 0.7;
     private static final double LENGTH = 60;
     private static final double ANGLE = 170;
@@ -78,23 +77,19 @@ final class DepthStudy implements Study {
     private static Figures measure(Problem problem, boolean alone, int depth) {
         RenderPlan plan =
                 RenderPlan.of(alone ? corridors(1, 1, depth) : corridors(problem.above, problem.below, depth));
-        List<Figures> runs = new ArrayList<>();
-        for (int run = 0; run < REPEATS; run++) {
-            RenderJob job = Photographs.taken(plan, new Quality.Samples(1), () -> false);
-            LinearImage image = job.image();
-            double[] errors = new double[WIDTH * HEIGHT];
-            for (int pixel = 0; pixel < errors.length; pixel++) {
-                int column = pixel % WIDTH;
-                int row = pixel / WIDTH;
-                Vector3d direction = new Vector3d(plan.chiefDirection(column + 0.5, row + 0.5));
-                double exact = exact(direction.y > 0 ? problem.above : problem.below, direction);
-                double light = image.value(column, row, 0);
-                errors[pixel] = (alone ? light * exact : light) - exact;
-            }
-            RenderReport report = job.report();
-            runs.add(Figures.of(report.counts().rays, report.time().toNanos() / 1e9, ErrorNorm.of(errors), 0));
+        RenderJob job = Photographs.taken(plan, new Quality.Samples(1), () -> false);
+        LinearImage image = job.image();
+        double[] errors = new double[WIDTH * HEIGHT];
+        for (int pixel = 0; pixel < errors.length; pixel++) {
+            int column = pixel % WIDTH;
+            int row = pixel / WIDTH;
+            Vector3d direction = new Vector3d(plan.chiefDirection(column + 0.5, row + 0.5));
+            double exact = exact(direction.y > 0 ? problem.above : problem.below, direction);
+            double light = image.value(column, row, 0);
+            errors[pixel] = (alone ? light * exact : light) - exact;
         }
-        return Figures.of(runs);
+        RenderReport report = job.report();
+        return Figures.of(report.counts().rays, report.time().toNanos() / 1e9, errors, 0);
     }
 
     /** R^k, where k is how often light from the axis meets the mirrors at x = -1 and x = 1 before the wall. */

@@ -2,6 +2,7 @@ package tompkins.study;
 
 import java.util.SplittableRandom;
 import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
 import tompkins.camera.SamplePositions;
 import tompkins.camera.Sampler;
 
@@ -34,23 +35,13 @@ record ExactProblem(
     /** Pixels that see the same case. */
     static final int PIXELS_OF_INSTANCE = SIDE * SIDE;
 
-    private static final int INSTANCES_OF_BLOCK = 15;
-
-    /** Something to be integrated. */
-    @FunctionalInterface
-    interface Integrand {
-
-        /** Its value at a position. */
-        double value(Position position);
-    }
-
     /**
      * One case of a problem.
      *
      * @param integrand what is to be integrated
      * @param exact its mean over all positions
      */
-    record Instance(Integrand integrand, double exact) {}
+    record Instance(ToDoubleFunction<Position> integrand, double exact) {}
 
     /**
      * The errors of all pixels; those of one case are next to each other.
@@ -60,33 +51,25 @@ record ExactProblem(
     double[] errors(long seed, Sampler sampler, int samples) {
         double[] errors = new double[INSTANCES * PIXELS_OF_INSTANCE];
         SplittableRandom random = new SplittableRandom(seed);
-        SamplePositions positions = new SamplePositions(INSTANCES_OF_BLOCK * PIXELS_OF_INSTANCE);
-        Instance[] cases = new Instance[INSTANCES_OF_BLOCK];
-        for (int first = 0; first < INSTANCES; first += INSTANCES_OF_BLOCK) {
+        SamplePositions positions = new SamplePositions(PIXELS_OF_INSTANCE);
+        Position position = new Position();
+        for (int first = 0; first < errors.length; first += PIXELS_OF_INSTANCE) {
+            Instance instance = instances.apply(random);
             positions.clear();
-            for (int i = 0; i < INSTANCES_OF_BLOCK; i++) {
-                cases[i] = instances.apply(random);
-                for (int pixel = 0; pixel < PIXELS_OF_INSTANCE; pixel++) {
-                    positions.addPixel(pixel % SIDE, (first + i) * SIDE + pixel / SIDE);
+            for (int pixel = 0; pixel < PIXELS_OF_INSTANCE; pixel++) {
+                positions.addPixel(pixel % SIDE, (first + pixel) / SIDE);
+            }
+            for (int sample = 0; sample < samples; sample++) {
+                sampler.choose(positions, sample);
+                for (int i = 0; i < PIXELS_OF_INSTANCE; i++) {
+                    position.goTo(positions, i);
+                    errors[first + i] += instance.integrand.applyAsDouble(position);
                 }
             }
-            addErrors(cases, positions, sampler, samples, errors, first * PIXELS_OF_INSTANCE);
-        }
-        return errors;
-    }
-
-    private static void addErrors(
-            Instance[] cases, SamplePositions positions, Sampler sampler, int samples, double[] errors, int first) {
-        Position position = new Position();
-        for (int sample = 0; sample < samples; sample++) {
-            sampler.choose(positions, sample);
-            for (int i = 0; i < positions.count(); i++) {
-                position.goTo(positions, i);
-                errors[first + i] += cases[i / PIXELS_OF_INSTANCE].integrand().value(position);
+            for (int i = first; i < first + PIXELS_OF_INSTANCE; i++) {
+                errors[i] = errors[i] / samples - instance.exact;
             }
         }
-        for (int i = 0; i < positions.count(); i++) {
-            errors[first + i] = errors[first + i] / samples - cases[i / PIXELS_OF_INSTANCE].exact();
-        }
+        return errors;
     }
 }

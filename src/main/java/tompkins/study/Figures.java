@@ -1,5 +1,6 @@
 package tompkins.study;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 
@@ -14,14 +15,20 @@ import java.util.function.ToDoubleFunction;
  */
 public record Figures(double rays, Spread seconds, Spread error, double maximum, double floor) {
 
-    /** One run. */
-    static Figures of(double rays, double seconds, ErrorNorm norm, double floor) {
-        return new Figures(rays, Spread.exact(seconds), Spread.exact(norm.rootMeanSquare()), norm.maximum(), floor);
+    /** One run, with errors of either sign. */
+    static Figures of(double rays, double seconds, double[] errors, double floor) {
+        double maximum = Arrays.stream(errors).map(Math::abs).max().orElseThrow();
+        return new Figures(rays, Spread.exact(seconds), Spread.exact(rootMeanSquare(errors)), maximum, floor);
     }
 
     /** A single figure in place of the errors, without a reference that could err. */
-    static Figures of(double rays, Spread seconds, double figure) {
-        return new Figures(rays, seconds, Spread.exact(figure), figure, 0);
+    static Figures of(double rays, double seconds, double figure) {
+        return new Figures(rays, Spread.exact(seconds), Spread.exact(figure), figure, 0);
+    }
+
+    static double rootMeanSquare(double[] errors) {
+        return Math.sqrt(
+                Arrays.stream(errors).map(error -> error * error).average().orElseThrow());
     }
 
     /** Several runs of the same. */

@@ -3,17 +3,19 @@ package tompkins.study;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.SplittableRandom;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 
-/** How exact the forms of the transformation are, up to the highest speeds. */
-final class PrecisionStudy implements Study {
+/**
+ * How exact the forms of the transformation are, up to the highest speeds.
+ *
+ * @param seed of the directions
+ */
+record PrecisionStudy(long seed) implements Study {
 
     static final String RADIANS = "radians";
     static final String PIXELS = "pixels";
@@ -32,18 +34,6 @@ final class PrecisionStudy implements Study {
             List.of(DirectionForm.PROPER_VELOCITY, DirectionForm.HALF_ANGLE);
 
     private static final Vector3dc AXIS = new Vector3d(0.2, -0.1, 0.97).normalize();
-
-    /** Directions, and the exact answer to each. */
-    private record Turned(Vector3d[] directions, BigDecimal[][] exact) {}
-
-    private final long seed;
-
-    /** The directions of each gamma. */
-    private final Map<Double, Turned> known = new HashMap<>();
-
-    PrecisionStudy(long seed) {
-        this.seed = seed;
-    }
 
     @Override
     public String settings() {
@@ -64,42 +54,29 @@ final class PrecisionStudy implements Study {
     }
 
     private Figures measure(String problem, DirectionForm form, double gamma) {
-        Turned turned = known.computeIfAbsent(gamma, this::turned);
-        DirectionForm.Direction turning = form.of(velocity(gamma));
-        double[] errors = new double[DIRECTIONS];
-        Vector3d found = new Vector3d();
-        for (int i = 0; i < DIRECTIONS; i++) {
-            turning.turn(turned.directions[i], found);
-            BigDecimal[] exact = turned.exact[i];
-            double error = angle(exact, found);
-            // a picture shows the error where the Doppler factor shrinks or stretches it
-            errors[i] = problem.equals(RADIANS) ? error : error * exact[3].doubleValue() / PIXEL;
-        }
-        return Figures.of(DIRECTIONS, Spread.exact(0), ErrorNorm.of(errors).maximum());
-    }
-
-    private static Velocity velocity(double gamma) {
-        return Velocity.of(SpeedScale.GAMMA, gamma, AXIS);
-    }
-
-    private Turned turned(double gamma) {
+        Velocity velocity = Velocity.of(SpeedScale.GAMMA, gamma, AXIS);
+        DirectionForm.Direction turning = form.of(velocity);
         SplittableRandom random = new SplittableRandom(seed);
         Vector3d side = new Vector3d(AXIS).cross(0, 1, 0).normalize();
         Vector3d up = new Vector3d(side).cross(AXIS);
-        Vector3d[] directions = new Vector3d[DIRECTIONS];
-        BigDecimal[][] exact = new BigDecimal[DIRECTIONS][];
+        Vector3d found = new Vector3d();
+        double largest = 0;
         for (int i = 0; i < DIRECTIONS; i++) {
             // angles from the motion that end at all angles in the scene
             double angle = Math.PI * Math.pow(10 * gamma, -random.nextDouble());
             double turn = 2 * Math.PI * random.nextDouble();
-            directions[i] = new Vector3d(AXIS)
+            Vector3d direction = new Vector3d(AXIS)
                     .mul(Math.cos(angle))
                     .fma(Math.sin(angle) * Math.cos(turn), side)
                     .fma(Math.sin(angle) * Math.sin(turn), up)
                     .normalize();
-            exact[i] = exact(velocity(gamma).proper(), directions[i]);
+            BigDecimal[] exact = exact(velocity.proper(), direction);
+            turning.turn(direction, found);
+            double error = angle(exact, found);
+            // a picture shows the error where the Doppler factor shrinks or stretches it
+            largest = Math.max(largest, problem.equals(RADIANS) ? error : error * exact[3].doubleValue() / PIXEL);
         }
-        return new Turned(directions, exact);
+        return Figures.of(DIRECTIONS, 0, largest);
     }
 
     /** The unit direction in the scene frame, and the length that the transformation gives it. */
@@ -148,7 +125,7 @@ final class PrecisionStudy implements Study {
     }
 
     private static Chart chart(String problem, String title) {
-        Chart.Axis<Spread> error = new Chart.Axis<>("largest error in " + problem, StudyPoint::error);
+        Chart.Axis error = new Chart.Axis("largest error in " + problem, StudyPoint::error);
         return new Chart(problem, title, Chart.setting("gamma"), error, false, DirectionForm.HALF_ANGLE.title());
     }
 

@@ -84,7 +84,7 @@ record PromisedErrors(Map<String, Studio> studios, long seed, int width, int ref
                 PROBLEM,
                 StudyText.format("Error found, divided by the error promised, all scenes (%.2f is allowed)", TOLERANCE),
                 Chart.setting("promised RMS error (--error)"),
-                new Chart.Axis<>("RMS error / promise", PromisedErrors::drawn),
+                new Chart.Axis("RMS error / promise", PromisedErrors::drawn),
                 false,
                 "");
     }
@@ -103,9 +103,6 @@ record PromisedErrors(Map<String, Studio> studios, long seed, int width, int ref
         List<StudyPoint> runs = all.stream()
                 .filter(point -> point.problem().startsWith(PROBLEM + ":"))
                 .toList();
-        if (runs.isEmpty()) {
-            return;
-        }
         List<StudyPoint> broken = runs.stream()
                 .filter(run -> excess(run) > TOLERANCE)
                 .sorted(Comparator.comparingDouble(PromisedErrors::excess).reversed())

@@ -1,39 +1,20 @@
 package tompkins.study;
 
-/** The space over which the samples of a problem are spread. */
-enum SampledSpace {
+/**
+ * The space over which the samples of a problem are spread; in the middle of what it has not.
+ *
+ * @param hasLens whether it has the lens, not a pinhole
+ * @param hasTime whether it has the exposure time
+ * @param hasPixel whether it has the pixel
+ */
+record SampledSpace(boolean hasLens, boolean hasTime, boolean hasPixel) {
 
-    /** The lens; in the centre of the pixel and the middle of the exposure time. */
-    LENS(2),
-
-    /** The lens and the pixel. */
-    LENS_AND_PIXEL(4),
-
-    /** The exposure time and the pixel, through a pinhole. */
-    TIME_AND_PIXEL(3),
-
-    /** The lens, the exposure time and the pixel. */
-    ALL(5);
-
-    private final int dimensions;
-
-    SampledSpace(int dimensions) {
-        this.dimensions = dimensions;
-    }
+    static final SampledSpace LENS = new SampledSpace(true, false, false);
+    static final SampledSpace LENS_AND_PIXEL = new SampledSpace(true, false, true);
+    static final SampledSpace TIME_AND_PIXEL = new SampledSpace(false, true, true);
+    static final SampledSpace ALL = new SampledSpace(true, true, true);
 
     int dimensions() {
-        return dimensions;
-    }
-
-    boolean hasLens() {
-        return this != TIME_AND_PIXEL;
-    }
-
-    boolean hasPixel() {
-        return this != LENS;
-    }
-
-    boolean hasTime() {
-        return this == TIME_AND_PIXEL || this == ALL;
+        return (hasLens ? 2 : 0) + (hasTime ? 1 : 0) + (hasPixel ? 2 : 0);
     }
 }

@@ -2,7 +2,6 @@ package tompkins.study;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.function.BiFunction;
 import tompkins.camera.PixelSampler;
 import tompkins.camera.Sampler;
 
@@ -10,26 +9,22 @@ import tompkins.camera.Sampler;
 enum SamplingMethod {
 
     /** Independent random positions; on the lens by rejection, as in Dr TIM. */
-    RANDOM("random (as in Dr TIM)", (samples, space) -> SamplePatterns.independent(space)),
+    RANDOM("random (as in Dr TIM)", SamplePattern::independent),
 
     /** One random position in each cell of a grid, on the lens by the concentric map. */
-    JITTERED("jittered", SamplePatterns::jittered),
+    JITTERED("jittered", SamplePattern::jittered),
 
     /** Multiples of irrational numbers (Roberts 2018), shifted for each pixel. */
-    ADDITIVE("R2", SamplePatterns::additive),
+    ADDITIVE("R2", SamplePattern::additive),
 
     /** The program's own: Sobol points with Owen's scrambling. */
     SOBOL("Sobol (Owen-scrambled)", (seed, samples, space) -> new PixelSampler(seed, space.hasLens(), space.hasTime())),
 
     /** Halton points, shifted for each pixel. */
-    HALTON("Halton", SamplePatterns::halton);
+    HALTON("Halton", SamplePattern::halton);
 
     private final String title;
     private final Factory factory;
-
-    SamplingMethod(String title, BiFunction<Integer, SampledSpace, SamplePattern.Pixels> pixels) {
-        this(title, (seed, samples, space) -> new SamplePattern(seed, pixels.apply(samples, space)));
-    }
 
     SamplingMethod(String title, Factory factory) {
         this.title = title;
@@ -59,12 +54,12 @@ enum SamplingMethod {
         Sampler sampler(long seed, int samples, SampledSpace space);
     }
 
-    /** The comparison of all methods, as thorough as for the documents. */
-    static SamplingStudy.Comparison all(long seed) {
+    /** The samplers of all methods, by name. */
+    static Map<String, Factory> all() {
         Map<String, Factory> all = new LinkedHashMap<>();
         for (SamplingMethod method : values()) {
             all.put(method.title, method.factory);
         }
-        return new SamplingStudy.Comparison(seed, 4096, 5, all);
+        return all;
     }
 }

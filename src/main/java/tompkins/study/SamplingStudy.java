@@ -7,13 +7,29 @@ import java.util.Map;
 import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import tompkins.studio.Studio;
+import tompkins.io.BundledScenes;
 
 /**
  * How best to spread the samples of a pixel: all methods at work on problems with an exact answer, where the number of
  * samples counts, and in photographs, where the time counts that they take on the way of the renderer.
+ *
+ * @param question the name of its texts
+ * @param seed of everything that is random
+ * @param mostSamples the largest number of samples per pixel; a power of 4
+ * @param repeats runs of each trial with an exact answer
+ * @param methods the methods, by name
+ * @param problems those with an exact answer
+ * @param scenes the photographs, by name
  */
-final class SamplingStudy implements Study {
+record SamplingStudy(
+        String question,
+        long seed,
+        int mostSamples,
+        int repeats,
+        Map<String, SamplingMethod.Factory> methods,
+        List<ExactProblem> problems,
+        Map<String, ScenePixels> scenes)
+        implements Study {
 
     /** The method of Dr TIM. */
     static final String RANDOM = SamplingMethod.RANDOM.title();
@@ -21,6 +37,8 @@ final class SamplingStudy implements Study {
     /** The program's own method. */
     static final String PROGRAM = SamplingMethod.SOBOL.title();
 
+    private static final int MOST_SAMPLES = 4096;
+    private static final int REPEATS = 5;
     private static final int SCENE_BLOCKS = 8;
     private static final int SCENE_REPEATS = 3;
     private static final double STRAIGHT = 0.98;
@@ -29,46 +47,20 @@ final class SamplingStudy implements Study {
     /** How many times as long random places may at least take in a photograph as the program's. */
     private static final double FASTER = 4;
 
-    /**
-     * What is compared, and how thoroughly.
-     *
-     * @param seed of everything that is random
-     * @param mostSamples the largest number of samples per pixel; a power of 4
-     * @param repeats runs of each trial with an exact answer
-     * @param methods the methods, by name
-     */
-    record Comparison(long seed, int mostSamples, int repeats, Map<String, SamplingMethod.Factory> methods) {}
-
-    private final String question;
-    private final Comparison comparison;
-    private final List<ExactProblem> problems;
-    private final Map<String, ScenePixels> scenes = new LinkedHashMap<>();
-
-    /**
-     * The study.
-     *
-     * @param question the name of its texts
-     * @param studios the photographs, by name
-     * @param problems those with an exact answer
-     */
-    SamplingStudy(String question, Map<String, Studio> studios, Comparison comparison, List<ExactProblem> problems) {
-        this.question = question;
-        this.comparison = comparison;
-        this.problems = problems;
-        int referenceSamples = 16 * comparison.mostSamples;
-        studios.forEach((name, studio) -> scenes.put(
-                name, new ScenePixels(studio, SCENE_BLOCKS, referenceSamples, Double.POSITIVE_INFINITY, () -> false)));
+    /** The study of some bundled scenes and problems, as thorough as for the documents. */
+    static SamplingStudy of(String question, long seed, List<ExactProblem> problems, String... scenes) {
+        Map<String, ScenePixels> photographs = new LinkedHashMap<>();
+        BundledScenes.named(scenes)
+                .forEach((name, studio) -> photographs.put(
+                        name,
+                        new ScenePixels(
+                                studio, SCENE_BLOCKS, 16 * MOST_SAMPLES, Double.POSITIVE_INFINITY, () -> false)));
+        return new SamplingStudy(question, seed, MOST_SAMPLES, REPEATS, SamplingMethod.all(), problems, photographs);
     }
 
     @Override
     public String settings() {
-        return StudyText.of(
-                "sampling.settings",
-                comparison.seed,
-                comparison.mostSamples,
-                comparison.repeats,
-                SCENE_BLOCKS,
-                scenes.keySet());
+        return StudyText.of("sampling.settings", seed, mostSamples, repeats, SCENE_BLOCKS, scenes.keySet());
     }
 
     @Override
@@ -76,13 +68,13 @@ final class SamplingStudy implements Study {
         List<Trial> trials = new ArrayList<>();
         for (ExactProblem problem : problems) {
             for (int samples : counts()) {
-                comparison.methods.forEach((title, factory) ->
+                methods.forEach((title, factory) ->
                         trials.add(new Trial(problem.key(), title, samples, () -> exact(problem, factory, samples))));
             }
         }
         scenes.forEach((name, pixels) -> {
             for (int samples : counts()) {
-                trials.addAll(race(pixels, samples).trials(name, samples));
+                trials.addAll(race(name, pixels, samples));
             }
         });
         return trials;
@@ -91,27 +83,25 @@ final class SamplingStudy implements Study {
     /** Numbers of samples that are measured. */
     private List<Integer> counts() {
         List<Integer> counts = new ArrayList<>();
-        for (int samples = 4; samples <= comparison.mostSamples; samples *= 4) {
+        for (int samples = 4; samples <= mostSamples; samples *= 4) {
             counts.add(samples);
         }
         return counts;
     }
 
     /** All methods at work on a photograph, in turns. */
-    private Race race(ScenePixels pixels, int samples) {
+    private List<Trial> race(String name, ScenePixels pixels, int samples) {
         Map<String, IntFunction<Figures>> racers = new LinkedHashMap<>();
-        comparison.methods.forEach((title, factory) -> racers.put(
-                title,
-                run -> pixels.sampled(factory.sampler(comparison.seed + run, samples, pixels.space()), samples)));
-        return new Race(racers, SCENE_REPEATS);
+        methods.forEach((title, factory) -> racers.put(
+                title, run -> pixels.sampled(factory.sampler(seed + run, samples, pixels.space()), samples)));
+        return Race.trials(name, samples, racers, SCENE_REPEATS);
     }
 
     /** The errors of a method; its time is not asked, since a formula takes less than choosing the positions. */
     private Figures exact(ExactProblem problem, SamplingMethod.Factory factory, int samples) {
-        return Figures.of(IntStream.rangeClosed(1, comparison.repeats)
-                .mapToObj(run -> problem.errors(
-                        comparison.seed, factory.sampler(comparison.seed + run, samples, problem.space()), samples))
-                .map(errors -> Figures.of((double) samples * errors.length, 0, ErrorNorm.of(errors), 0))
+        return Figures.of(IntStream.rangeClosed(1, repeats)
+                .mapToObj(run -> problem.errors(seed, factory.sampler(seed + run, samples, problem.space()), samples))
+                .map(errors -> Figures.of((double) samples * errors.length, 0, errors, 0))
                 .toList());
     }
 
@@ -132,7 +122,7 @@ final class SamplingStudy implements Study {
     public void conclude(List<StudyPoint> all, Conclusion conclusion) {
         conclusion.say(question + ".answer");
         for (ExactProblem problem : problems) {
-            String slopes = comparison.methods.keySet().stream()
+            String slopes = methods.keySet().stream()
                     .map(method -> StudyText.format(
                             "%s %.2f", method, law(problem, method, all).slope()))
                     .collect(Collectors.joining(", "));
@@ -161,7 +151,7 @@ final class SamplingStudy implements Study {
         List<StudyPoint> randoms = StudyPoint.of(scene, RANDOM, all);
         StudyPoint random = randoms.get(randoms.size() - 1);
         double error = random.medianError();
-        String times = comparison.methods.keySet().stream()
+        String times = methods.keySet().stream()
                 .filter(method -> Double.isFinite(secondsTo(error, scene, method, all)))
                 .map(method -> StudyText.format("%s %.0f ms", method, 1e3 * secondsTo(error, scene, method, all)))
                 .collect(Collectors.joining(", "));
@@ -189,11 +179,7 @@ final class SamplingStudy implements Study {
     }
 
     private static double error(ExactProblem problem, String method, List<StudyPoint> all) {
-        return StudyPoint.of(problem.key(), method, all).stream()
-                .filter(point -> point.setting() <= COMPARED_AT)
-                .reduce((first, second) -> second)
-                .map(StudyPoint::medianError)
-                .orElse(Double.NaN);
+        return StudyPoint.of(problem.key(), method, COMPARED_AT, all).medianError();
     }
 
     /** How the error of a method falls with the number of samples. */

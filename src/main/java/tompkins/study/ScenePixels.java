@@ -1,5 +1,6 @@
 package tompkins.study;
 
+import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -34,20 +35,11 @@ final class ScenePixels {
     private final double wantedError;
     private final BooleanSupplier cancelled;
     private final RenderPlan plan;
-    private final List<Block> blocks = new ArrayList<>();
+    private final List<Rectangle> blocks = new ArrayList<>();
     private double[] reference;
 
     /** The root mean square error of the reference, from the difference of its halves. */
     private double floor;
-
-    /** A block of pixels, from its first column and row. */
-    private record Block(int left, int top, int width, int height) {
-
-        /** Channels of all pixels. */
-        int values() {
-            return 3 * width * height;
-        }
-    }
 
     /**
      * Some blocks of a picture.
@@ -65,32 +57,28 @@ final class ScenePixels {
         int side = RayPacket.SIDE;
         int columns = (plan.width() + side - 1) / side;
         int all = columns * ((plan.height() + side - 1) / side);
+        Rectangle picture = new Rectangle(plan.width(), plan.height());
         int step = Math.max(1, all / most);
         for (int number = step / 2; number < all; number += step) {
             int left = number % columns * side;
             int top = number / columns * side;
-            int width = Math.min(side, plan.width() - left);
-            int height = Math.min(side, plan.height() - top);
-            blocks.add(new Block(left, top, width, height));
+            blocks.add(new Rectangle(left, top, side, side).intersection(picture));
         }
     }
 
     /** The space over which the samples of the picture have to be spread. */
     SampledSpace space() {
-        if (!plan.blursInTime()) {
-            return SampledSpace.LENS_AND_PIXEL;
-        }
-        return plan.studio().camera().hasWideAperture() ? SampledSpace.ALL : SampledSpace.TIME_AND_PIXEL;
+        boolean time = plan.blursInTime();
+        return new SampledSpace(!time || plan.studio().camera().hasWideAperture(), time, true);
     }
 
     /** How far the light of a sampler is from what it should be, and how long it takes. */
     Figures sampled(Sampler sampler, int samples) {
         double[] right = reference();
         double[][] light = new double[1][];
-        double seconds =
-                Stopwatch.seconds(() -> light[0] = light(blocks.stream(), block -> light(block, sampler, samples)));
+        double seconds = Race.seconds(() -> light[0] = light(blocks.stream(), block -> light(block, sampler, samples)));
         double rays = (double) samples * right.length / 3;
-        return Figures.of(rays, seconds, ErrorNorm.of(light[0], right), floor);
+        return Figures.of(rays, seconds, difference(light[0], right), floor);
     }
 
     /**
@@ -106,39 +94,39 @@ final class ScenePixels {
             Cancellation.stopIf(cancelled);
             RenderJob job = Photographs.taken(RenderPlan.of(studio, null, cancelled), quality, cancelled);
             RenderReport report = job.report();
-            ErrorNorm norm = ErrorNorm.of(light(blocks.stream(), block -> light(block, job.image())), right);
-            runs.add(Figures.of(report.counts().samples, report.time().toNanos() / 1e9, norm, floor));
+            double[] errors = difference(light(blocks.stream(), block -> light(block, job.image())), right);
+            runs.add(Figures.of(report.counts().samples, report.time().toNanos() / 1e9, errors, floor));
         }
         return Figures.of(runs);
     }
 
     /** The light of some pixels, three channels each, from what each block shows. */
-    private static double[] light(Stream<Block> blocks, Function<Block, double[]> light) {
+    private static double[] light(Stream<Rectangle> blocks, Function<Rectangle, double[]> light) {
         return blocks.map(light).flatMapToDouble(Arrays::stream).toArray();
     }
 
-    private static double[] light(Block block, LinearImage image) {
-        double[] light = new double[block.values()];
+    private static double[] light(Rectangle block, LinearImage image) {
+        double[] light = new double[3 * block.width * block.height];
         for (int i = 0; i < light.length; i++) {
             int pixel = i / 3;
-            light[i] = image.value(block.left + pixel % block.width, block.top + pixel / block.width, i % 3);
+            light[i] = image.value(block.x + pixel % block.width, block.y + pixel / block.width, i % 3);
         }
         return light;
     }
 
-    private double[] light(Block block, Sampler sampler, int samples) {
+    private double[] light(Rectangle block, Sampler sampler, int samples) {
         SampleTracer tracer = plan.tracer(new RayCounts(), sampler);
         tracer.shareBetween(samples);
-        double[] light = new double[block.values()];
+        double[] light = new double[3 * block.width * block.height];
         SampleSink sink = taken -> {
             for (int i = 0; i < taken.count(); i++) {
-                int place = 3 * ((taken.row(i) - block.top) * block.width + taken.column(i) - block.left);
+                int place = 3 * ((taken.row(i) - block.y) * block.width + taken.column(i) - block.x);
                 light[place] += taken.red[i];
                 light[place + 1] += taken.green[i];
                 light[place + 2] += taken.blue[i];
             }
         };
-        tracer.beginBlock(block.left, block.top, block.width, block.height, 1, sink);
+        tracer.beginBlock(block.x, block.y, block.width, block.height, 1, sink);
         for (int sample = 0; sample < samples; sample++) {
             tracer.sampleBlock(sample, sink);
         }
@@ -153,7 +141,7 @@ final class ScenePixels {
         while (reference == null) {
             double[] one = half(11);
             double[] other = half(12);
-            double error = ErrorNorm.of(one, other).rootMeanSquare() / 2;
+            double error = Figures.rootMeanSquare(difference(one, other)) / 2;
             if (error <= wantedError || 2 * referenceSamples > MOST_REFERENCE_SAMPLES) {
                 reference = new double[one.length];
                 Arrays.setAll(reference, i -> (one[i] + other[i]) / 2);
@@ -165,11 +153,17 @@ final class ScenePixels {
         return reference;
     }
 
+    private static double[] difference(double[] one, double[] other) {
+        double[] difference = new double[one.length];
+        Arrays.setAll(difference, i -> one[i] - other[i]);
+        return difference;
+    }
+
     private double[] half(long seed) {
         int samples = Math.max(1, referenceSamples / 2);
         return light(blocks.parallelStream(), block -> {
             Cancellation.stopIf(cancelled);
-            return light(block, new SamplePattern(seed, SamplePatterns.lattice(samples)), samples);
+            return light(block, SamplePattern.lattice(seed, samples), samples);
         });
     }
 }

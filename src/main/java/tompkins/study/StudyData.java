@@ -30,13 +30,30 @@ public record StudyData(Origin origin, List<StudyPoint> measurements) {
      * @param study the name of the study
      * @param settings see {@link Study#settings()}
      * @param program name and version of the program
-     * @param machine see {@link Machine}
+     * @param machine processor, cores, system and Java
      */
     public record Origin(String study, String settings, String program, String machine) {
 
         /** What is measured here, by this program, now. */
         public static Origin here(StudyKind kind, Study study, String program) {
-            return new Origin(kind.toString(), study.settings(), program, Machine.text());
+            return new Origin(kind.toString(), study.settings(), program, machineHere());
+        }
+
+        private static String machineHere() {
+            return processor() + ", " + Runtime.getRuntime().availableProcessors() + " cores, "
+                    + System.getProperty("os.name") + " " + System.getProperty("os.arch") + ", Java "
+                    + System.getProperty("java.version");
+        }
+
+        private static String processor() {
+            try (Stream<String> lines = Files.lines(Path.of("/proc/cpuinfo"))) {
+                return lines.filter(line -> line.startsWith("model name"))
+                        .findFirst()
+                        .map(StudyData::value)
+                        .orElse("processor");
+            } catch (IOException unreadable) {
+                return "processor";
+            }
         }
 
         private List<String> head() {

@@ -3,20 +3,14 @@ package tompkins.study;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.LongFunction;
-import tompkins.io.BundledScenes;
 
 /** The studies that the program can make. Each has a chapter of one page. */
 public enum StudyKind {
 
     /** Where samples lie on the lens, in the pixel and in the exposure time; see {@link SamplingStudy}. */
     APERTURE(seed -> new JointStudy(List.of(
-            new SamplingStudy(
-                    "aperture", BundledScenes.named("fig3a", "fig3b"), SamplingMethod.all(seed), ExactProblems.OF_LENS),
-            new SamplingStudy(
-                    "exposure",
-                    BundledScenes.named("rolling-slit"),
-                    SamplingMethod.all(seed),
-                    ExactProblems.OF_EXPOSURE)))),
+            SamplingStudy.of("aperture", seed, ExactProblems.OF_LENS, "fig3a", "fig3b"),
+            SamplingStudy.of("exposure", seed, ExactProblems.OF_EXPOSURE, "rolling-slit")))),
 
     /** See {@link AntialiasingStudy}. */
     ANTIALIASING(AntialiasingStudy::of),

@@ -51,7 +51,7 @@ record TreeStudy(long seed, int mostObjects, int manyRepeats) implements Study {
             for (int step : 10 * decade < MANY ? STEPS : STEPS_OF_MANY) {
                 int objects = step * decade;
                 if (objects <= mostObjects) {
-                    trials.addAll(race(objects).trials(SPHERES, objects));
+                    trials.addAll(race(objects));
                 }
             }
         }
@@ -59,21 +59,20 @@ record TreeStudy(long seed, int mostObjects, int manyRepeats) implements Study {
     }
 
     /** All methods with the same objects and rays. */
-    private Race race(int objects) {
+    private List<Trial> race(int objects) {
         Map<String, IntFunction<Figures>> methods = new LinkedHashMap<>();
         if (objects <= LONGEST_LIST) {
             methods.put(LIST, run -> search(objects, Integer.MAX_VALUE));
         }
         methods.put(TREE, run -> search(objects, 1));
         methods.put(PROGRAM, run -> search(objects, ObjectTree.SMALLEST_TREE));
-        return new Race(methods, objects <= MANY ? manyRepeats : REPEATS);
+        return Race.trials(SPHERES, objects, methods, objects <= MANY ? manyRepeats : REPEATS);
     }
 
     private Figures search(int objects, int smallestTree) {
         List<Primitive> primitives = spheres(objects);
         Ray[] rays = rays();
-        double seconds = Stopwatch.seconds(() -> search(new ObjectTree(primitives, smallestTree), rays));
-        return Figures.of(RAYS, Spread.exact(seconds), 0);
+        return Figures.of(RAYS, Race.seconds(() -> search(new ObjectTree(primitives, smallestTree), rays)), 0);
     }
 
     private static double search(ObjectTree tree, Ray[] rays) {
@@ -111,7 +110,12 @@ record TreeStudy(long seed, int mostObjects, int manyRepeats) implements Study {
     @Override
     public List<Chart> charts() {
         return List.of(new Chart(
-                SPHERES, "List against tree, building included", Chart.setting("objects"), Chart.TIME, false, PROGRAM));
+                SPHERES,
+                "List against tree, building included",
+                Chart.setting("objects"),
+                Chart.SECONDS,
+                false,
+                PROGRAM));
     }
 
     @Override

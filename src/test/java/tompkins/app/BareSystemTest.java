@@ -26,7 +26,7 @@ class BareSystemTest extends ShellTest {
 
     /** As after the connection of an ssh with forwarding has ended. */
     @ParameterizedTest
-    @ValueSource(strings = {ANIMATE, "tompkins study precision", "tompkins small.json"})
+    @ValueSource(strings = {ANIMATE, "tompkins study depth", "tompkins small.json"})
     void aDisplayThatIsSetButDeadIsNotMissed(String line) throws IOException, InterruptedException {
         ProgramRun run = shell("export DISPLAY=:4242; " + line);
 

@@ -40,4 +40,23 @@ class TileTest {
     void tilesBeginAtMultiplesOfTheirSize() {
         assertThat(Tile.of(1000, 700)).allMatch(tile -> tile.column() % 32 == 0 && tile.row() % 32 == 0);
     }
+
+    /** Those of a forecast are half as wide, so that some do not begin where a tile of a picture does. */
+    @Test
+    void smallTilesGetEachSampleOnce() {
+        int side = 80;
+        int[] taken = new int[side * side];
+
+        for (Pass pass : Pass.of(20, 20, false)) {
+            for (Tile tile : Tile.of(side, side, 16)) {
+                for (int row = tile.row(); row < tile.row() + 16; row += pass.stride()) {
+                    for (int column = tile.column(); column < tile.column() + 16; column += pass.stride()) {
+                        taken[row * side + column] += pass.takes(column, row, 0) ? pass.samples() : 0;
+                    }
+                }
+            }
+        }
+
+        assertThat(taken).containsOnly(20);
+    }
 }

@@ -17,7 +17,7 @@ class ApertureStudyTest {
 
     @Test
     void methodsFallAsTheoryAndTableSay() {
-        SamplingStudy study = study(1024, SamplingMethod.all(7).methods());
+        SamplingStudy study = study(1024, SamplingMethod.all());
         List<StudyPoint> all = measure(study);
         assertThat(Conclusion.of(study, all).findings())
                 .allSatisfy(finding ->
@@ -115,8 +115,7 @@ class ApertureStudyTest {
     }
 
     private static SamplingStudy study(int mostSamples, Map<String, SamplingMethod.Factory> methods) {
-        return new SamplingStudy(
-                "aperture", Map.of(), new SamplingStudy.Comparison(7, mostSamples, 1, methods), ExactProblems.OF_LENS);
+        return new SamplingStudy("aperture", 7, mostSamples, 1, methods, ExactProblems.OF_LENS, Map.of());
     }
 
     private static List<StudyPoint> measure(Study study) {

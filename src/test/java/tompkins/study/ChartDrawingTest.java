@@ -30,8 +30,7 @@ class ChartDrawingTest {
                 .filter(point -> chart.up().value().apply(point).low() > 0)
                 .toList();
         XYPlot plot = ChartDrawing.drawing(chart, all, ChartStyle.PRINTED).getXYPlot();
-        assertSpans(
-                plot.getDomainAxis(), drawn.stream().mapToDouble(chart.across().value()::apply));
+        assertSpans(plot.getDomainAxis(), drawn.stream().mapToDouble(chart::x));
         assertSpans(
                 plot.getRangeAxis(),
                 drawn.stream()

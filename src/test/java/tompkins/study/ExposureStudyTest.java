@@ -45,7 +45,7 @@ class ExposureStudyTest {
             position.y = (i / side + 0.5) / side;
             for (int j = 0; j < times; j++) {
                 position.moment = (j + 0.5) / times;
-                sum += instance.integrand().value(position);
+                sum += instance.integrand().applyAsDouble(position);
             }
         }
         return sum / (side * side * times);
@@ -53,7 +53,7 @@ class ExposureStudyTest {
 
     @Test
     void methodsFallAsTheorySays() {
-        SamplingStudy study = study(1024, SamplingMethod.all(7).methods());
+        SamplingStudy study = study(1024, SamplingMethod.all());
         List<StudyPoint> all = measure(study);
         assertThat(Conclusion.of(study, all).findings())
                 .allSatisfy(finding ->
@@ -73,11 +73,7 @@ class ExposureStudyTest {
     }
 
     private static SamplingStudy study(int mostSamples, Map<String, SamplingMethod.Factory> methods) {
-        return new SamplingStudy(
-                "exposure",
-                Map.of(),
-                new SamplingStudy.Comparison(7, mostSamples, 1, methods),
-                ExactProblems.OF_EXPOSURE);
+        return new SamplingStudy("exposure", 7, mostSamples, 1, methods, ExactProblems.OF_EXPOSURE, Map.of());
     }
 
     /** What {@code --error} promises, of the scenes with an exposure time or a rolling shutter. */

@@ -1,6 +1,7 @@
 package tompkins.ui.editor;
 
 import java.lang.reflect.RecordComponent;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -28,6 +29,12 @@ final class FamilyEditor extends Part implements ValueEditor {
     private final Updating updating = new Updating();
     private Class<?> shownType;
     private Object shown;
+
+    /** The value that was last made by choosing a type. */
+    private Object made;
+
+    /** What the values from which it came had of their own, the latest first. */
+    private final List<KeptPart> kept = new ArrayList<>();
 
     private RecordForm form;
 
@@ -59,15 +66,19 @@ final class FamilyEditor extends Part implements ValueEditor {
         if (chosen == shownType) {
             return;
         }
-        if (!note.attempt(() -> commit.accept(alike(chosen)))) {
+        kept.addAll(0, ownParts());
+        made = alike(chosen);
+        if (!note.attempt(() -> commit.accept(made))) {
             updating.during(() -> types.setSelectedItem(shownType));
         }
     }
 
-    /** The default value of a type, with all parts that it has in common with the shown value, if they fit together. */
+    /**
+     * The default value of a type, with all parts that it has in common with the shown value, or with those from which
+     * that was made, if they fit together.
+     */
     private Object alike(Class<?> type) {
         Object standard = Descriptions.standard(type);
-        List<KeptPart> kept = ownParts();
         Object[] values = Descriptions.components(type).stream()
                 .map(component -> kept.stream()
                         .filter(part -> part.fits(component))
@@ -105,6 +116,9 @@ final class FamilyEditor extends Part implements ValueEditor {
 
     @Override
     public void show(Object value) {
+        if (!value.equals(made)) {
+            kept.clear();
+        }
         shown = value;
         if (value.getClass() != shownType) {
             shownType = value.getClass();

@@ -34,8 +34,8 @@ public final class FileDialogs implements FileContentEditor.Choosers {
     }
 
     /**
-     * A file chooser, behind which nothing moves. It starts where a file was last read or saved, else in
-     * the folder of the scene, else where any file was last opened or saved.
+     * A file chooser, behind which nothing moves. It starts where a file was last read or saved, else in the folder of
+     * the scene, else where any file was last opened or saved.
      */
     @Override
     public JFileChooser chooser() {

@@ -11,7 +11,10 @@ import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Wording;
 
-/** Asks how large a photograph should be, and how good: the samples of each pixel, or the error until which they are taken. */
+/**
+ * Asks how large a photograph should be, and how good: the samples of each pixel, or the error until which they are
+ * taken.
+ */
 final class PhotographOptions extends Part {
 
     private final Note refused = Note.ofLines(3);

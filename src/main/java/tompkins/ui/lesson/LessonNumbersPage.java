@@ -24,7 +24,7 @@ final class LessonNumbersPage extends Part {
         panel.add(Note.paragraph(FactText.readable(lesson.law())).component(), "wmin 0");
         panel.add(table, "wmin 0");
         letters.setText(FactText.readable(lesson.letters()));
-        panel.add(letters.component(), "wmin 0, gaptop 4");
+        panel.add(letters.component(), "wmin 0, gaptop 3");
         panel.add(note.component(), "wmin 0");
     }
 
@@ -34,7 +34,7 @@ final class LessonNumbersPage extends Part {
         for (LessonResult result : results) {
             LessonNumber number = result.number();
             String unit = FactText.SIGNS.unit(number.unit());
-            table.add(Note.paragraph(FactText.readable(number.name())).component(), "wmin 0, gaptop 4");
+            table.add(Note.paragraph(FactText.readable(number.name())).component(), "wmin 0, gaptop 3");
             String predicted = FactText.readable(result.predictedText()) + unit;
             add(new Note(Texts.get("lesson.predicted", predicted, FactText.readable(number.formula()))));
             String measured = FactText.readable(result.measuredText()) + unit;
