@@ -120,16 +120,17 @@ final class ScenePixels {
         SampleTracer tracer = plan.tracer(new RayCounts(), sampler);
         tracer.shareBetween(samples);
         double[] light = new double[3 * block.width * block.height];
+        SampleSink sink = taken -> {
+            for (int i = 0; i < taken.count(); i++) {
+                int place = 3 * ((taken.row(i) - block.y) * block.width + taken.column(i) - block.x);
+                light[place] += taken.red[i];
+                light[place + 1] += taken.green[i];
+                light[place + 2] += taken.blue[i];
+            }
+        };
+        tracer.beginBlock(block.x, block.y, block.width, block.height, 1, sink);
         for (int sample = 0; sample < samples; sample++) {
-            SampleSink sink = taken -> {
-                for (int i = 0; i < taken.count(); i++) {
-                    int place = 3 * ((taken.row(i) - block.y) * block.width + taken.column(i) - block.x);
-                    light[place] += taken.red[i];
-                    light[place + 1] += taken.green[i];
-                    light[place + 2] += taken.blue[i];
-                }
-            };
-            tracer.sampleBlock(block.x, block.y, block.width, block.height, 1, sample, sink);
+            tracer.sampleBlock(sample, sink);
         }
         for (int i = 0; i < light.length; i++) {
             light[i] *= plan.exposure() / samples;

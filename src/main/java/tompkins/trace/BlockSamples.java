@@ -1,6 +1,8 @@
 package tompkins.trace;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
+import tompkins.camera.StereoLayout;
 import tompkins.ray.Colour;
 import tompkins.ray.Padded;
 import tompkins.ray.RayPacket;
@@ -10,6 +12,11 @@ import tompkins.ray.RayPacket;
  * filled again and again.
  */
 public final class BlockSamples extends Padded {
+
+    /** Columns of the places on Morton's way through a block, on which those that follow each other are neighbours. */
+    private static final int[] MORTON_COLUMNS = IntStream.range(0, RayPacket.MOST)
+            .map(place -> place & 1 | place >> 1 & 2 | place >> 2 & 4 | place >> 3 & 8)
+            .toArray();
 
     /** The light of each sample, before exposure. */
     public final double[] red = new double[RayPacket.MOST];
@@ -52,6 +59,16 @@ public final class BlockSamples extends Padded {
         return new Colour(red[sample], green[sample], blue[sample]);
     }
 
+    /** How many pixels a place on the way through a block is to the right of its first one. */
+    static int across(int place) {
+        return MORTON_COLUMNS[place];
+    }
+
+    /** How many pixels it is below. */
+    static int down(int place) {
+        return MORTON_COLUMNS[place >> 1];
+    }
+
     void clear() {
         pixels = 0;
     }
@@ -71,6 +88,13 @@ public final class BlockSamples extends Padded {
         red[sample] = colour.red();
         green[sample] = colour.green();
         blue[sample] = colour.blue();
+    }
+
+    /** Lets the first samples show what both eyes see: this has that of the left one. */
+    void combine(StereoLayout layout, BlockSamples right, int known) {
+        for (int i = 0; i < known; i++) {
+            set(i, layout.combined(colour(i), right.colour(i)));
+        }
     }
 
     /** Gives the samples from one (included) to another (excluded) the same light. */

@@ -15,9 +15,4 @@ interface EscapedLight {
     default Colour colour(RayPacket rays, int index) {
         return colour(rays.ray(index));
     }
-
-    /** The light that comes back, if it is the same for all rays; otherwise null. */
-    default Colour evenLight() {
-        return null;
-    }
 }

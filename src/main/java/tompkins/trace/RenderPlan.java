@@ -323,23 +323,13 @@ public final class RenderPlan {
                 depth,
                 counts,
                 observer);
-        SceneBehindCamera entry =
-                new SceneBehindCamera(routes, sceneMedium, sceneTracer, needsFrames() ? null : shift, observer);
+        SceneBehindCamera entry = new SceneBehindCamera(
+                routes, lensMedium, sceneMedium, sceneTracer, needsFrames() ? null : shift, observer);
         RayTracer cameraTracer = cameraFrame.size() == 0
                 ? null
                 : new RayTracer(beforeLens(counts), null, entry, depth, counts, observer);
-        return new SampleTracer(
-                sampler,
-                pictureRays,
-                routes.camera(),
-                lensMedium,
-                sceneMedium,
-                studio.view() == View.MEASURED,
-                cameraTracer,
-                entry,
-                starTracer,
-                counts,
-                observer);
+        EyeTracer eyeTracer = new EyeTracer(this, cameraTracer, entry, starTracer, counts);
+        return new SampleTracer(pictureRays, sampler, eyeTracer, counts, observer != null);
     }
 
     /**

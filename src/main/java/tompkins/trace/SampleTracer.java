@@ -1,102 +1,58 @@
 package tompkins.trace;
 
 import java.util.List;
-import java.util.stream.IntStream;
 import tompkins.camera.EyeView;
 import tompkins.camera.PictureRays;
 import tompkins.camera.SamplePositions;
 import tompkins.camera.Sampler;
 import tompkins.ray.Colour;
-import tompkins.ray.Medium;
 import tompkins.ray.Padded;
-import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
 
 /** Takes samples of a picture. One for each thread. */
 public final class SampleTracer extends Padded {
 
-    /**
-     * Columns of the places on Morton's way through the block, on which those that follow each other are neighbours;
-     * the row of a place is the column of half its number.
-     */
-    private static final int[] MORTON_COLUMNS =
-            IntStream.range(0, RayPacket.MOST).map(SampleTracer::mortonColumn).toArray();
+    /** Gets single samples. */
+    private static final SampleSink NOBODY = samples -> {};
 
-    private final Sampler sampler;
     private final PictureRays pictureRays;
-    private final int cameraFrame;
-    private final Medium lensMedium;
-    private final MovingMedium sceneMedium;
-    private final boolean measures;
-    private final RayTracer cameraTracer;
-    private final SceneBehindCamera sceneBehindCamera;
-    private final StarTracer stars;
+    private final Sampler sampler;
+    private final EyeTracer tracer;
     private final RayCounts counts;
-    private final PathObserver observer;
 
-    /** The samples that each eye takes. */
+    /** The samples that each eye takes; those of both eyes of an anaglyph lie at the same places. */
     private final List<SamplePositions> placesOfEyes;
 
-    private final RayPacket rays = new RayPacket(RayPacket.MOST);
+    /** The eyes that have places of their own. */
+    private final List<EyeView> eyes;
+
+    /** The eye that sees the same places; null if there is none. */
+    private final EyeView other;
+
+    /** The samples of the block; those of the second eye follow those of the first. */
+    private final BlockSamples samples = new BlockSamples();
+
+    /** What the other eye sees at the places of these. */
+    private final BlockSamples samplesOfOther = new BlockSamples();
 
     /** The eye whose picture the places are in. */
     private EyeView eye;
 
     private SamplePositions places;
 
-    /** The samples of the block; those of the second eye follow those of the first. */
-    private final BlockSamples samples = new BlockSamples();
-
-    /** The number of the first one of the eye. */
-    private int first;
-
-    /** Of an anaglyph the light of the left eye, while the right one is traced for the same pixels. */
-    private final Colour[] leftLight = new Colour[RayPacket.MOST];
-
-    private final Colour[] sums = new Colour[RayPacket.MOST];
-    private final Colour[] factors = new Colour[RayPacket.MOST];
-    private double narrowing = 1;
-    private int column;
-    private int row;
-
-    /**
-     * A tracer.
-     *
-     * @param cameraFrame the number of the camera frame
-     * @param lensMedium a medium in which the lens rests; may be null
-     * @param sceneMedium a medium of the scene through which the lens moves; may be null
-     * @param measures whether to measure where things are, instead of following light
-     * @param cameraTracer the tracer of the camera frame, or null if no objects move with the camera
-     * @param stars the stars behind the scene, or null if there are none
-     * @param observer watches the rays; may be null
-     */
-    SampleTracer(
-            Sampler sampler,
-            PictureRays pictureRays,
-            int cameraFrame,
-            Medium lensMedium,
-            MovingMedium sceneMedium,
-            boolean measures,
-            RayTracer cameraTracer,
-            SceneBehindCamera sceneBehindCamera,
-            StarTracer stars,
-            RayCounts counts,
-            PathObserver observer) {
-        this.sampler = sampler;
+    /** A tracer; who watches an anaglyph sees the rays of the left eye alone. */
+    SampleTracer(PictureRays pictureRays, Sampler sampler, EyeTracer tracer, RayCounts counts, boolean isWatched) {
         this.pictureRays = pictureRays;
-        placesOfEyes = pictureRays.views().stream()
-                .map(view -> new SamplePositions(RayPacket.MOST))
-                .toList();
-        this.cameraFrame = cameraFrame;
-        this.lensMedium = lensMedium;
-        this.sceneMedium = sceneMedium;
-        this.measures = measures;
-        this.cameraTracer = cameraTracer;
-        this.sceneBehindCamera = sceneBehindCamera;
-        this.stars = stars;
+        this.sampler = sampler;
+        this.tracer = tracer;
         this.counts = counts;
-        this.observer = observer;
+        List<EyeView> views = pictureRays.views();
+        boolean sharePlaces = pictureRays.layout().isAnaglyph();
+        eyes = sharePlaces ? views.subList(0, 1) : views;
+        other = sharePlaces && !isWatched ? views.get(1) : null;
+        placesOfEyes =
+                eyes.stream().map(view -> new SamplePositions(RayPacket.MOST)).toList();
     }
 
     /**
@@ -109,7 +65,7 @@ public final class SampleTracer extends Padded {
      * @param samples 1 or more
      */
     public void shareBetween(int samples) {
-        narrowing = Math.pow(samples, -0.75);
+        tracer.narrow(Math.pow(samples, -0.75));
     }
 
     /** The colour of one sample of a pixel, before exposure. Black where something went wrong, which is counted. */
@@ -149,51 +105,12 @@ public final class SampleTracer extends Padded {
 
     private void turnTo(EyeView next) {
         eye = next;
-        places = placesOfEyes.get(pictureRays.views().indexOf(next));
+        places = placesOfEyes.get(Math.min(pictureRays.number(next), eyes.size() - 1));
     }
 
-    private void start() {
-        pictureRays.of(eye).make(places, rays, counts);
-        rays.inFrame(cameraFrame);
-        if (observer != null && rays.count() > 0) {
-            observer.starts(rays.ray(0));
-        }
-        if (measures) {
-            rays.measure();
-        } else if (lensMedium != null) {
-            rays.startIn(lensMedium.index());
-            rays.in(sceneBehindCamera.sceneTracer().keepsMedia() ? lensMedium : null);
-        } else if (sceneMedium != null) {
-            sceneMedium.begin(rays);
-        }
-        if (narrowing != 1) {
-            rays.narrow(narrowing);
-        }
-    }
-
-    /**
-     * The colour at the only place. An observer of an anaglyph watches the ray of the left eye, and gets its colour.
-     */
     private Colour single() {
-        counts.samples++;
-        Colour colour = ofEye();
-        if (observer != null || !pictureRays.layout().isAnaglyph()) {
-            return colour;
-        }
-        eye = pictureRays.views().get(1);
-        return pictureRays.layout().combined(colour, ofEye());
-    }
-
-    private Colour ofEye() {
-        start();
-        if (rays.count() == 0) {
-            return Colour.BLACK;
-        }
-        Ray ray = rays.ray(0);
-        if (stars != null) {
-            stars.begin(eye, places, 0);
-        }
-        return finite(cameraTracer == null ? sceneBehindCamera.colour(ray) : cameraTracer.colourOf(ray));
+        counts.samples += follow(0, NOBODY);
+        return samples.colour(0);
     }
 
     /**
@@ -207,19 +124,26 @@ public final class SampleTracer extends Padded {
      * @param taker says which pixels are wanted
      */
     public void beginBlock(int left, int top, int width, int height, int stride, SampleSink taker) {
-        column = left;
-        row = top;
         samples.clear();
-        for (EyeView next : eyes()) {
+        for (EyeView next : eyes) {
             begin(next);
-            addPixels(left, top, width, height, stride, taker);
+            // the way goes through a square of twice the side only after the smaller one
+            int side = Integer.highestOneBit(2 * ((Math.max(width, height) - 1) / stride) + 1);
+            for (int place = 0; place < side * side; place++) {
+                int across = stride * BlockSamples.across(place);
+                int down = stride * BlockSamples.down(place);
+                if (across < width && down < height) {
+                    addPixel(left + across, top + down, taker);
+                }
+            }
         }
     }
 
-    /** The eyes that have places of their own. */
-    private List<EyeView> eyes() {
-        List<EyeView> all = pictureRays.views();
-        return pictureRays.layout().isAnaglyph() ? all.subList(0, 1) : all;
+    private void addPixel(int x, int y, SampleSink taker) {
+        if (pictureRays.view(x, y) == eye && taker.wants(x, y)) {
+            places.addPixel(x - eye.column(), y - eye.row());
+            samples.add(x, y);
+        }
     }
 
     /**
@@ -231,168 +155,38 @@ public final class SampleTracer extends Padded {
      * @param taker gets the colours: of the first pixels alone if it stops before all are known
      */
     public void sampleBlock(int sample, SampleSink taker) {
-        first = 0;
-        for (EyeView next : eyes()) {
+        int known = 0;
+        for (EyeView next : eyes) {
             turnTo(next);
             sampler.choose(places, sample);
-            int known = trace(taker);
-            if (pictureRays.layout().isAnaglyph()) {
-                known = known < places.count()
-                        ? 0
-                        : combineWith(pictureRays.views().get(1), taker);
-            }
-            first += known;
-            if (known < places.count()) {
+            int ofEye = follow(known, taker);
+            known += ofEye;
+            if (ofEye < places.count()) {
                 break;
             }
         }
-        counts.samples += first;
-        samples.setCount(first);
+        counts.samples += known;
+        samples.setCount(known);
         taker.take(samples);
     }
 
-    /** Begins a block, as above, and takes one sample of each of its pixels. */
-    public void sampleBlock(int left, int top, int width, int height, int stride, int sample, SampleSink taker) {
-        beginBlock(left, top, width, height, stride, taker);
-        sampleBlock(sample, taker);
-    }
-
-    /** Follows the rays of another eye for the same places, and combines the colours of both. */
-    private int combineWith(EyeView right, SampleSink taker) {
-        for (int i = 0; i < places.count(); i++) {
-            leftLight[i] = samples.colour(i);
-        }
-        eye = right;
-        int known = trace(taker);
-        for (int i = 0; i < known; i++) {
-            samples.set(i, pictureRays.layout().combined(leftLight[i], samples.colour(i)));
+    /** Follows the rays of all places, as far as the taker lets it; returns how many of the first samples are known. */
+    private int follow(int first, SampleSink taker) {
+        int known = tracer.follow(eye, places, samples, first, taker);
+        if (other != null) {
+            known = Math.min(known, tracer.follow(other, places, samplesOfOther, 0, taker));
+            samples.combine(pictureRays.layout(), samplesOfOther, known);
         }
         return known;
     }
 
-    /** Follows the rays of all places, as far as the taker lets it; returns how many of the first samples are known. */
-    private int trace(SampleSink taker) {
-        start();
-        boolean allGoOn = rays.count() == places.count() && cameraTracer == null;
-        Colour behind = allGoOn ? sceneBehindCamera.evenBackground() : null;
-        // a sample without a ray is black
-        samples.fill(first, first + places.count(), behind == null ? Colour.BLACK : behind);
-        if (cameraTracer != null && !followInCameraFrame(taker)) {
-            return 0;
-        }
-        int followed = 0;
-        if (rays.isInOneMedium()) {
-            followed = followInScene(behind != null, taker);
-        } else {
-            for (; followed < rays.count() && goesTo(followed, taker); followed++) {
-                takeFromScene(followed, sceneBehindCamera.colour(rays.ray(followed)));
-            }
-        }
-        return followed < rays.count() ? rays.sample(followed) : places.count();
-    }
-
-    /** Keeps the rays that leave what moves with the camera; false if the taker stops before all are followed. */
-    private boolean followInCameraFrame(SampleSink taker) {
-        int leaving = 0;
-        cameraTracer.begin(rays);
-        for (int i = 0; i < rays.count(); i++) {
-            if (!goesTo(i, taker)) {
-                return false;
-            }
-            TracedPath path = cameraTracer.follow(rays, i);
-            if (path.escaped() == null) {
-                take(i, path.light());
-            } else {
-                sums[leaving] = path.light();
-                factors[leaving] = path.throughput();
-                rays.move(i, leaving, path.escaped());
-                leaving++;
-            }
-        }
-        rays.keep(leaving);
-        return true;
-    }
-
-    /**
-     * Follows the rays through the scene.
-     *
-     * @param known whether the samples have the light of rays that meet nothing
-     * @return how many were followed before the taker stopped
-     */
-    private int followInScene(boolean known, SampleSink taker) {
-        RayTracer tracer = sceneBehindCamera.sceneTracer();
-        sceneBehindCamera.enter(rays);
-        tracer.begin(rays);
-        for (int i = 0; i < rays.count(); i++) {
-            if (known && !tracer.mayMeet(i)) {
-                counts.rays++;
-                continue;
-            }
-            if (!goesTo(i, taker)) {
-                return i;
-            }
-            // light without a direction is at rest in the scene, and has come from nowhere
-            Colour light = Double.isNaN(rays.dx[i]) ? Colour.BLACK : tracer.packetColour(rays, i);
-            takeFromScene(i, sceneBehindCamera.inCameraFrame(light, rays.frequency[i], rays.directionLength[i]));
-        }
-        return rays.count();
-    }
-
-    private void addPixels(int left, int top, int width, int height, int stride, SampleSink taker) {
-        // the way goes through a square of twice the side only after the smaller one
-        int side = Integer.highestOneBit(2 * ((Math.max(width, height) - 1) / stride) + 1);
-        for (int place = 0; place < side * side; place++) {
-            int across = stride * MORTON_COLUMNS[place];
-            int down = stride * MORTON_COLUMNS[place >> 1];
-            int nextColumn = left + across;
-            int nextRow = top + down;
-            if (across < width
-                    && down < height
-                    && taker.wants(nextColumn, nextRow)
-                    && pictureRays.view(nextColumn, nextRow) == eye) {
-                places.addPixel(nextColumn - eye.column(), nextRow - eye.row());
-                samples.add(nextColumn, nextRow);
-            }
-        }
-    }
-
-    private static int mortonColumn(int place) {
-        return place & 1 | place >> 1 & 2 | place >> 2 & 4 | place >> 3 & 8;
-    }
-
-    private boolean goesTo(int index, SampleSink taker) {
-        int sample = rays.sample(index);
-        column = eye.column() + places.column(sample);
-        row = eye.row() + places.row(sample);
-        if (stars != null) {
-            stars.begin(eye, places, sample);
-        }
-        return !taker.isStopped();
-    }
-
-    private void takeFromScene(int index, Colour colour) {
-        take(index, cameraTracer == null ? colour : sums[index].plus(factors[index].times(colour)));
-    }
-
-    private void take(int index, Colour colour) {
-        samples.set(first + rays.sample(index), finite(colour));
-    }
-
-    private Colour finite(Colour colour) {
-        if (!colour.isFinite()) {
-            counts.notFinite++;
-            return Colour.BLACK;
-        }
-        return colour;
-    }
-
     /** The column of the pixel at which this tracer is at work, for reports of failures. */
     public int column() {
-        return column;
+        return tracer.column();
     }
 
     /** The row of the pixel at which this tracer is at work. */
     public int row() {
-        return row;
+        return tracer.row();
     }
 }

@@ -2,6 +2,7 @@ package tompkins.trace;
 
 import tompkins.light.LightShift;
 import tompkins.ray.Colour;
+import tompkins.ray.Medium;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 import tompkins.world.FrameRoutes;
@@ -10,26 +11,69 @@ import tompkins.world.FrameRoutes;
 final class SceneBehindCamera implements EscapedLight {
 
     private final FrameRoutes routes;
+    private final Medium lensMedium;
     private final MovingMedium medium;
     private final RayTracer sceneTracer;
     private final LightShift shift;
     private final PathObserver observer;
+    private boolean together;
 
     /**
      * The way into the scene.
      *
      * @param routes the ways between the frames
-     * @param medium a medium of the scene in which the lens is; may be null
+     * @param lensMedium a medium in which the lens rests; may be null
+     * @param medium a medium of the scene through which the lens moves; may be null
      * @param shift what becomes of the light at the end, or null if it stays as it is
      * @param observer watches the rays; may be null
      */
     SceneBehindCamera(
-            FrameRoutes routes, MovingMedium medium, RayTracer sceneTracer, LightShift shift, PathObserver observer) {
+            FrameRoutes routes,
+            Medium lensMedium,
+            MovingMedium medium,
+            RayTracer sceneTracer,
+            LightShift shift,
+            PathObserver observer) {
         this.routes = routes;
+        this.lensMedium = lensMedium;
         this.medium = medium;
         this.sceneTracer = sceneTracer;
         this.shift = shift;
         this.observer = observer;
+    }
+
+    /** Lets rays start that have just left the camera: in its frame, and light in the medium around the lens. */
+    void start(RayPacket rays, boolean measures) {
+        rays.inFrame(routes.camera());
+        if (observer != null && rays.count() > 0) {
+            observer.starts(rays.ray(0));
+        }
+        if (measures) {
+            rays.measure();
+        } else if (lensMedium != null) {
+            rays.startIn(lensMedium.index());
+            rays.in(sceneTracer.keepsMedia() ? lensMedium : null);
+        } else if (medium != null) {
+            medium.begin(rays);
+        }
+    }
+
+    /** Begins a packet of rays, which enter the scene together if all are in one medium or none, and nobody watches. */
+    void begin(RayPacket rays) {
+        together = observer == null && rays.isInOneMedium();
+        if (together) {
+            enter(rays);
+            sceneTracer.begin(rays);
+        }
+    }
+
+    @Override
+    public Colour colour(RayPacket rays, int index) {
+        if (!together) {
+            return colour(rays.ray(index));
+        }
+        Colour light = Double.isNaN(rays.dx[index]) ? Colour.BLACK : sceneTracer.packetColour(rays, index);
+        return inCameraFrame(light, rays.frequency[index], rays.directionLength[index]);
     }
 
     @Override
@@ -63,19 +107,12 @@ final class SceneBehindCamera implements EscapedLight {
      * @param frequency that of its ray: in the scene frame divided by that in the camera frame
      * @param directionLength that of its ray
      */
-    Colour inCameraFrame(Colour light, double frequency, double directionLength) {
+    private Colour inCameraFrame(Colour light, double frequency, double directionLength) {
         return shift == null ? light : shift.seen(light, 1 / frequency, directionLength);
     }
 
-    /**
-     * What the camera sees along each ray that meets nothing in the scene, if it is the same for all; otherwise null.
-     */
-    Colour evenBackground() {
-        return shift == null ? sceneTracer.evenLight() : null;
-    }
-
-    /** Lets each ray of a packet enter the scene, all in one medium or in none; the observer is not told. */
-    void enter(RayPacket rays) {
+    /** Lets each ray of a packet enter the scene, all in one medium or in none. */
+    private void enter(RayPacket rays) {
         if (rays.medium(0) == null) {
             routes.transform(rays, 0);
             return;
@@ -86,10 +123,5 @@ final class SceneBehindCamera implements EscapedLight {
             rays.set(i, enter(rays.copy(i, start), memory));
         }
         rays.inFrame(memory.frame);
-    }
-
-    /** The tracer of the scene frame. */
-    RayTracer sceneTracer() {
-        return sceneTracer;
     }
 }

@@ -249,7 +249,8 @@ class RenderWorkTest {
         int side = RayPacket.SIDE;
         for (int row = 0; row < studio.settings().height(); row += side) {
             for (int column = 0; column < studio.settings().width(); column += side) {
-                tracer.sampleBlock(column, row, side, side, 1, 0, taker);
+                tracer.beginBlock(column, row, side, side, 1, taker);
+                tracer.sampleBlock(0, taker);
             }
         }
     }

@@ -107,14 +107,10 @@ class FastSearchTest {
             for (int top = 0; top < height; top += side) {
                 for (int left = 0; left < width; left += side) {
                     for (int sample = 0; sample < samples; sample++) {
-                        tracer.sampleBlock(
-                                left,
-                                top,
-                                Math.min(side, width - left),
-                                Math.min(side, height - top),
-                                stride,
-                                sample,
-                                taker(sample));
+                        SampleSink taker = taker(sample);
+                        tracer.beginBlock(
+                                left, top, Math.min(side, width - left), Math.min(side, height - top), stride, taker);
+                        tracer.sampleBlock(sample, taker);
                     }
                 }
             }

@@ -86,12 +86,15 @@ class MovingMediumTest {
                 studio.withScene(scene).withSettings(studio.settings().withSize(RayPacket.SIDE, RayPacket.SIDE)));
         SampleTracer single = plan.tracer(new RayCounts());
         List<Colour> colours = new ArrayList<>();
-        plan.tracer(new RayCounts()).sampleBlock(0, 0, RayPacket.SIDE, RayPacket.SIDE, 1, 0, samples -> {
+        SampleTracer block = plan.tracer(new RayCounts());
+        SampleSink taker = samples -> {
             for (int i = 0; i < samples.count(); i++) {
                 assertThat(samples.colour(i)).isEqualTo(single.sample(samples.column(i), samples.row(i), 0));
                 colours.add(samples.colour(i));
             }
-        });
+        };
+        block.beginBlock(0, 0, RayPacket.SIDE, RayPacket.SIDE, 1, taker);
+        block.sampleBlock(0, taker);
 
         assertThat(colours).hasSize(RayPacket.MOST).contains(Colour.BLACK).endsWith(Colour.BLACK);
         assertThat(Set.copyOf(colours)).hasSizeGreaterThan(10);

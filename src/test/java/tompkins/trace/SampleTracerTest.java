@@ -60,7 +60,7 @@ class SampleTracerTest {
         RayCounts counts = new RayCounts();
         List<String> dark = new ArrayList<>();
         SampleTracer tracer = RenderPlan.of(studio).tracer(counts);
-        tracer.sampleBlock(0, 0, 15, 15, 1, PixelSampler.firstOf(1), new StoppingTaker(Integer.MAX_VALUE) {
+        SampleSink taker = new StoppingTaker(Integer.MAX_VALUE) {
             @Override
             public void take(BlockSamples samples) {
                 for (int i = 0; i < samples.count(); i++) {
@@ -69,7 +69,9 @@ class SampleTracerTest {
                     }
                 }
             }
-        });
+        };
+        tracer.beginBlock(0, 0, 15, 15, 1, taker);
+        tracer.sampleBlock(PixelSampler.firstOf(1), taker);
 
         assertThat(dark).containsExactly("7, 7: " + Colour.BLACK);
         assertThat(tracer.sample(7.5, 7.5, 0, 0, 0.5)).isEqualTo(Colour.BLACK);
@@ -77,7 +79,7 @@ class SampleTracerTest {
         assertThat(counts.samples).isEqualTo(15 * 15 + 1);
     }
 
-    /** In this scene nothing moves with the camera: what may meet something is asked for once. */
+    /** In this scene nothing moves with the camera: each ray is asked for once. */
     @Test
     void aBlockThatIsCutShortGivesItsFirstSamples() {
         RayCounts counts = new RayCounts();
@@ -93,12 +95,13 @@ class SampleTracerTest {
                 }
             }
         };
-        tracer.sampleBlock(0, 0, RayPacket.SIDE, RayPacket.SIDE, 1, 0, stopping);
+        tracer.beginBlock(0, 0, RayPacket.SIDE, RayPacket.SIDE, 1, stopping);
+        tracer.sampleBlock(0, stopping);
 
-        assertThat(stopping.taken).isBetween(7, 16 * 16 - 1);
+        assertThat(stopping.taken).isEqualTo(7);
         assertThat(counts.samples).isEqualTo(stopping.taken);
 
-        tracer.sampleBlock(0, 0, RayPacket.SIDE, RayPacket.SIDE, 1, 0, new StoppingTaker(Integer.MAX_VALUE));
+        tracer.sampleBlock(0, new StoppingTaker(Integer.MAX_VALUE));
         assertThat(counts.samples).isEqualTo(stopping.taken + 16 * 16);
     }
 
@@ -130,7 +133,7 @@ class SampleTracerTest {
                 Stream.of(Named.of("missed focus", missed), Named.of("motion", motion)));
     }
 
-    /** The search of the plan for one ray is the simplest; that for a block is the fastest. */
+    /** The search of one plan is the simplest; that of the other is the fastest. */
     @ParameterizedTest
     @MethodSource("studios")
     void blockHasTheColoursOfSingleSamples(Studio studio) {
@@ -144,7 +147,7 @@ class SampleTracerTest {
             int left = 60 - side - 1;
             // fewer rows than the block has room for
             int height = Math.min(side, 45 - 2);
-            tracer.sampleBlock(left, 1, side, height, stride, 1, new StoppingTaker(Integer.MAX_VALUE) {
+            SampleSink taker = new StoppingTaker(Integer.MAX_VALUE) {
                 @Override
                 public void take(BlockSamples samples) {
                     taken[0] += samples.count();
@@ -154,7 +157,9 @@ class SampleTracerTest {
                         assertThat(samples.colour(i)).isEqualTo(simple.sample(samples.column(i), samples.row(i), 1));
                     }
                 }
-            });
+            };
+            tracer.beginBlock(left, 1, side, height, stride, taker);
+            tracer.sampleBlock(1, taker);
         }
 
         assertThat(taken[0]).isEqualTo(16 * 16 + 16 * 15);
