@@ -40,7 +40,7 @@ final class Race {
             // until the compiler has settled
             double start = now();
             do {
-                method.apply(0);
+                Figures unused = method.apply(0);
             } while (now() - start < WARM_SECONDS);
         }
         for (int run = 1; run <= repeats; run++) {

@@ -14,7 +14,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
 import java.util.jar.Attributes;
 import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
@@ -41,7 +40,7 @@ class ExtensionTest {
 
     /** A grating before a wall, and a lens whose edge the iris delays. */
     private static final String GRATING = """
-            {"velocity": [0, 0, %s], "settings": {"width": 40, "height": 30},
+            {"velocity": [0, 0, SPEED], "settings": {"width": 40, "height": 30},
              "camera": {"apertureRadius": 0.5, "shutter": {"type": "IrisShutter", "openingTime": 3}},
              "scene": [
                 {"type": "Parallelogram", "corner": [-9, -9, 4], "spanU": [18, 0, 0], "spanV": [0, 18, 0],
@@ -52,7 +51,7 @@ class ExtensionTest {
     private static final String TORUS = """
             {"settings": {"width": 40, "height": 30},
              "scene": [
-                {"type": "Torus", "centre": [%s, 0, 10], "axis": [%s], "radius": 2, "tubeRadius": 0.5,
+                {"type": "Torus", "centre": [ASIDE, 0, 10], "axis": [AXIS], "radius": 2, "tubeRadius": 0.5,
                  "surface": {"type": "Clear"}},
                 {"type": "Plane", "point": [0, 0, 20], "normal": [0, 0, -1]}]}""";
 
@@ -129,11 +128,11 @@ class ExtensionTest {
     }
 
     private static String grating(double beta) {
-        return String.format(Locale.ROOT, GRATING, beta);
+        return GRATING.replace("SPEED", String.valueOf(beta));
     }
 
     private static String torus(double x, String axis) {
-        return String.format(Locale.ROOT, TORUS, x, axis);
+        return TORUS.replace("ASIDE", String.valueOf(x)).replace("AXIS", axis);
     }
 
     /** Runs the program with other jars beside it. */

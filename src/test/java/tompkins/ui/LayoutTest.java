@@ -66,8 +66,6 @@ import tompkins.ui.widget.Texts;
 class LayoutTest {
 
     private static final Locale LONG_WORDS = new Locale("en", "XA");
-    /** More than a scroll bar takes. */
-    private static final int BAR = 12;
 
     private static final Locale BEFORE = Locale.getDefault(Locale.Category.DISPLAY);
 

@@ -132,13 +132,6 @@ class PhotographViewTest {
         assertThat(other().studio()).isEqualTo(stopped.studio());
     }
 
-    private void awaitNow(String what) {
-        WindowDriver.await(
-                what,
-                () -> view.canvas().shown().now() != null
-                        && view.canvas().shown().now().studio().equals(model.studio()));
-    }
-
     @Test
     void whatIsReadAfterTheMouseHasLeftIsNotShown() {
         List<PixelReading> read = new ArrayList<>();

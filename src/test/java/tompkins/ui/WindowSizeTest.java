@@ -2,7 +2,6 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.awt.Dimension;
 import java.awt.event.ComponentEvent;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
@@ -91,9 +90,5 @@ class WindowSizeTest {
     void aMinimisedWindowComesBack() {
         frame.setExtendedState(JFrame.ICONIFIED);
         assertRemembered(800, 600, JFrame.NORMAL);
-    }
-
-    private void assertSize(int width, int height) {
-        assertThat(frame.getSize()).isEqualTo(new Dimension(width, height));
     }
 }

@@ -41,7 +41,7 @@ public final class ClipboardActions {
         Picture onScreen = window.view().canvas().shown().now();
         Set<OverlayKind> drawn = overlays.ofScene();
         String caption = captions.shown(studio);
-        BackgroundTask.start(
+        BackgroundTask<BufferedImage> unused = BackgroundTask.start(
                 window.frame(),
                 Texts.get("file.copying"),
                 task -> levels(PhotographExport.photograph(studio, onScreen, task), studio, drawn, caption),

@@ -60,7 +60,7 @@ public final class Motion {
         pilot = new RidePilot(window.model(), window.status()::report);
         steering = new SteeringMouse(canvas, new Steering(window.model(), window.view(), pilot));
         keys = new RideKeys(canvas, pilot, steering::turn);
-        canvas.addOverlay((g, picture, bounds, visible, free) -> paintLine(g, picture, free));
+        canvas.addOverlay((g, picture, bounds, visible, free) -> paintLine(g, free));
         captions.setRidden(this::isOnRide);
         pilot.addListener(canvas::repaint);
         pilot.addListener(this::complete);
@@ -189,7 +189,7 @@ public final class Motion {
         return ride;
     }
 
-    private void paintLine(Graphics2D g, Picture picture, Rectangle free) {
+    private void paintLine(Graphics2D g, Rectangle free) {
         List<String> parts = parts();
         if (!parts.isEmpty()) {
             Font font = Look.captions();

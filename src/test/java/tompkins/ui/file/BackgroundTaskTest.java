@@ -112,7 +112,7 @@ class BackgroundTaskTest {
 
     private void find() {
         WindowDriver.onEventThread(() -> {
-            BackgroundTask.find(
+            BackgroundTask<?> unused = BackgroundTask.find(
                     owner,
                     "work",
                     () -> {
@@ -168,7 +168,7 @@ class BackgroundTaskTest {
                 }
                 task.requireWanted();
             };
-            begin("first", work);
+            BackgroundTask<String> unused = begin("first", work);
             assertThat(BackgroundTask.cancel(owner)).isTrue();
             BackgroundTask.whenIdle(owner, () -> ended.add("idle"));
         });
