@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import tompkins.camera.Sampler;
 import tompkins.image.LinearImage;
@@ -129,9 +130,7 @@ final class ScenePixels {
             }
         };
         tracer.beginBlock(block.x, block.y, block.width, block.height, 1, sink);
-        for (int sample = 0; sample < samples; sample++) {
-            tracer.sampleBlock(sample, sink);
-        }
+        IntStream.range(0, samples).forEach(sample -> tracer.sampleBlock(sample, sink));
         for (int i = 0; i < light.length; i++) {
             light[i] *= plan.exposure() / samples;
         }
