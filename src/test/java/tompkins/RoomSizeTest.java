@@ -32,13 +32,13 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        28_069),
+                        28_010),
                 arguments("file, image", 4_062),
                 arguments("explain", 850),
                 arguments("lesson, measure, animation", 4_922),
-                arguments("io, app", 7_760),
-                arguments("study", 3_443),
-                arguments("ui", 18_679),
+                arguments("io, app", 7_758),
+                arguments("study", 3_409),
+                arguments("ui", 18_680),
                 arguments("lab", 233));
     }
 
