@@ -83,7 +83,7 @@ class LabTest {
         assertThat(ray.hit().object().description()).isEqualTo("ball");
         assertThat(ray.inScene().position().distance(0, 0, 7)).isLessThan(1e-12);
         assertThat(ray.dopplerFactor()).isCloseTo(2, within(1e-12));
-        assertThat(Lab.json(ray)).contains("\"object\" : \"ball\"");
+        assertThat(Lab.json(ray)).contains("\"object\": \"ball\"");
     }
 
     @Test

@@ -48,7 +48,7 @@ final class LessonReasonPage extends Part {
         panel.add(right.component(), "wmin 0");
         panel.add(reply.component(), "wmin 0");
         panel.add(Note.paragraph(FactText.readable(lesson.reveal())).component(), "wmin 0");
-        JPanel pictures = Rows.of("hidemode 3, gap 4", "[][][]");
+        JPanel pictures = Rows.of("hidemode 3, gap 4, wrap 2", "[][]");
         pictures.add(outlines);
         pictures.add(other);
         if (diagram != null) {
