@@ -38,7 +38,7 @@ class RoomSizeTest {
                 arguments("lesson, measure, animation", 4_922),
                 arguments("io, app", 7_758),
                 arguments("study", 3_409),
-                arguments("ui", 18_680),
+                arguments("ui", 18_681),
                 arguments("lab", 233));
     }
 

@@ -145,13 +145,14 @@ final class SidePanel {
         // a lesson has them in full
         String text = ofLesson ? "" : model.studio().remarks();
         title.setText(model.studio().shortTitle());
+        // a text makes it visible again
+        title.component().setVisible(!ofLesson);
         if (!remarks.text().equals(text)) {
             remarks.setText(text);
             SwingUtilities.invokeLater(() -> scroll.getVerticalScrollBar().setValue(0));
         }
         if (controls.isVisible() == ofLesson) {
             controls.setVisible(!ofLesson);
-            title.component().setVisible(!ofLesson);
             room.revalidate();
         }
     }
