@@ -23,7 +23,6 @@ import tompkins.measure.LessonStudio;
 import tompkins.measure.MeasureKind;
 import tompkins.measure.Measured;
 import tompkins.measure.Measurements;
-import tompkins.measure.Profile;
 import tompkins.measure.RayTable;
 import tompkins.measure.Sketch;
 import tompkins.property.MistakeException;
@@ -112,9 +111,8 @@ final class MeasureCommand extends ProgramCommand {
         List<Vector2dc> points = pixels.stream()
                 .map(pixel -> point(pixel, plan.studio().settings()))
                 .toList();
-        int number = kind == MeasureKind.PROFILE ? Profile.count(points.get(0), points.get(1)) : 0;
         try {
-            return Measurements.measure(plan, kind, points, number, () -> true);
+            return Measurements.measure(plan, kind, points, () -> true);
         } catch (ArithmeticException noFit) {
             throw new MistakeException("--pixel: " + noFit.getMessage());
         }

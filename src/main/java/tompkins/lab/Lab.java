@@ -22,7 +22,6 @@ import tompkins.io.StudioReader;
 import tompkins.measure.MeasureKind;
 import tompkins.measure.Measured;
 import tompkins.measure.Measurements;
-import tompkins.measure.Profile;
 import tompkins.measure.Projection;
 import tompkins.measure.RayHistory;
 import tompkins.measure.Sighting;
@@ -183,8 +182,7 @@ public final class Lab implements AutoCloseable {
             points.add(point(studio, pixels[2 * i], pixels[2 * i + 1]));
         }
         try {
-            return Measurements.measure(
-                    planned(studio), wanted, points, Profile.count(points.get(0), points.get(1)), () -> true);
+            return Measurements.measure(planned(studio), wanted, points, () -> true);
         } catch (ArithmeticException noFit) {
             throw new MistakeException("pixels: " + noFit.getMessage());
         }

@@ -37,24 +37,23 @@ public final class Measurements {
      * Measures between points of the picture.
      *
      * @param points in pixels, as many as the kind needs
-     * @param count number of points of a profile, 2 to {@link Profile#MOST}
      * @param goesOn asked now and then while it takes long
      * @return what was measured, or null if it was not to go on
      * @throws ArithmeticException if the points do not tell what is asked
      */
-    public static Measured measure(
-            RenderPlan plan, MeasureKind kind, List<Vector2dc> points, int count, BooleanSupplier goesOn) {
+    public static Measured measure(RenderPlan plan, MeasureKind kind, List<Vector2dc> points, BooleanSupplier goesOn) {
         Measurements all = new Measurements(plan, points.get(0));
         return switch (kind) {
             case BETWEEN -> all.between(points);
-            case PROFILE -> all.profile(Profile.between(plan, points.get(0), points.get(1), count, goesOn), points);
+            case PROFILE -> all.profile(points, goesOn);
             case CIRCLE -> all.circle(points);
             case LINE -> all.line(points);
         };
     }
 
     /** Where the brightness of a profile has its largest step; nothing if there is no edge. */
-    private Measured profile(Profile profile, List<Vector2dc> points) {
+    private Measured profile(List<Vector2dc> points, BooleanSupplier goesOn) {
+        Profile profile = Profile.between(plan, points.get(0), points.get(1), goesOn);
         if (profile == null) {
             return null;
         }

@@ -15,27 +15,22 @@ import tompkins.trace.RenderPlan;
 public record Profile(List<Sighting> points) {
 
     /** The most points of a profile. */
-    public static final int MOST = 10_000;
+    private static final int MOST = 10_000;
 
     /** Checks nothing; keeps a copy. */
     public Profile {
         points = List.copyOf(points);
     }
 
-    /** As many points as a line between two others has pixels. */
-    public static int count(Vector2dc first, Vector2dc last) {
-        Vector2d way = last.sub(first, new Vector2d()).absolute();
-        return (int) Math.max(2, Math.min(MOST, Math.round(Math.max(way.x, way.y)) + 1));
-    }
-
     /**
-     * Follows the rays of a line.
+     * Follows the rays of a line at as many points as it has pixels, 2 to 10 000.
      *
-     * @param count number of points, 2 to {@link #MOST}
      * @param goesOn asked before each point
      * @return the profile, or null if it was not to go on
      */
-    public static Profile between(RenderPlan plan, Vector2dc first, Vector2dc last, int count, BooleanSupplier goesOn) {
+    public static Profile between(RenderPlan plan, Vector2dc first, Vector2dc last, BooleanSupplier goesOn) {
+        Vector2d way = last.sub(first, new Vector2d()).absolute();
+        int count = (int) Math.max(2, Math.min(MOST, Math.round(Math.max(way.x, way.y)) + 1));
         List<Sighting> points = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             if (!goesOn.getAsBoolean()) {

@@ -73,7 +73,7 @@ class MeasurementsTest {
             points.add(new Vector2d(300 + 58 * Math.cos(turn), 200 + 58 * Math.sin(turn)));
         }
 
-        Measured measured = Measurements.measure(plan, MeasureKind.CIRCLE, points, 2, () -> true);
+        Measured measured = Measurements.measure(plan, MeasureKind.CIRCLE, points, () -> true);
 
         double radius = effect(points, moved -> centre(moved).distance(moved.get(0)));
         // the middle point alone: (c^2 + s^2)/2s with half the chord c and the height s, half a pixel less
@@ -116,7 +116,7 @@ class MeasurementsTest {
         List<Vector2dc> points = List.of(
                 projection.position(new Vector3d(1, 0, 10).normalize()),
                 projection.position(new Vector3d(2, 0, 10).normalize()));
-        return Measurements.measure(RenderPlan.of(studio), MeasureKind.BETWEEN, points, 2, () -> true);
+        return Measurements.measure(RenderPlan.of(studio), MeasureKind.BETWEEN, points, () -> true);
     }
 
     /** Two points half a pixel apart may be one: nothing tells by how much their circle is uncertain. */
@@ -124,8 +124,7 @@ class MeasurementsTest {
     void pointsTooNearTellNoUncertainty() {
         List<Vector2dc> points = List.of(new Vector2d(100, 100), new Vector2d(100.5, 100), new Vector2d(120, 130));
 
-        Measured measured =
-                Measurements.measure(RenderPlan.of(Studio.DEFAULT), MeasureKind.CIRCLE, points, 2, () -> true);
+        Measured measured = Measurements.measure(RenderPlan.of(Studio.DEFAULT), MeasureKind.CIRCLE, points, () -> true);
 
         assertThat(number(measured, "halfAngle").value()).isPositive();
         assertThat(number(measured, "halfAngle").isUncertain()).isFalse();

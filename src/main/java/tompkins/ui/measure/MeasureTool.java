@@ -13,7 +13,6 @@ import org.joml.Vector2dc;
 import tompkins.measure.MeasureKind;
 import tompkins.measure.Measured;
 import tompkins.measure.Measurements;
-import tompkins.measure.Profile;
 import tompkins.measure.Sketch;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.photograph.PhotographView;
@@ -49,9 +48,8 @@ public final class MeasureTool implements PictureTool {
         static Answer of(Picture picture, MeasureKind kind, List<Vector2dc> places, BooleanSupplier wanted) {
             // places are those of the photograph in its own size
             RenderPlan plan = RenderPlan.of(picture.studio(), picture.plan());
-            int count = Profile.count(places.get(0), places.get(1));
             try {
-                return new Answer(Measurements.measure(plan, kind, places, count, wanted), "");
+                return new Answer(Measurements.measure(plan, kind, places, wanted), "");
             } catch (ArithmeticException noFit) {
                 return new Answer(null, noFit.getMessage());
             }
