@@ -57,11 +57,12 @@ public final class StudioWriter {
 
     private static Predicate<FileContent> heldInPhotographs(Studio studio) {
         LongAdder length = new LongAdder();
-        String bare = text(studio, content -> {
+        Map<String, Object> bare = members(studio, content -> {
             length.add(isKept(content) ? lengthInside(content) : 0);
             return false;
         });
-        boolean fits = bare.length() + length.sum() <= PhotographInfo.LONGEST_SCENE;
+        // the text of a large scene takes long
+        boolean fits = length.sum() == 0 || text(bare).length() + length.sum() <= PhotographInfo.LONGEST_SCENE;
         return content -> isKept(content) && (fits || content.name().isEmpty());
     }
 
