@@ -27,13 +27,13 @@ public final class Main {
      */
     public static void main(String[] arguments) {
         giveHome();
-        readAddedTypes();
         if (TompkinsCommand.isNamedBy(arguments)) {
             // no command shows anything, and a display that is set but dead would be an error
             System.setProperty("java.awt.headless", "true");
         } else if (TompkinsCommand.opensWindow(arguments) && Displays.usable()) {
             TompkinsWindow.prepare();
         }
+        readAddedTypes();
         // help keeps to the width of the terminal
         System.setProperty("picocli.usage.width", "AUTO");
         WatchedStream out = new WatchedStream(new FileOutputStream(FileDescriptor.out));
