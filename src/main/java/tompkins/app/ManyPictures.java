@@ -7,7 +7,7 @@ import picocli.CommandLine.Option;
 class ManyPictures {
 
     @Option(names = "--part", paramLabel = "I/N", description = "take each N-th picture from I on, counted from 0")
-    private Part part;
+    private WorkPart part;
 
     @Option(
             names = "--skip-existing",

@@ -23,7 +23,7 @@ final class OptionValues {
         commandLine.registerConverter(double.class, OptionValues::number);
         commandLine.registerConverter(Long.class, OptionValues::wholeNumber);
         commandLine.registerConverter(long.class, OptionValues::wholeNumber);
-        commandLine.registerConverter(Part.class, Part::parse);
+        commandLine.registerConverter(WorkPart.class, WorkPart::parse);
         commandLine.registerConverter(PictureFormat.class, OptionValues::format);
     }
 

@@ -12,15 +12,15 @@ import java.util.stream.IntStream;
  * @param index which part, from 0
  * @param count the number of parts
  */
-record Part(int index, int count) {
+record WorkPart(int index, int count) {
 
     private static final Pattern WRITTEN = Pattern.compile("([0-9]{1,9})/([0-9]{1,9})");
 
     /** Reads {@code I/N}. */
-    static Part parse(String text) {
+    static WorkPart parse(String text) {
         Matcher numbers = WRITTEN.matcher(text);
         if (numbers.matches()) {
-            Part part = new Part(Integer.parseInt(numbers.group(1)), Integer.parseInt(numbers.group(2)));
+            WorkPart part = new WorkPart(Integer.parseInt(numbers.group(1)), Integer.parseInt(numbers.group(2)));
             if (part.index < part.count) {
                 return part;
             }
