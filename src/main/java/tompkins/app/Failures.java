@@ -129,7 +129,7 @@ final class Failures {
 
     private static String unmatched(UnmatchedArgumentException mistake, CommandSpec command, String first) {
         if (command.parent() == null && !first.startsWith("-") && Files.notExists(Path.of(first))) {
-            return TompkinsCommand.unknownWord(first, command.subcommands().keySet());
+            return TompkinsCommand.unknownWord(first);
         }
         if (!mistake.isUnknownOption()) {
             return "too many arguments: " + String.join(" ", mistake.getUnmatched());

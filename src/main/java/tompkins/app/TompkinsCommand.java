@@ -4,7 +4,6 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
@@ -117,13 +116,9 @@ final class TompkinsCommand extends ProgramCommand {
     }
 
     /** What is wrong with a word in the place of a command or a scene. */
-    static String unknownWord(String word, Collection<String> commands) {
-        return word + ": there is neither a file nor a command of this name; " + commands(word, commands);
-    }
-
-    /** The names of the commands, with the one that a word may have meant. */
-    static String commands(String word, Collection<String> commands) {
-        return "the commands are " + String.join(", ", commands) + Spelling.hint(word, commands);
+    static String unknownWord(String word) {
+        return word + ": there is neither a file nor a command of this name; the commands are "
+                + String.join(", ", COMMANDS.keySet()) + Spelling.hint(word, COMMANDS.keySet());
     }
 
     /** Whether a word looks like the name of a file, and not like that of a command. */
@@ -135,7 +130,7 @@ final class TompkinsCommand extends ProgramCommand {
     public Integer call() throws Exception {
         boolean hasDisplay = display.getAsBoolean();
         if (scene != null && Files.notExists(scene) && !(hasDisplay && isFileName(scene.toString()))) {
-            throw new MistakeException(unknownWord(scene.toString(), COMMANDS.keySet()));
+            throw new MistakeException(unknownWord(scene.toString()));
         }
         if (hasDisplay) {
             TompkinsWindow.open(firstScene(), BundledScenes::studios);
