@@ -115,7 +115,7 @@ public final class SceneOpener {
 
     private void read(Path named) {
         Path file = ChosenFile.plain(named);
-        BackgroundTask<?> unused = BackgroundTask.find(
+        BackgroundTask.find(
                 window.frame(),
                 Texts.get("file.opening", file),
                 () -> StudioReader.read(file),

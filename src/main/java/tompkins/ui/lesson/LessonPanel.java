@@ -357,18 +357,17 @@ public final class LessonPanel extends Part {
         measured = model.studio();
         Window window = SwingUtilities.getWindowAncestor(panel);
         LessonNumbersPage page = numbers;
-        BackgroundTask<?> unused =
-                BackgroundTask.find(window, Texts.get("lesson.measuring"), () -> Outcome.of(present), found -> {
-                    if (found.problem == null) {
-                        page.show(found.results);
-                        if (model.studio().equals(measured)) {
-                            stage.mark(found.results);
-                            finishIf(found.results.stream().allMatch(LessonResult::agrees));
-                        }
-                    } else {
-                        page.showProblem(found.problem);
-                    }
-                });
+        BackgroundTask.find(window, Texts.get("lesson.measuring"), () -> Outcome.of(present), found -> {
+            if (found.problem == null) {
+                page.show(found.results);
+                if (model.studio().equals(measured)) {
+                    stage.mark(found.results);
+                    finishIf(found.results.stream().allMatch(LessonResult::agrees));
+                }
+            } else {
+                page.showProblem(found.problem);
+            }
+        });
     }
 
     /**
