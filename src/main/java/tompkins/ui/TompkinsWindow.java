@@ -4,7 +4,6 @@ import java.awt.BorderLayout;
 import java.awt.Desktop;
 import java.awt.desktop.QuitStrategy;
 import java.awt.event.WindowEvent;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
@@ -53,10 +52,9 @@ public final class TompkinsWindow {
 
     final Settings settings = new Settings();
     private final JFrame frame = new JFrame();
-    private final WindowSize size;
     private final StudioModel model;
     private final PhotographView view;
-    private final SidePanel side;
+    final SidePanel side;
     private final StatusBar status;
     final WindowParts parts;
     private final FileDialogs dialogs;
@@ -72,19 +70,14 @@ public final class TompkinsWindow {
     final ClipboardActions clipboard;
     private final Menus menus;
     final FullScreen fullScreen;
-    private final JPanel middle = new JPanel(new BorderLayout());
     final Motion motion;
-
-    /** The file of the first scene, or null. */
-    private final Path place;
 
     /** When there is time to tell of the pictures of a ride. */
     private final Throttle throttle = new Throttle();
 
     private TompkinsWindow(FirstScene first) {
         settings.look().install();
-        place = first.file() == null ? null : ChosenFile.plain(first.file());
-        model = new StudioModel(first.studio(), place);
+        model = new StudioModel(first.studio(), first.file() == null ? null : ChosenFile.plain(first.file()));
         // first, so that all parts have answered when it begins
         model.addOpenListener(this::beginLesson);
         PictureListener pictures = new PictureListener();
@@ -130,9 +123,9 @@ public final class TompkinsWindow {
         Screens.keepDialogsOnScreen(frame, this::pause);
         frame.setName("tompkins");
         frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
-        frame.addWindowListener(new WindowCloser(frame, opener, this::saveSize, this::end));
         frame.setSize(WindowSize.kept(frame, settings));
-        size = new WindowSize(frame, settings);
+        WindowSize size = new WindowSize(frame, settings);
+        frame.addWindowListener(new WindowCloser(frame, opener, size::save, this::end));
         frame.setLocationRelativeTo(null);
         model.addOpenListener(status::clear);
         model.follow(this::showTitle);
@@ -179,8 +172,8 @@ public final class TompkinsWindow {
         if (window.model.studio().lesson() instanceof Lesson) {
             window.beginLesson();
         }
-        if (window.place != null) {
-            window.settings.addRecentFile(window.place);
+        if (window.model.file() != null) {
+            window.settings.addRecentFile(window.model.file());
         }
         Thread reading = new Thread(
                 () -> {
@@ -219,16 +212,8 @@ public final class TompkinsWindow {
         motion.pause();
     }
 
-    Motion motion() {
-        return motion;
-    }
-
     JFrame frame() {
         return frame;
-    }
-
-    SidePanel side() {
-        return side;
     }
 
     StudioModel model() {
@@ -240,6 +225,7 @@ public final class TompkinsWindow {
     }
 
     private JComponent content() {
+        JPanel middle = new JPanel(new BorderLayout());
         middle.add(view.canvas(), BorderLayout.CENTER);
         middle.add(strip.component(), BorderLayout.SOUTH);
         JPanel content = new JPanel(new BorderLayout());
@@ -258,10 +244,6 @@ public final class TompkinsWindow {
         String file = model.file() == null ? "" : " \u2013 " + model.file().getFileName();
         String title = model.studio().title();
         frame.setTitle((model.isModified() ? "\u2022 " : "") + title + file + " \u2013 Tompkins");
-    }
-
-    private void saveSize() {
-        size.save();
     }
 
     private void end() {
