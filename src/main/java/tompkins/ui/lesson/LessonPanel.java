@@ -269,7 +269,7 @@ public final class LessonPanel extends Part {
         String key = "lesson.next." + following().map(Step::name).orElse("LESSON");
         Naming.name(next, key);
         next.setText(Texts.get(key));
-        next.setVisible(following().isPresent() || course.goesOnAfter(model.studio()));
+        next.setVisible(following().isPresent() || course.after(model.studio()).isPresent());
         boolean looked = step != Step.LOOK || farthest != Step.LOOK || slider.isMoved() || flown;
         next.setEnabled(question.answer().isPresent() && looked);
         progress.setText(course.progress(model.studio()));
