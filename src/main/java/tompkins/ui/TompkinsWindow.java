@@ -92,7 +92,7 @@ public final class TompkinsWindow {
         parts = new WindowParts(frame, model, view, status, settings);
         dialogs = new FileDialogs(parts, this::pause);
         saver = new SceneSaver(parts, dialogs);
-        opener = new SceneOpener(parts, dialogs, saver, this::pause);
+        opener = new SceneOpener(parts, dialogs, saver);
         captions = new Captions(
                 view.canvas(), settings, first.besideRest() || model.studio().lesson() instanceof Lesson);
         overlays = new PictureOverlays(model, view.canvas(), settings, view.asker());
@@ -131,7 +131,7 @@ public final class TompkinsWindow {
         model.follow(this::showTitle);
         // a layout made before the window is on its screen would be made again
         frame.addNotify();
-        fitToLook();
+        frame.setMinimumSize(WindowSize.least(frame));
         settings.tellTrouble(status::say);
     }
 
@@ -235,11 +235,6 @@ public final class TompkinsWindow {
         return content;
     }
 
-    /** Sets the size that does not follow the look by itself. */
-    private void fitToLook() {
-        frame.setMinimumSize(WindowSize.least(frame));
-    }
-
     private void showTitle() {
         String file = model.file() == null ? "" : " \u2013 " + model.file().getFileName();
         String title = model.studio().title();
@@ -316,7 +311,8 @@ public final class TompkinsWindow {
     void setLook(Look look) {
         look.install();
         settings.setLook(look);
-        fitToLook();
+        // a size does not follow the look by itself
+        frame.setMinimumSize(WindowSize.least(frame));
     }
 
     void togglePanel() {
