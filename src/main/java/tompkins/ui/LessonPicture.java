@@ -26,7 +26,7 @@ record LessonPicture(TompkinsWindow window, MeasureMarks marks) implements Lesso
 
     @Override
     public void compare(Class<? extends Shutter> shutter) {
-        window.side.compare(shutter);
+        window.side.compare.compareShutter(shutter);
     }
 
     @Override

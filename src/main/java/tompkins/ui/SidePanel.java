@@ -17,7 +17,6 @@ import javax.swing.JToggleButton;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import tompkins.lesson.Lesson;
-import tompkins.shutter.Shutter;
 import tompkins.studio.StudioPath;
 import tompkins.ui.compare.ComparePanel;
 import tompkins.ui.editor.SceneEditor;
@@ -65,7 +64,7 @@ final class SidePanel {
     private final JScrollPane rayScroll = rayPanel.scrolled("ray");
 
     private final JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, tab, rayScroll);
-    private final ComparePanel compare;
+    final ComparePanel compare;
     private final Note title = new Note("");
     private final Note remarks = new Note("");
     private final Note warnings = new Note("");
@@ -172,21 +171,6 @@ final class SidePanel {
     /** Shows the panel, or hides it. */
     void setShown(boolean shown) {
         room.setVisible(shown);
-    }
-
-    /** Shows what another shutter sees beside the picture. */
-    void compare(Class<? extends Shutter> other) {
-        compare.compareShutter(other);
-    }
-
-    /** Compares the first scene with a camera at rest, until another one is opened. */
-    void compareWithRest() {
-        compare.begin(ComparePanel.Other.AT_REST);
-    }
-
-    /** Shows the picture alone: a ride begins so. */
-    void unsplit() {
-        compare.choose(ComparePanel.Other.NOTHING);
     }
 
     JComponent component() {

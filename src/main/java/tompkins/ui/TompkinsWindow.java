@@ -15,6 +15,7 @@ import javax.swing.WindowConstants;
 import tompkins.lesson.Lesson;
 import tompkins.studio.Studio;
 import tompkins.ui.animate.AnimationExport;
+import tompkins.ui.compare.ComparePanel;
 import tompkins.ui.compare.PeekKey;
 import tompkins.ui.editor.ChooseTool;
 import tompkins.ui.editor.FileContentEditor;
@@ -62,7 +63,6 @@ public final class TompkinsWindow {
     final TabStrip strip;
     final LessonCourse course = new LessonCourse(settings, this::openExample);
     private final LessonPanel lesson;
-    private final MeasureMarks lessonMarks;
     final SceneOpener opener;
     final Captions captions;
     final PictureOverlays overlays;
@@ -86,7 +86,7 @@ public final class TompkinsWindow {
         view.render();
         status = new StatusBar(view.controller());
         strip = new TabStrip();
-        lessonMarks = new MeasureMarks(view::otherPicture);
+        MeasureMarks lessonMarks = new MeasureMarks(view::otherPicture);
         view.canvas().addOverlay(lessonMarks);
         lesson = new LessonPanel(model, course, new LessonPicture(this, lessonMarks));
         parts = new WindowParts(frame, model, view, status, settings);
@@ -106,9 +106,10 @@ public final class TompkinsWindow {
         frame.setJMenuBar(menus.bar());
         side = new SidePanel(model, view, lesson.component(), menus.buttons(), this::tellTool);
         if (first.besideRest()) {
-            side.compareWithRest();
+            side.compare.begin(ComparePanel.Other.AT_REST);
         }
-        motion.pilot().setWhenBegun(side::unsplit);
+        // a ride begins with the picture alone
+        motion.pilot().setWhenBegun(() -> side.compare.choose(ComparePanel.Other.NOTHING));
         frame.setContentPane(content());
         frame.setIconImages(WindowIcon.images());
         new ChooseTool(model, view, side::isEditing, side::edit);
