@@ -51,15 +51,13 @@ final class LessonNumbersPage extends Part {
 
     /** Says that it is being measured. */
     void showBusy() {
-        table.removeAll();
-        table.repaint();
+        show(List.of());
         note.setText(Texts.get("lesson.measuring"));
     }
 
     /** Says why nothing could be measured. */
     void showProblem(String message) {
-        table.removeAll();
-        table.repaint();
+        show(List.of());
         note.setError(Texts.get("lesson.unmeasured", message));
     }
 }
