@@ -46,16 +46,9 @@ final class FullScreen {
         settling.setRepeats(false);
     }
 
-    /** Whether the window covers its screen. */
-    boolean isOn() {
-        return covered != null;
-    }
-
     /** Covers the screen on which the window is, or uncovers it. */
     void toggle() {
-        if (isOn()) {
-            leave();
-        } else {
+        if (!leave()) {
             withPanel = side.isVisible();
             side.setVisible(false);
             hidden.forEach(component -> component.setVisible(false));
@@ -71,7 +64,7 @@ final class FullScreen {
 
     /** Uncovers the screen; false if it is not covered. */
     boolean leave() {
-        if (!isOn()) {
+        if (covered == null) {
             return false;
         }
         covered.setFullScreenWindow(null);

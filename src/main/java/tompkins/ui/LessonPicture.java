@@ -26,11 +26,11 @@ record LessonPicture(TompkinsWindow window, MeasureMarks marks) implements Lesso
 
     @Override
     public void compare(Class<? extends Shutter> shutter) {
-        window.side().compare(shutter);
+        window.side.compare.compareShutter(shutter);
     }
 
     @Override
     public void fly() {
-        window.motion().replayRide();
+        window.motion.replayRide();
     }
 }

@@ -90,12 +90,8 @@ final class Menus {
     /** Lets the keys of the menus work in another window, too. */
     void bindKeys(JRootPane pane) {
         itemsWithKeys().forEach(item -> Keys.bindUnlessMenuIsOpen(pane, item.getAccelerator(), () -> item.doClick(0)));
-        bindOtherKeys(pane);
-    }
-
-    /** Keys without an item; some items have several keys, but a menu shows only one. */
-    void bindOtherKeys(JRootPane pane) {
         Keys.bindEscape(pane, window::leave);
+        // some items have several keys, but a menu shows only one
         Keys.bindUnlessMenuIsOpen(pane, Keys.ofMenu("ctrl Y"), history::redo);
         // where + is on the key of =, with Shift or without
         Keys.bindUnlessMenuIsOpen(pane, Keys.ofMenu("ctrl EQUALS"), zoom::enlarge);
@@ -104,13 +100,16 @@ final class Menus {
         Keys.bindUnlessMenuIsOpen(pane, Keys.ofMenu("ctrl SUBTRACT"), zoom::reduce);
     }
 
+    /** A menu, which has a letter if its text marks one. */
     private static JMenu menu(String key) {
         String text = Texts.get(key);
         int letter = text.indexOf('&');
         JMenu menu = new JMenu(text.replace("&", ""));
         menu.setName(key);
-        menu.setMnemonic(menu.getText().charAt(letter));
-        menu.setDisplayedMnemonicIndex(letter);
+        if (letter >= 0) {
+            menu.setMnemonic(menu.getText().charAt(letter));
+            menu.setDisplayedMnemonicIndex(letter);
+        }
         return menu;
     }
 
@@ -131,14 +130,9 @@ final class Menus {
 
     private JMenu fileMenu() {
         JMenu menu = menu("menu.file");
-        add(
-                menu,
-                "menu.new",
-                "ctrl N",
-                () -> window.opener.begin(() -> window.side().edit(StudioPath.ROOT)));
+        add(menu, "menu.new", "ctrl N", () -> window.opener.begin(() -> window.side.edit(StudioPath.ROOT)));
         add(menu, "menu.open", "ctrl O", window.opener::open);
-        JMenu recent = new JMenu(Texts.get("menu.recent"));
-        recent.setName("menu.recent");
+        JMenu recent = menu("menu.recent");
         beforeShowing(menu, () -> fillRecent(recent));
         menu.add(recent);
         add(menu, "menu.reload", "F5", window.opener::reload);
@@ -205,19 +199,13 @@ final class Menus {
         JMenuItem redo = add(menu, "menu.redo", "ctrl shift Z", history::redo);
         JMenuItem reset = add(menu, "menu.reset", "ctrl R", history::reset);
         menu.addSeparator();
-        add(
-                menu,
-                "menu.editScene",
-                "ctrl E",
-                () -> window.side().setEditing(!window.side().isEditing()));
-        Runnable update = () -> {
-            undo.setEnabled(history.canUndo());
-            redo.setEnabled(history.canRedo());
-            reset.setEnabled(history.canReset());
-        };
-        beforeShowing(menu, update);
+        add(menu, "menu.editScene", "ctrl E", () -> window.side.setEditing(!window.side.isEditing()));
         // the keys work while the menu is closed: an item without anything to do does nothing
-        afterHiding(menu, () -> List.of(undo, redo, reset).forEach(item -> item.setEnabled(true)));
+        menu.addItemListener(event -> {
+            undo.setEnabled(!menu.isSelected() || history.canUndo());
+            redo.setEnabled(!menu.isSelected() || history.canRedo());
+            reset.setEnabled(!menu.isSelected() || history.canReset());
+        });
         return menu;
     }
 
@@ -269,8 +257,7 @@ final class Menus {
     }
 
     private JMenu lookMenu() {
-        JMenu menu = new JMenu(Texts.get("menu.look"));
-        menu.setName("menu.look");
+        JMenu menu = menu("menu.look");
         for (CameraViews view : CameraViews.values()) {
             add(
                     menu,
@@ -285,8 +272,7 @@ final class Menus {
     }
 
     private JMenu mapMenu() {
-        JMenu menu = new JMenu(Texts.get("menu.map"));
-        menu.setName("menu.map");
+        JMenu menu = menu("menu.map");
         ButtonGroup group = new ButtonGroup();
         addMap(menu, group, "NONE", "ctrl shift M", Optional.empty());
         for (MapAxis axis : MapAxis.values()) {
@@ -309,8 +295,7 @@ final class Menus {
     }
 
     private JMenu overlayMenu() {
-        JMenu menu = new JMenu(Texts.get("menu.overlays"));
-        menu.setName("menu.overlays");
+        JMenu menu = menu("menu.overlays");
         for (OverlayKind kind : OverlayKind.values()) {
             addSwitch(
                     menu,
@@ -349,8 +334,7 @@ final class Menus {
     }
 
     private void showKeys() {
-        KeyTable keys = new KeyTable(itemsWithKeys());
-        Messages.tell(window.frame(), Texts.get("menu.keys"), keys.component());
+        Messages.tell(window.frame(), Texts.get("menu.keys"), new KeyTable(itemsWithKeys()).component());
     }
 
     private void showAbout() {
@@ -364,15 +348,6 @@ final class Menus {
     private static void beforeShowing(JMenu menu, Runnable action) {
         menu.addItemListener(event -> {
             if (menu.isSelected()) {
-                action.run();
-            }
-        });
-    }
-
-    /** Does something when it closes. */
-    private static void afterHiding(JMenu menu, Runnable action) {
-        menu.addItemListener(event -> {
-            if (!menu.isSelected()) {
                 action.run();
             }
         });

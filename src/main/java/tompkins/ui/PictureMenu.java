@@ -44,7 +44,7 @@ final class PictureMenu implements PhotographView.Menu {
         List<SampleHistory> ray = Stream.ofNullable(seen.sighting().life()).toList();
         add(menu, "drawRay", RayTubes.canDraw(ray), () -> drawRay(seen, ray));
         Optional<StudioPath> object = ChooseTool.object(window.model(), seen);
-        add(menu, "edit", object.isPresent(), () -> object.ifPresent(window.side()::edit));
+        add(menu, "edit", object.isPresent(), () -> object.ifPresent(window.side::edit));
         menu.show(window.view().canvas(), at.x, at.y);
     }
 

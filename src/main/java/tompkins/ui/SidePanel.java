@@ -14,12 +14,9 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.JToggleButton;
-import javax.swing.KeyStroke;
-import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import tompkins.lesson.Lesson;
-import tompkins.shutter.Shutter;
 import tompkins.studio.StudioPath;
 import tompkins.ui.compare.ComparePanel;
 import tompkins.ui.editor.SceneEditor;
@@ -30,6 +27,7 @@ import tompkins.ui.picture.Picture;
 import tompkins.ui.ray.PixelReading;
 import tompkins.ui.ray.RaySection;
 import tompkins.ui.widget.Column;
+import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
@@ -56,18 +54,18 @@ final class SidePanel {
     private final JPanel room = new Room();
     private final JPanel head = Rows.of("gap 4, insets 4 6 0 6", "[grow,fill][grow,fill][grow,fill]");
     private final JToggleButton all = new JToggleButton(Texts.get("panel.all"));
-    private final JPanel panel = new Column();
-    private final JScrollPane scroll = scroll("panel", panel);
+    private final Column panel = new Column();
+    private final JScrollPane scroll = panel.scrolled("panel");
     private final JPanel tab = new JPanel(new CardLayout());
     private final JPanel controls = Rows.column();
     private final Column rayPanel = new Column();
 
     /** The pinned ray has a place of its own, so that the speed stays visible. */
-    private final JScrollPane rayScroll = scroll("ray", rayPanel);
+    private final JScrollPane rayScroll = rayPanel.scrolled("ray");
 
     private final JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, tab, rayScroll);
-    private final ComparePanel compare;
-    private final Note title = Note.ofLines(1);
+    final ComparePanel compare;
+    private final Note title = new Note("");
     private final Note remarks = new Note("");
     private final Note warnings = new Note("");
     private final Note sentences = new Note("");
@@ -105,10 +103,7 @@ final class SidePanel {
         split.setDividerSize(0);
         split.getAccessibleContext().setAccessibleName(Texts.get("panel.split"));
         split.setResizeWeight(RAY_BEGINS);
-        // keys of the window, for which split panes have a use of their own
-        for (String key : List.of("F6", "F8")) {
-            split.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(key), "none");
-        }
+        Keys.freeForWindow(split);
         model.follow(this::update);
     }
 
@@ -125,28 +120,12 @@ final class SidePanel {
         panel.add(controls, "wmin 0");
     }
 
-    private static JScrollPane scroll(String name, JComponent content) {
-        JScrollPane scroll = new JScrollPane(
-                content,
-                // so that nothing moves sideways when there is more, or less, than fits
-                ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS,
-                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
-        scroll.setName(name);
-        scroll.setBorder(BorderFactory.createEmptyBorder());
-        // beside the other one it takes the room that is left
-        scroll.setMinimumSize(new Dimension(0, 0));
-        scroll.getVerticalScrollBar().setUnitIncrement(20);
-        return scroll;
-    }
-
     /** In a lesson its page takes the place of the controls. */
     private void update() {
         boolean ofLesson = isLesson();
+        title.setText(ofLesson ? "" : model.studio().shortTitle());
         // a lesson has them in full
         String text = ofLesson ? "" : model.studio().remarks();
-        title.setText(model.studio().shortTitle());
-        // a text makes it visible again
-        title.component().setVisible(!ofLesson);
         if (!remarks.text().equals(text)) {
             remarks.setText(text);
             SwingUtilities.invokeLater(() -> scroll.getVerticalScrollBar().setValue(0));
@@ -192,21 +171,6 @@ final class SidePanel {
     /** Shows the panel, or hides it. */
     void setShown(boolean shown) {
         room.setVisible(shown);
-    }
-
-    /** Shows what another shutter sees beside the picture. */
-    void compare(Class<? extends Shutter> other) {
-        compare.compareShutter(other);
-    }
-
-    /** Compares the first scene with a camera at rest, until another one is opened. */
-    void compareWithRest() {
-        compare.begin(ComparePanel.Other.AT_REST);
-    }
-
-    /** Shows the picture alone: a ride begins so. */
-    void unsplit() {
-        compare.choose(ComparePanel.Other.NOTHING);
     }
 
     JComponent component() {

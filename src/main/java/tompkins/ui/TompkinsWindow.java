@@ -4,7 +4,6 @@ import java.awt.BorderLayout;
 import java.awt.Desktop;
 import java.awt.desktop.QuitStrategy;
 import java.awt.event.WindowEvent;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
@@ -16,6 +15,7 @@ import javax.swing.WindowConstants;
 import tompkins.lesson.Lesson;
 import tompkins.studio.Studio;
 import tompkins.ui.animate.AnimationExport;
+import tompkins.ui.compare.ComparePanel;
 import tompkins.ui.compare.PeekKey;
 import tompkins.ui.editor.ChooseTool;
 import tompkins.ui.editor.FileContentEditor;
@@ -53,10 +53,9 @@ public final class TompkinsWindow {
 
     final Settings settings = new Settings();
     private final JFrame frame = new JFrame();
-    private final WindowSize size;
     private final StudioModel model;
     private final PhotographView view;
-    private final SidePanel side;
+    final SidePanel side;
     private final StatusBar status;
     final WindowParts parts;
     private final FileDialogs dialogs;
@@ -64,7 +63,6 @@ public final class TompkinsWindow {
     final TabStrip strip;
     final LessonCourse course = new LessonCourse(settings, this::openExample);
     private final LessonPanel lesson;
-    private final MeasureMarks lessonMarks;
     final SceneOpener opener;
     final Captions captions;
     final PictureOverlays overlays;
@@ -72,19 +70,14 @@ public final class TompkinsWindow {
     final ClipboardActions clipboard;
     private final Menus menus;
     final FullScreen fullScreen;
-    private final JPanel middle = new JPanel(new BorderLayout());
     final Motion motion;
-
-    /** The file of the first scene, or null. */
-    private final Path place;
 
     /** When there is time to tell of the pictures of a ride. */
     private final Throttle throttle = new Throttle();
 
     private TompkinsWindow(FirstScene first) {
         settings.look().install();
-        place = first.file() == null ? null : ChosenFile.plain(first.file());
-        model = new StudioModel(first.studio(), place);
+        model = new StudioModel(first.studio(), first.file() == null ? null : ChosenFile.plain(first.file()));
         // first, so that all parts have answered when it begins
         model.addOpenListener(this::beginLesson);
         PictureListener pictures = new PictureListener();
@@ -93,13 +86,13 @@ public final class TompkinsWindow {
         view.render();
         status = new StatusBar(view.controller());
         strip = new TabStrip();
-        lessonMarks = new MeasureMarks(view::otherPicture);
+        MeasureMarks lessonMarks = new MeasureMarks(view::otherPicture);
         view.canvas().addOverlay(lessonMarks);
         lesson = new LessonPanel(model, course, new LessonPicture(this, lessonMarks));
         parts = new WindowParts(frame, model, view, status, settings);
         dialogs = new FileDialogs(parts, this::pause);
         saver = new SceneSaver(parts, dialogs);
-        opener = new SceneOpener(parts, dialogs, saver, this::pause);
+        opener = new SceneOpener(parts, dialogs, saver);
         captions = new Captions(
                 view.canvas(), settings, first.besideRest() || model.studio().lesson() instanceof Lesson);
         overlays = new PictureOverlays(model, view.canvas(), settings, view.asker());
@@ -113,9 +106,10 @@ public final class TompkinsWindow {
         frame.setJMenuBar(menus.bar());
         side = new SidePanel(model, view, lesson.component(), menus.buttons(), this::tellTool);
         if (first.besideRest()) {
-            side.compareWithRest();
+            side.compare.begin(ComparePanel.Other.AT_REST);
         }
-        motion.pilot().setWhenBegun(side::unsplit);
+        // a ride begins with the picture alone
+        motion.pilot().setWhenBegun(() -> side.compare.choose(ComparePanel.Other.NOTHING));
         frame.setContentPane(content());
         frame.setIconImages(WindowIcon.images());
         new ChooseTool(model, view, side::isEditing, side::edit);
@@ -130,15 +124,15 @@ public final class TompkinsWindow {
         Screens.keepDialogsOnScreen(frame, this::pause);
         frame.setName("tompkins");
         frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
-        frame.addWindowListener(new WindowCloser(frame, opener, this::saveSize, this::end));
         frame.setSize(WindowSize.kept(frame, settings));
-        size = new WindowSize(frame, settings);
+        WindowSize size = new WindowSize(frame, settings);
+        frame.addWindowListener(new WindowCloser(frame, opener, size::save, this::end));
         frame.setLocationRelativeTo(null);
         model.addOpenListener(status::clear);
         model.follow(this::showTitle);
         // a layout made before the window is on its screen would be made again
         frame.addNotify();
-        fitToLook();
+        frame.setMinimumSize(WindowSize.least(frame));
         settings.tellTrouble(status::say);
     }
 
@@ -179,8 +173,8 @@ public final class TompkinsWindow {
         if (window.model.studio().lesson() instanceof Lesson) {
             window.beginLesson();
         }
-        if (window.place != null) {
-            window.settings.addRecentFile(window.place);
+        if (window.model.file() != null) {
+            window.settings.addRecentFile(window.model.file());
         }
         Thread reading = new Thread(
                 () -> {
@@ -219,16 +213,8 @@ public final class TompkinsWindow {
         motion.pause();
     }
 
-    Motion motion() {
-        return motion;
-    }
-
     JFrame frame() {
         return frame;
-    }
-
-    SidePanel side() {
-        return side;
     }
 
     StudioModel model() {
@@ -240,6 +226,7 @@ public final class TompkinsWindow {
     }
 
     private JComponent content() {
+        JPanel middle = new JPanel(new BorderLayout());
         middle.add(view.canvas(), BorderLayout.CENTER);
         middle.add(strip.component(), BorderLayout.SOUTH);
         JPanel content = new JPanel(new BorderLayout());
@@ -249,19 +236,10 @@ public final class TompkinsWindow {
         return content;
     }
 
-    /** Sets the size that does not follow the look by itself. */
-    private void fitToLook() {
-        frame.setMinimumSize(WindowSize.least(frame));
-    }
-
     private void showTitle() {
         String file = model.file() == null ? "" : " \u2013 " + model.file().getFileName();
         String title = model.studio().title();
         frame.setTitle((model.isModified() ? "\u2022 " : "") + title + file + " \u2013 Tompkins");
-    }
-
-    private void saveSize() {
-        size.save();
     }
 
     private void end() {
@@ -334,7 +312,8 @@ public final class TompkinsWindow {
     void setLook(Look look) {
         look.install();
         settings.setLook(look);
-        fitToLook();
+        // a size does not follow the look by itself
+        frame.setMinimumSize(WindowSize.least(frame));
     }
 
     void togglePanel() {

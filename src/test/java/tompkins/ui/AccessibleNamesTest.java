@@ -152,7 +152,7 @@ class AccessibleNamesTest {
                 StudioPath.ROOT.then("scene").then(0),
                 StudioPath.ROOT.then("cameraFrame").then(0),
                 StudioPath.ROOT.then("lights").then(0))) {
-            WindowDriver.onEventThread(() -> driver.window().side().edit(part));
+            WindowDriver.onEventThread(() -> driver.window().side.edit(part));
             assertNamed();
         }
     }

@@ -75,7 +75,7 @@ class ContrastTest {
     @EnumSource
     void theChosenScaleIsRead(Look look) {
         look.install();
-        JComponent row = ChoiceRow.of(List.of(SpeedScale.values()), Enum::name, Enum::name, Enum::name, scale -> {});
+        JComponent row = ChoiceRow.of(List.of(SpeedScale.values()), Enum::name, Enum::name, scale -> {});
         for (Component part : row.getComponents()) {
             JToggleButton button = (JToggleButton) part;
             button.doClick();

@@ -63,7 +63,7 @@ class EditorWindowTest {
     }
 
     private boolean isOpen() {
-        return driver.window().side().isEditing();
+        return driver.window().side.isEditing();
     }
 
     @Test
@@ -72,7 +72,7 @@ class EditorWindowTest {
         WindowDriver.onEventThread(() -> {
             // the last line, which has nothing to add
             tree.setSelectionRow(tree.getRowCount() - 1);
-            driver.window().side().setEditing(false);
+            driver.window().side.setEditing(false);
         });
         driver.menu("menu.new");
         WindowDriver.await("the editor", this::isOpen);
@@ -150,7 +150,7 @@ class EditorWindowTest {
         for (boolean riding : new boolean[] {true, false}) {
             driver.key(KeyEvent.VK_F6);
             WindowDriver.await(
-                    "riding: " + riding, () -> driver.window().motion().pilot().isRiding() == riding);
+                    "riding: " + riding, () -> driver.window().motion.pilot().isRiding() == riding);
         }
     }
 
@@ -183,7 +183,7 @@ class EditorWindowTest {
         WindowDriver.await("measuring", () -> said().equals("Click in the picture to measure there."));
         driver.menu("menu.measure");
         WindowDriver.await("choosing again", () -> said().startsWith("Click to choose"));
-        WindowDriver.onEventThread(() -> driver.window().side().setEditing(false));
+        WindowDriver.onEventThread(() -> driver.window().side.setEditing(false));
         WindowDriver.await("pinning", () -> said().equals(Texts.get("status.idle.PIN")));
     }
 

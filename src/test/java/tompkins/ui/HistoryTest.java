@@ -227,9 +227,9 @@ class HistoryTest {
     void aStepToAnotherSceneIsSpokenOf() {
         driver.type(field("Speed"), "0.5");
         driver.key(KeyEvent.VK_N, KeyEvent.VK_CONTROL);
-        WindowDriver.await("the form", () -> driver.window().side().isEditing());
+        WindowDriver.await("the form", () -> driver.window().side.isEditing());
         driver.key(KeyEvent.VK_E, KeyEvent.VK_CONTROL);
-        WindowDriver.await("the few controls", () -> !driver.window().side().isEditing());
+        WindowDriver.await("the few controls", () -> !driver.window().side.isEditing());
         Studio begun = driver.studio();
         driver.type(field("Speed"), "0.7");
         undo();

@@ -122,8 +122,8 @@ class PictureMenuTest {
     void aRideBeginsBeforeWhatIsSeen() {
         double time = LensEvent.inScene(driver.studio()).time();
         choose("rideFrom");
-        WindowDriver.await("the ride", () -> driver.window().motion().pilot().isRiding());
-        WindowDriver.onEventThread(() -> driver.window().motion().pilot().setRiding(false));
+        WindowDriver.await("the ride", () -> driver.window().motion.pilot().isRiding());
+        WindowDriver.onEventThread(() -> driver.window().motion.pilot().setRiding(false));
         Studio ridden = driver.studio();
         assertThat(ridden.velocity().isRest()).isTrue();
         assertThat(LensEvent.inScene(ridden).position().distance(new Vector3d(0, 0, 9)))

@@ -85,7 +85,7 @@ class PlainTextTest {
     @Test
     void windowMenusTreeAndTipsShowNamesAsTheyStand() {
         driver.menu("menu.editScene");
-        WindowDriver.await("the form", () -> driver.window().side().isEditing());
+        WindowDriver.await("the form", () -> driver.window().side.isEditing());
         WindowDriver.onEventThread(() -> {
             // what is filled when it is opened
             Components.all(driver.window().frame())

@@ -71,7 +71,7 @@ public final class RideBenchmark {
     private RideBenchmark(WindowDriver driver, int thrusts) {
         this.driver = driver;
         this.thrusts = thrusts;
-        pilot = driver.window().motion().pilot();
+        pilot = driver.window().motion.pilot();
         PictureCanvas canvas = driver.window().view().canvas();
         // nothing is asked while pictures come, which would take time from them; they are on the screen once painted
         canvas.addOverlay((g, picture, bounds, visible, free) -> {
@@ -114,7 +114,7 @@ public final class RideBenchmark {
         WindowDriver.onEventThread(() -> {
             PictureCanvas canvas = driver.window().view().canvas();
             canvas.setPreferredSize(SIZE);
-            driver.window().side().setShown(false);
+            driver.window().side.setShown(false);
             driver.window().frame().setMinimumSize(null);
             driver.window().frame().pack();
         });

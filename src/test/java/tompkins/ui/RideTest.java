@@ -98,7 +98,7 @@ class RideTest {
         driver.drag(from, to, 12);
         Camera dragged = driver.studio().camera();
         assertThat(pixelsBetween(seen, seenAt(to, dragged), dragged)).isLessThan(0.01);
-        assertThat(driver.window().side().component().isShowing()).isTrue();
+        assertThat(driver.window().side.component().isShowing()).isTrue();
 
         Point pointer = point(0.3, 0.3);
         Vector3d under = seenAt(pointer, dragged);
@@ -152,14 +152,14 @@ class RideTest {
     @Test
     void rideIsPausedUndoneSavedAndOpenedAgain() throws Exception {
         driver.key(KeyEvent.VK_F6);
-        WindowDriver.await("the ride", () -> driver.window().motion().pilot().isRiding());
+        WindowDriver.await("the ride", () -> driver.window().motion.pilot().isRiding());
         driver.hold(KeyEvent.VK_W);
         WindowDriver.await(
                 "a faster camera",
                 () -> driver.window().model().studio().velocity().rapidity() > 0.549 + 0.3);
         driver.release(KeyEvent.VK_W);
         driver.key(KeyEvent.VK_F6);
-        WindowDriver.await("the pause", () -> !driver.window().motion().pilot().isRiding());
+        WindowDriver.await("the pause", () -> !driver.window().motion.pilot().isRiding());
         Studio paused = driver.studio();
         assertThat(paused.velocity().rapidity()).isGreaterThan(0.549 + 0.3);
         assertThat(paused.velocity().direction()).isEqualTo(new Vector3d(0, 0, 1));
@@ -221,7 +221,7 @@ class RideTest {
 
     /** Replays a ride to its end, which may be there before anybody looks. */
     private void replay() {
-        RidePilot pilot = driver.window().motion().pilot();
+        RidePilot pilot = driver.window().motion.pilot();
         AtomicBoolean replayed = new AtomicBoolean();
         WindowDriver.onEventThread(() -> pilot.addListener(() -> replayed.compareAndSet(false, pilot.isReplaying())));
         more();
@@ -237,7 +237,7 @@ class RideTest {
         Studio withRide = start.withRide(List.of(new RideLeg(0.3, 0.3, new Vector3d(0, 0, 1), 0, 0, 1)));
         driver = new WindowDriver(folder.resolve("settings"), withRide, null, List.of());
         driver.menu("menu.replay");
-        RidePilot pilot = driver.window().motion().pilot();
+        RidePilot pilot = driver.window().motion.pilot();
         WindowDriver.await("the end", () -> !pilot.isRiding() && pilot.moment() != null);
         Studio end = driver.studio();
 
@@ -253,7 +253,7 @@ class RideTest {
         Studio withRide = start.withRide(List.of(new RideLeg(0.3, 0.3, new Vector3d(0, 0, 1), 0, 0, 1)));
         driver = new WindowDriver(folder.resolve("settings"), withRide, null, List.of());
         driver.key(KeyEvent.VK_F6);
-        RidePilot pilot = driver.window().motion().pilot();
+        RidePilot pilot = driver.window().motion.pilot();
         WindowDriver.await(
                 "a ride", () -> pilot.moment() != null && pilot.moment().properTime() > 0.1);
         JButton replay = driver.find(JButton.class, "Replay");
@@ -272,7 +272,7 @@ class RideTest {
     /** Behind a question nothing moves, and the picture that is saved is the one behind it. */
     @Test
     void aQuestionPausesARide() {
-        RidePilot pilot = driver.window().motion().pilot();
+        RidePilot pilot = driver.window().motion.pilot();
         driver.key(KeyEvent.VK_F6);
         driver.hold(KeyEvent.VK_W);
         WindowDriver.await(
@@ -298,14 +298,14 @@ class RideTest {
     void rideBeginsWhereverTheFocusIs() {
         driver.click(driver.find(JTextField.class, "Speed"));
         driver.key(KeyEvent.VK_F6);
-        WindowDriver.await("the ride", () -> driver.window().motion().pilot().isRiding());
+        WindowDriver.await("the ride", () -> driver.window().motion.pilot().isRiding());
         driver.hold(KeyEvent.VK_W);
         WindowDriver.await(
                 "thrust",
                 () -> driver.window().model().studio().velocity().direction().z() > 0.01);
         driver.release(KeyEvent.VK_W);
         driver.click(driver.find(JButton.class, Texts.get("panel.ride")));
-        assertThat(driver.window().motion().pilot().isRiding()).isFalse();
+        assertThat(driver.window().motion.pilot().isRiding()).isFalse();
     }
 
     /** Otherwise no key would do anything after a click at a switch, and nobody would know why. */
@@ -326,7 +326,7 @@ class RideTest {
         driver.click(driver.find(JTextField.class, "Speed"));
         driver.key(KeyEvent.VK_B);
         assertThat(WindowDriver.onEventThread(
-                        () -> driver.window().motion().pilot().isBraking()))
+                        () -> driver.window().motion.pilot().isBraking()))
                 .isFalse();
     }
 
@@ -341,7 +341,7 @@ class RideTest {
         driver =
                 new WindowDriver(folder.resolve("settings"), Descriptions.with(start, "rides", rides), null, List.of());
         driver.key(KeyEvent.VK_F6);
-        RidePilot pilot = driver.window().motion().pilot();
+        RidePilot pilot = driver.window().motion.pilot();
         WindowDriver.await("a ride", pilot::isRiding);
         JButton challenges = driver.find(JButton.class, "Challenges");
         WindowDriver.onEventThread(() -> challenges.doClick());
@@ -374,7 +374,7 @@ class RideTest {
         WindowDriver.await(
                 "rest", () -> driver.window().model().studio().velocity().isRest());
         driver.key(KeyEvent.VK_ESCAPE);
-        assertThat(driver.window().motion().pilot().isRiding()).isFalse();
+        assertThat(driver.window().motion.pilot().isRiding()).isFalse();
         driver.completePicture();
     }
 }

@@ -142,8 +142,7 @@ class SceneFilesTest {
         byte[] before = Files.readAllBytes(file);
         CountDownLatch written = new CountDownLatch(1);
         WindowDriver.onEventThread(() -> {
-            BackgroundTask.start(driver.window().frame(), "saving", awaiting(written), nothing -> {}, () -> {})
-                    .into(file);
+            BackgroundTask.start(driver.window().frame(), "saving", file, awaiting(written), nothing -> {}, () -> {});
         });
         save();
         JLabel what = driver.find(JLabel.class, "status.what");
@@ -172,19 +171,18 @@ class SceneFilesTest {
         CountDownLatch stopped = new CountDownLatch(1);
         WindowDriver.onEventThread(() -> {
             BackgroundTask.start(
-                            driver.window().frame(),
-                            "Saving slowly",
-                            task -> {
-                                while (!task.isCancelled()) {
-                                    assertThat(stopped.await(1, TimeUnit.MILLISECONDS))
-                                            .isFalse();
-                                }
-                                task.requireWanted();
-                                return null;
-                            },
-                            nothing -> {},
-                            stopped::countDown)
-                    .into(file);
+                    driver.window().frame(),
+                    "Saving slowly",
+                    file,
+                    task -> {
+                        while (!task.isCancelled()) {
+                            assertThat(stopped.await(1, TimeUnit.MILLISECONDS)).isFalse();
+                        }
+                        task.requireWanted();
+                        return null;
+                    },
+                    nothing -> {},
+                    stopped::countDown);
         });
         return stopped;
     }

@@ -128,7 +128,7 @@ class WindowPicturesTest {
             case PROJECTOR -> press(driver, JMenuItem.class, "look.PROJECTOR");
             case CONTROLS ->
                 WindowDriver.onEventThread(() ->
-                        driver.window().side().edit(StudioPath.parse("scene[0]").orElseThrow()));
+                        driver.window().side.edit(StudioPath.parse("scene[0]").orElseThrow()));
             case RIDE -> ride(driver);
             case PINNED_RAY -> {
                 driver.click(driver.find(PictureCanvas.class, "picture"));
@@ -200,7 +200,7 @@ class WindowPicturesTest {
     private static void ride(WindowDriver driver) {
         press(driver, JMenuItem.class, "menu.map.ABOVE");
         press(driver, JMenuItem.class, "menu.replay");
-        RidePilot pilot = driver.window().motion().pilot();
+        RidePilot pilot = driver.window().motion.pilot();
         WindowDriver.await("the thrust", () -> pilot.moment().properTime() > RIDE_TIME);
         WindowDriver.onEventThread(() -> pilot.setRiding(false));
     }

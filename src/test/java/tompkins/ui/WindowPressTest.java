@@ -70,7 +70,7 @@ class WindowPressTest {
     void aQuickClickComesAfterWhatIsTyped() {
         driver.typeWithoutEnter(speed, "0.5");
         clickWithoutTimeBetween(driver.find(JToggleButton.class, Texts.get("panel.all")));
-        assertThat(driver.window().side().isEditing()).isTrue();
+        assertThat(driver.window().side.isEditing()).isTrue();
         assertThat(driver.studio().velocity().speed()).isEqualTo(0.5);
         clickWithoutTimeBetween(driver.find(JToggleButton.class, Texts.get("panel.all")));
         assertThat(speed.getText()).isEqualTo("0.5");

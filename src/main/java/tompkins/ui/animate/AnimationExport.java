@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import javax.swing.JFileChooser;
@@ -42,12 +43,6 @@ public final class AnimationExport {
         this.overlays = overlays;
     }
 
-    /** Makes a film of a studio, with a number of photographs in a second. */
-    private interface FilmMaker {
-
-        FrameSequence make(Studio studio, int frameRate);
-    }
-
     /** Asks where to save an animation of a studio. */
     public void ask(Studio studio, Animation animation) {
         boolean captioned = captions.areShown();
@@ -63,17 +58,21 @@ public final class AnimationExport {
         ask(studio, RideFilm::new, film -> Captions.ofPictures((RideFilm) film, captioned));
     }
 
-    private void ask(Studio studio, FilmMaker maker, Function<FrameSequence, FrameSequence.Caption> caption) {
+    /** Asks the same; {@code maker} makes the film of a studio with a number of photographs in a second. */
+    private void ask(
+            Studio studio,
+            BiFunction<Studio, Integer, FrameSequence> maker,
+            Function<FrameSequence, FrameSequence.Caption> caption) {
         List<FormatFilter<AnimationFormat>> formats = Stream.of(AnimationFormat.values())
                 .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
                 .toList();
         AnimationOptions options =
-                new AnimationOptions(studio, rate -> maker.make(studio, rate).frames());
+                new AnimationOptions(studio, rate -> maker.apply(studio, rate).frames());
         JFileChooser chooser = dialogs.chooser();
         chooser.setAccessory(options.component());
         SaveDialog.ask(
                 frame, chooser, Texts.get("play.exportTitle"), dialogs.fileName(), formats, (file, format, replace) -> {
-                    FrameSequence film = maker.make(options.studio(), options.frameRate());
+                    FrameSequence film = maker.apply(options.studio(), options.frameRate());
                     save(film, caption.apply(film), file, format, replace);
                 });
     }

@@ -135,11 +135,7 @@ public final class ComparePanel extends Part {
 
     private void tell() {
         update();
-        changed.accept(compared());
-    }
-
-    private Compared compared() {
-        return new Compared(other(), (Class<?>) shutters.getSelectedItem(), view(), otherName());
+        changed.accept(new Compared(other(), (Class<?>) shutters.getSelectedItem(), view(), otherName()));
     }
 
     private void update() {

@@ -73,7 +73,7 @@ public final class FileContentEditor implements ValueEditor {
 
     /** Reads in the background: a mesh may be large. If the form is gone by then, the result is dropped. */
     private void read(Path file, Reader reader, Note note, Consumer<Object> commit) {
-        BackgroundTask<?> unused = BackgroundTask.find(
+        BackgroundTask.find(
                 SwingUtilities.getWindowAncestor(button),
                 Texts.get("file.opening", file),
                 () -> afterReading(file, reader, note, commit),

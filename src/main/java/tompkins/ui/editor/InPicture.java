@@ -31,9 +31,6 @@ final class InPicture {
     /** The farthest that an object is brought: where objects usually are. */
     private static final double FARTHEST = Sphere.DEFAULT.centre().length();
 
-    /** To find out what is seen among more primitives takes too long. */
-    private static final double MOST_PRIMITIVES = 100_000;
-
     /** So many points across and down are looked at, to find out how much of the picture an object takes. */
     private static final int GRID = 16;
 
@@ -77,7 +74,7 @@ final class InPicture {
      * outside and would lie in each other.
      */
     static SceneObject inSight(Studio studio, SceneObject object) {
-        if (studio.scene().stream().mapToDouble(SceneObject::primitiveCount).sum() > MOST_PRIMITIVES) {
+        if (NewObject.areTooMany(studio.scene())) {
             return shows(studio, object) ? object : brought(studio, object, 0);
         }
         boolean leaves = object instanceof Moving;
@@ -169,9 +166,8 @@ final class InPicture {
 
     /** The distance of what is seen at a place; infinite if nothing is, or if there is too much to search. */
     private static double distance(Studio studio, Vector2dc place) {
-        double primitives =
-                studio.scene().stream().mapToDouble(SceneObject::primitiveCount).sum();
-        Sighting seen = primitives > MOST_PRIMITIVES ? null : Sighting.of(RenderPlan.of(studio), place.x(), place.y());
+        Sighting seen =
+                NewObject.areTooMany(studio.scene()) ? null : Sighting.of(RenderPlan.of(studio), place.x(), place.y());
         return seen == null || seen.hit() == null ? Double.POSITIVE_INFINITY : seen.cameraDistance();
     }
 }

@@ -31,7 +31,7 @@ final class NewObject {
     /** After this many places to either side, the object stays where it usually is. */
     private static final int MOST_STEPS = 50;
 
-    /** Looking for room among more primitives would take too long. */
+    /** Looking for room among more primitives, or for what is seen of them, would take too long. */
     private static final double MOST_PRIMITIVES = 100_000;
 
     /** From one lamp to the next. */
@@ -103,13 +103,18 @@ final class NewObject {
     /** The boxes around what has an end; none if there is too much of it. */
     private static List<Bounds> occupied(List<?> list) {
         List<SceneObject> objects = list.stream().map(SceneObject.class::cast).toList();
-        return objects.stream().mapToDouble(SceneObject::primitiveCount).sum() > MOST_PRIMITIVES
+        return areTooMany(objects)
                 ? List.of()
                 : objects.stream()
                         .flatMap(each -> PrimitiveCollector.primitivesOf(each).stream())
                         .map(Primitive::bounds)
                         .filter(Objects::nonNull)
                         .toList();
+    }
+
+    /** Whether objects have more primitives than can be looked through. */
+    static boolean areTooMany(List<SceneObject> objects) {
+        return objects.stream().mapToDouble(SceneObject::primitiveCount).sum() > MOST_PRIMITIVES;
     }
 
     /** The floor beneath a first object; empty if the object has no place, or is endless itself. */

@@ -5,16 +5,13 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.Consumer;
-import javax.swing.BorderFactory;
 import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.KeyStroke;
-import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.LightSource;
@@ -71,19 +68,12 @@ public final class SceneEditor extends Part {
         this.model = model;
         JScrollPane upper = new JScrollPane(tree.component());
         upper.setPreferredSize(new Dimension(0, Look.pixels(TREE)));
-        JScrollPane lower = new JScrollPane(
-                formPanel,
-                ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS,
-                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
-        lower.setBorder(BorderFactory.createEmptyBorder());
+        JScrollPane lower = formPanel.scrolled("form");
         // it takes what the tree leaves, and scrolls
         lower.setPreferredSize(new Dimension(0, 0));
         JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, upper, lower);
         split.getAccessibleContext().setAccessibleName(Texts.get("tree.split"));
-        // they would go from the tree to the form, and not begin a ride or show the other picture
-        for (String key : List.of("F6", "F8")) {
-            split.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(key), "none");
-        }
+        Keys.freeForWindow(split);
         panel.add(split, "wmin 0");
         JPanel buttons = Rows.of("wrap 3, hidemode 3, gap 4", "[grow,fill,sg][grow,fill,sg][grow,fill,sg]");
         for (JButton each : List.of(add, duplicate, hide, up, down, remove)) {
@@ -277,8 +267,7 @@ public final class SceneEditor extends Part {
         if (isAll()) {
             menu.addSeparator();
             offer(menu, LightSource.class, type -> {
-                tree.select(LIGHTS);
-                show(tree.chosenLine());
+                select(LIGHTS);
                 addElement(type);
             });
         }

@@ -1,6 +1,7 @@
 package tompkins.ui.editor;
 
 import java.lang.reflect.RecordComponent;
+import java.util.Map;
 import java.util.function.Consumer;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
@@ -34,6 +35,9 @@ import tompkins.ui.widget.Wording;
 /** Chooses the controls for a component of a description by its type. */
 final class ValueEditors {
 
+    private static final Map<Class<?>, NumberKind> NUMBERS =
+            Map.of(double.class, NumberKind.DOUBLE, int.class, NumberKind.INT, long.class, NumberKind.LONG);
+
     private ValueEditors() {}
 
     /**
@@ -47,14 +51,8 @@ final class ValueEditors {
         String name = component.getName();
         String label = Wording.label(name);
         String tip = Wording.meaning(component);
-        if (type == double.class) {
-            return number(new NumberField(NumberKind.DOUBLE, name, label, tip, note, commit));
-        }
-        if (type == int.class) {
-            return number(new NumberField(NumberKind.INT, name, label, tip, note, commit));
-        }
-        if (type == long.class) {
-            return number(new NumberField(NumberKind.LONG, name, label, tip, note, commit));
+        if (NUMBERS.containsKey(type)) {
+            return number(new NumberField(NUMBERS.get(type), name, label, tip, note, commit));
         }
         if (type == String.class) {
             return component.getAnnotation(Meaning.class).prose()

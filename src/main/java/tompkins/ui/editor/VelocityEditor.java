@@ -14,6 +14,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
+import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.SpeedText;
@@ -51,7 +52,13 @@ final class VelocityEditor extends Part implements ValueEditor {
                 tip + ". " + Texts.get("speed.tip"),
                 note,
                 text -> commit.accept(SpeedText.parse(text, scale(), velocity.givenDirection())));
-        direction = VectorFields.ofDirection(note, vector -> commit.accept(velocity.along(vector, scale())));
+        direction = new VectorFields(
+                "direction",
+                NumberKind.DOUBLE,
+                VectorFields.AXES,
+                Texts.get("direction.tip"),
+                note,
+                vector -> commit.accept(velocity.along(vector, scale())));
         panel.add(scales);
         panel.add(speed.field(), "wmin 40");
         directionRow.add(new JLabel(Wording.label("direction")), "span");

@@ -41,9 +41,10 @@ public final class ClipboardActions {
         Picture onScreen = window.view().canvas().shown().now();
         Set<OverlayKind> drawn = overlays.ofScene();
         String caption = captions.shown(studio);
-        BackgroundTask<BufferedImage> unused = BackgroundTask.start(
+        BackgroundTask.start(
                 window.frame(),
                 Texts.get("file.copying"),
+                null,
                 task -> levels(PhotographExport.photograph(studio, onScreen, task), studio, drawn, caption),
                 copy -> toClipboard(new ImageSelection(copy), Texts.get("file.pictureCopied")),
                 () -> window.status().report(Texts.get("file.notCopied")));

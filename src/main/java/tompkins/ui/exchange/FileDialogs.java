@@ -76,23 +76,16 @@ public final class FileDialogs implements FileContentEditor.Choosers {
      * @param done takes what came of it when it was saved
      */
     public <T> void save(Path file, BackgroundTask.Work<T> work, Consumer<? super T> done) {
-        whenFree(
-                file,
-                () -> BackgroundTask.start(
-                                window.frame(),
-                                Texts.get("file.saving", file),
-                                work,
-                                done,
-                                () -> window.status().report(Texts.get("file.notSaved", file)))
-                        .into(file));
-    }
-
-    /** Does something with a file, unless that is being saved, which is said then. */
-    void whenFree(Path file, Runnable step) {
         if (BackgroundTask.isWriting(file)) {
             window.status().report(Texts.get("file.stillSaving", file));
         } else {
-            step.run();
+            BackgroundTask.start(
+                    window.frame(),
+                    Texts.get("file.saving", file),
+                    file,
+                    work,
+                    done,
+                    () -> window.status().report(Texts.get("file.notSaved", file)));
         }
     }
 

@@ -5,7 +5,6 @@ import javax.swing.JFileChooser;
 import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import tompkins.io.StudioReader;
-import tompkins.measure.LessonStudio;
 import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.ChosenFile;
@@ -21,14 +20,12 @@ public final class SceneOpener {
     private final WindowParts window;
     private final FileDialogs dialogs;
     private final SceneSaver saver;
-    private final Runnable pause;
 
     /** Opens scenes in a window. */
-    public SceneOpener(WindowParts window, FileDialogs dialogs, SceneSaver saver, Runnable pause) {
+    public SceneOpener(WindowParts window, FileDialogs dialogs, SceneSaver saver) {
         this.window = window;
         this.dialogs = dialogs;
         this.saver = saver;
-        this.pause = pause;
     }
 
     /**
@@ -36,7 +33,7 @@ public final class SceneOpener {
      */
     public void leaveScene(Runnable next) {
         // otherwise the scene would go on changing behind the question and never be saved
-        pause.run();
+        dialogs.pause();
         EntryField.takeAll(window.frame());
         Messages.Unsaved answer = window.model().isEdited()
                 ? Messages.askAboutChanges(
@@ -80,7 +77,7 @@ public final class SceneOpener {
      */
     private void leaveForAnother(Runnable next) {
         Studio opened = window.model().opened();
-        Studio now = LessonStudio.unmoved(window.model().studio(), opened);
+        Studio now = window.model().unmoved();
         boolean looked = now.equals(opened)
                 || window.model().file() == null
                         && now.hasSameObjects(opened)
@@ -115,17 +112,11 @@ public final class SceneOpener {
 
     private void read(Path named) {
         Path file = ChosenFile.plain(named);
-        BackgroundTask<?> unused = BackgroundTask.find(
-                window.frame(),
-                Texts.get("file.opening", file),
-                () -> StudioReader.read(file),
-                studio -> showOf(file, studio));
-    }
-
-    private void showOf(Path file, Studio studio) {
-        show(studio, file);
-        window.settings().addRecentFile(file);
-        dialogs.used(file);
+        BackgroundTask.find(window.frame(), Texts.get("file.opening", file), () -> StudioReader.read(file), studio -> {
+            show(studio, file);
+            window.settings().addRecentFile(file);
+            dialogs.used(file);
+        });
     }
 
     /** Shows an example. */

@@ -66,17 +66,19 @@ public final class SceneSaver {
 
     /** Saves over a scene file; asks first if that loses what somebody wrote. */
     private void saveOver(Path file, Saving saving) {
-        // the content of a file that is being saved is not known
-        dialogs.whenFree(file, () -> {
-            Studio before = held.get(file);
-            BackgroundTask.find(window.frame(), Texts.get("file.saving", file), () -> Loss.of(file, before), loss -> {
-                        switch (loss) {
-                            case NOTHING -> write(file, saving, true);
-                            case PHOTOGRAPH -> saveAs(saving);
-                            case HANDWRITING, OTHER_SCENE -> askAboutLoss(loss, file, saving);
-                        }
-                    })
-                    .into(file);
+        Studio before = held.get(file);
+        BackgroundTask.Work<Loss> search = task -> {
+            Loss found = Loss.of(file, before);
+            task.requireWanted();
+            return found;
+        };
+        // the content of a file that is being saved is not known: it is read as if it were saved
+        dialogs.save(file, search, loss -> {
+            switch (loss) {
+                case NOTHING -> write(file, saving, true);
+                case PHOTOGRAPH -> saveAs(saving);
+                case HANDWRITING, OTHER_SCENE -> askAboutLoss(loss, file, saving);
+            }
         });
     }
 

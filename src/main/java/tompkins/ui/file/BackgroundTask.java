@@ -71,14 +71,16 @@ public final class BackgroundTask<T> extends SwingWorker<T, Void> {
     private volatile boolean unwanted;
 
     /** The file that it writes; null if there is none. */
-    private Path file;
+    private final Path file;
 
     /** The small window, or null before it is shown for the first time: most work is done before that. */
     private JDialog dialog;
 
-    private BackgroundTask(Window owner, String title, Work<T> work, Consumer<? super T> taker, Runnable notDone) {
+    private BackgroundTask(
+            Window owner, String title, Path file, Work<T> work, Consumer<? super T> taker, Runnable notDone) {
         this.owner = owner;
         this.title = title;
+        this.file = file == null ? null : plain(file);
         this.work = work;
         this.taker = taker;
         this.notDone = notDone;
@@ -87,16 +89,16 @@ public final class BackgroundTask<T> extends SwingWorker<T, Void> {
     /**
      * Starts work.
      *
+     * @param file what it writes, and no other task meanwhile; null if that is no file
      * @param done takes what came of the work if it was done, even if Cancel came too late
      * @param notDone called if it was cancelled
      */
-    public static <T> BackgroundTask<T> start(
-            Window owner, String title, Work<T> work, Consumer<? super T> done, Runnable notDone) {
-        BackgroundTask<T> task = new BackgroundTask<>(owner, title, work, done, notDone);
+    public static <T> void start(
+            Window owner, String title, Path file, Work<T> work, Consumer<? super T> done, Runnable notDone) {
+        BackgroundTask<T> task = new BackgroundTask<>(owner, title, file, work, done, notDone);
         RUNNING.add(task);
         task.timer.start();
         task.execute();
-        return task;
     }
 
     /**
@@ -104,18 +106,13 @@ public final class BackgroundTask<T> extends SwingWorker<T, Void> {
      *
      * @param done takes what was found
      */
-    public static <T> BackgroundTask<T> find(Window owner, String title, Callable<T> work, Consumer<T> done) {
+    public static <T> void find(Window owner, String title, Callable<T> work, Consumer<T> done) {
         Work<T> search = progress -> {
             T found = work.call();
             progress.requireWanted();
             return found;
         };
-        return start(owner, title, search, done, () -> {});
-    }
-
-    /** Says which file the task writes, and no other task meanwhile. */
-    public void into(Path written) {
-        file = plain(written);
+        start(owner, title, null, search, done, () -> {});
     }
 
     private static Path plain(Path file) {

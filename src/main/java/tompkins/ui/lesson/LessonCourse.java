@@ -76,14 +76,10 @@ public final class LessonCourse {
         return place(lesson) < 0 ? "" : Texts.get("lesson.progress", place(lesson) + 1, lessons.size(), done);
     }
 
-    private Optional<Studio> after(Studio lesson) {
+    /** The lesson that follows, if there is one. */
+    Optional<Studio> after(Studio lesson) {
         int place = place(lesson);
         return place < 0 || place + 1 == lessons.size() ? Optional.empty() : Optional.of(lessons.get(place + 1));
-    }
-
-    /** Whether another lesson follows. */
-    boolean goesOnAfter(Studio lesson) {
-        return after(lesson).isPresent();
     }
 
     /** Opens the lesson that follows. */

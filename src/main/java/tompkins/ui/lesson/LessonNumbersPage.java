@@ -15,7 +15,6 @@ import tompkins.ui.widget.Texts;
 final class LessonNumbersPage extends Part {
 
     private final JPanel table = Rows.column();
-    private final Note letters = new Note("");
     private final Note note = new Note("");
 
     /** An empty page. */
@@ -23,8 +22,7 @@ final class LessonNumbersPage extends Part {
         super(Rows.column());
         panel.add(Note.paragraph(FactText.readable(lesson.law())).component(), "wmin 0");
         panel.add(table, "wmin 0");
-        letters.setText(FactText.readable(lesson.letters()));
-        panel.add(letters.component(), "wmin 0, gaptop 3");
+        panel.add(new Note(FactText.readable(lesson.letters())).component(), "wmin 0, gaptop 3");
         panel.add(note.component(), "wmin 0");
     }
 
@@ -53,15 +51,13 @@ final class LessonNumbersPage extends Part {
 
     /** Says that it is being measured. */
     void showBusy() {
-        table.removeAll();
-        table.repaint();
+        show(List.of());
         note.setText(Texts.get("lesson.measuring"));
     }
 
     /** Says why nothing could be measured. */
     void showProblem(String message) {
-        table.removeAll();
-        table.repaint();
+        show(List.of());
         note.setError(Texts.get("lesson.unmeasured", message));
     }
 }

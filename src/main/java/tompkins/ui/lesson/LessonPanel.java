@@ -1,7 +1,6 @@
 package tompkins.ui.lesson;
 
 import com.formdev.flatlaf.FlatClientProperties;
-import java.awt.Window;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -270,14 +269,10 @@ public final class LessonPanel extends Part {
         String key = "lesson.next." + following().map(Step::name).orElse("LESSON");
         Naming.name(next, key);
         next.setText(Texts.get(key));
-        next.setVisible(hasNextPage() || course.goesOnAfter(model.studio()));
+        next.setVisible(following().isPresent() || course.after(model.studio()).isPresent());
         boolean looked = step != Step.LOOK || farthest != Step.LOOK || slider.isMoved() || flown;
         next.setEnabled(question.answer().isPresent() && looked);
         progress.setText(course.progress(model.studio()));
-    }
-
-    private boolean hasNextPage() {
-        return following().isPresent();
     }
 
     /** The next page; none after the last, which measures if the lesson has numbers. */
@@ -301,25 +296,25 @@ public final class LessonPanel extends Part {
         following().ifPresentOrElse(this::goTo, () -> course.openAfter(model.studio()));
     }
 
-    private void goTo(Step following) {
+    private void goTo(Step chosen) {
         question.answer().ifPresent(answer -> {
             look.show(answer);
             reason.show(answer);
         });
-        show(following);
+        show(chosen);
         LessonStudio.otherShutter(lesson.lesson()).ifPresent(stage::compare);
         if (!next.isEnabled()) {
             // after a tap it gets the keys only now, and would hold them without using them
             slider.takeKeys();
         }
-        if (following == Step.REASON) {
+        if (chosen == Step.REASON) {
             reason.showFirst();
             // the text explains what must be on the screen
             fitting().ifPresent(present -> {
                 model.set(present.measured());
-                finishIf(!hasNextPage());
+                finishIf(following().isEmpty());
             });
-        } else if (following == Step.MEASURE) {
+        } else if (chosen == Step.MEASURE) {
             fitting().ifPresent(this::measure);
         }
     }
@@ -355,36 +350,27 @@ public final class LessonPanel extends Part {
         numbers.showBusy();
         model.set(present.measured());
         measured = model.studio();
-        Window window = SwingUtilities.getWindowAncestor(panel);
         LessonNumbersPage page = numbers;
-        BackgroundTask<?> unused =
-                BackgroundTask.find(window, Texts.get("lesson.measuring"), () -> Outcome.of(present), found -> {
-                    if (found.problem == null) {
-                        page.show(found.results);
-                        if (model.studio().equals(measured)) {
-                            stage.mark(found.results);
-                            finishIf(found.results.stream().allMatch(LessonResult::agrees));
-                        }
-                    } else {
-                        page.showProblem(found.problem);
-                    }
-                });
+        BackgroundTask.find(
+                SwingUtilities.getWindowAncestor(panel),
+                Texts.get("lesson.measuring"),
+                () -> afterMeasuring(present, page),
+                Runnable::run);
     }
 
-    /**
-     * The result of measuring.
-     *
-     * @param results what was measured
-     * @param problem why nothing was measured, or null
-     */
-    private record Outcome(List<LessonResult> results, String problem) {
-
-        static Outcome of(LessonStudio lesson) {
-            try {
-                return new Outcome(lesson.results(), null);
-            } catch (InvalidPropertyException impossible) {
-                return new Outcome(List.of(), impossible.getMessage());
-            }
+    /** Measures, and returns what has to be done afterwards. */
+    private Runnable afterMeasuring(LessonStudio present, LessonNumbersPage page) {
+        try {
+            List<LessonResult> results = present.results();
+            return () -> {
+                page.show(results);
+                if (model.studio().equals(measured)) {
+                    stage.mark(results);
+                    finishIf(results.stream().allMatch(LessonResult::agrees));
+                }
+            };
+        } catch (InvalidPropertyException impossible) {
+            return () -> page.showProblem(impossible.getMessage());
         }
     }
 }

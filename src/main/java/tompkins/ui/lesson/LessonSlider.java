@@ -74,8 +74,8 @@ final class LessonSlider extends Part {
 
     /** Whether the number, if it is there, lies on the slider. */
     boolean isReached() {
-        return !number.isIn(model.studio())
-                || number.in(model.studio()) >= control.from() && number.in(model.studio()) <= control.to();
+        double now = isThere() ? number.in(model.studio()) : control.from();
+        return now >= control.from() && now <= control.to();
     }
 
     /** Lets the keys move the slider. */

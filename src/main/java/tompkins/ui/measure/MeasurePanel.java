@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -51,8 +52,8 @@ final class MeasurePanel extends Part {
     private Measured measured;
     private Measured otherMeasured;
 
-    /** The panel of a tool, hidden. */
-    MeasurePanel(MeasureTool tool) {
+    /** The panel of a tool, hidden; {@code copier} puts a text on the clipboard. */
+    MeasurePanel(MeasureTool tool, Consumer<String> copier) {
         super(new JPanel(
                 new MigLayout("novisualpadding, insets 0 4 0 4, fillx, hidemode 3, gap 6 4", "[][][][grow][]")));
         Naming.name(kinds, "measure.kind");
@@ -62,7 +63,7 @@ final class MeasurePanel extends Part {
         Naming.items(contents, content -> Texts.get("measure.chart." + content.name()));
         contents.addActionListener(event -> chart().setContent((ProfileChart.Content) contents.getSelectedItem()));
         chartPlace.setOpaque(false);
-        copy = Buttons.of("measure.copy", () -> tool.copy(text()));
+        copy = Buttons.of("measure.copy", () -> copier.accept(text()));
         // a narrow window has no room for the longest name
         panel.add(kinds, "wmin 0");
         panel.add(Buttons.of("measure.clear", tool::clear));

@@ -149,7 +149,7 @@ public final class MeasureTool implements PictureTool {
     /** What says what lies between the places; made when it is first asked for. */
     public JComponent component() {
         if (panel == null) {
-            panel = new MeasurePanel(this);
+            panel = new MeasurePanel(this, copier);
         }
         return panel.component();
     }
@@ -211,10 +211,5 @@ public final class MeasureTool implements PictureTool {
         ruler.forget();
         otherRuler.forget();
         update();
-    }
-
-    /** Puts a text on the clipboard. */
-    void copy(String text) {
-        copier.accept(text);
     }
 }

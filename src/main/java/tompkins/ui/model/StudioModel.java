@@ -118,12 +118,10 @@ public final class StudioModel {
         return current.opened();
     }
 
-    /** Whether the camera is where it was when the studio was opened or last saved, looks there and is as fast. */
-    public boolean isAtHome() {
-        return isAtHome(studio());
-    }
-
-    /** The same of another studio, such as one in which a number has its value of then. */
+    /**
+     * Whether the camera of a studio, such as the present one, is where it was when this one was opened or last saved,
+     * looks there and is as fast.
+     */
     public boolean isAtHome(Studio studio) {
         Camera now = studio.camera();
         Camera home = opened().camera();

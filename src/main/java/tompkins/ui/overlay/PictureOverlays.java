@@ -36,7 +36,7 @@ public final class PictureOverlays {
         canvas.addOverlay(map);
         canvas.addOverlay(arrow);
         model.addOpenListener(this::beginScene);
-        update();
+        arrow.setShown(isArrowShown());
     }
 
     /** Whether the arrow is drawn; it is at first. */
@@ -47,7 +47,8 @@ public final class PictureOverlays {
     /** Draws the arrow from now on, or not. */
     public void setArrowShown(boolean shown) {
         settings.setNumber(ARROW, shown ? 1 : 0);
-        update();
+        arrow.setShown(shown);
+        canvas.repaint();
     }
 
     /** Whether what formulas say is drawn. */
@@ -62,7 +63,8 @@ public final class PictureOverlays {
         } else {
             kinds.remove(kind);
         }
-        update();
+        overlay.setShown(kinds);
+        canvas.repaint();
     }
 
     /** The axis along which the map of the scene looks; empty if there is none. */
@@ -73,23 +75,18 @@ public final class PictureOverlays {
     /** Shows the map along another axis, until another scene is opened, or none. */
     public void setMap(Optional<MapAxis> along) {
         axis = along;
-        update();
+        map.setShown(along);
+        canvas.repaint();
     }
 
     private void beginScene() {
         kinds.clear();
+        overlay.setShown(kinds);
         setMap(Optional.empty());
     }
 
     /** What formulas say about the scene, as far as it is drawn. */
     public Set<OverlayKind> ofScene() {
         return overlay.shown();
-    }
-
-    private void update() {
-        arrow.setShown(isArrowShown());
-        map.setShown(axis);
-        overlay.setShown(kinds);
-        canvas.repaint();
     }
 }

@@ -38,7 +38,11 @@ public final class ControlRows extends Part {
                 row("view", "row.view"),
                 row("camera.shutter", "row.shutter"),
                 row("camera.shutter.openingTime", "row.openingTime", new Note(""), size::times),
-                row("camera.exposureTime", "row.exposureTime", new Note(""), this::exposures),
+                row(
+                        "camera.exposureTime",
+                        "row.exposureTime",
+                        new Note(""),
+                        studio -> size.spans(studio, studio.camera().exposureTime())),
                 row("camera.apertureRadius", "row.aperture"),
                 row("camera.horizontalAngleDegrees", "row.angle"),
                 row("camera.exposureStops", "row.exposure"));
@@ -47,15 +51,11 @@ public final class ControlRows extends Part {
     }
 
     private StudioRow row(String path, String name) {
-        return row(path, name, new Note(""), null);
+        return new StudioRow(model, path, Texts.get(name));
     }
 
     private StudioRow row(String path, String name, Note note, Function<Studio, Range> range) {
         return new StudioRow(model, path, Texts.get(name), note, range);
-    }
-
-    private Range exposures(Studio studio) {
-        return size.spans(studio, studio.camera().exposureTime());
     }
 
     /** Says what the speed is in other notations, or that there are no pictures at this speed. */

@@ -83,7 +83,7 @@ public final class PhotographView implements AutoCloseable {
     private final Asker asker = new Asker("tompkins-asker", this::fail);
     private final PixelPin pin;
 
-    /** The first that is wanted is in the hand. */
+    /** The first that is wanted is in the hand, or else the pin. */
     private final List<PictureTool> tools = new ArrayList<>();
 
     private Studio rendered;
@@ -105,7 +105,6 @@ public final class PhotographView implements AutoCloseable {
                 screen::setNow, error -> SwingUtilities.invokeLater(() -> listener.noPicture(Messages.of(error))));
         compared = new ComparedPicture(model, screen, this::sizeOf, this::fail);
         pin = new PixelPin(canvas, this::nameOf, listener::pinned, asker);
-        tools.add(pin);
         canvas.setTool(pin);
         model.addLiveListener(this::renderChange);
         model.addOpenListener(this::beginScene);
@@ -236,7 +235,7 @@ public final class PhotographView implements AutoCloseable {
 
     /** Adds a tool, which comes before that which pins, and after those that were added earlier. */
     public void addTool(PictureTool tool) {
-        tools.add(tools.size() - 1, tool);
+        tools.add(tool);
     }
 
     /** Takes the first tool that is wanted into the hand, and tells what a click does from now on. */

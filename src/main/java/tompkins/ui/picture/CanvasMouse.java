@@ -31,13 +31,9 @@ public final class CanvasMouse extends MouseAdapter {
         canvas.addMouseWheelListener(this);
     }
 
-    private boolean isNearDivider(Point point) {
+    /** Whether a drag that begins at a point moves the divider. */
+    public boolean isNearDivider(Point point) {
         return Math.abs(point.x - canvas.dividerX()) <= GRIP;
-    }
-
-    /** Whether a drag that begins at a point turns the camera. */
-    public boolean isFreeAt(Point point) {
-        return !isNearDivider(point);
     }
 
     /** Whether the mouse has moved too far since its button was pressed for a click. */

@@ -336,7 +336,7 @@ public final class PictureCanvas extends JPanel {
         return pane == null ? null : PicturePainter.inUnits(pane.bounds(), scale());
     }
 
-    /** Where the divider is on this component; a point far away if there is none, or if a click is expected. */
+    /** Where the divider is on this component; a point far away if there is none. */
     int dividerX() {
         return splits() ? (int) Math.round(arrangement().dividerX() / scale()) : Integer.MIN_VALUE / 2;
     }

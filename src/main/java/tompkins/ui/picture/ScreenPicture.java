@@ -35,8 +35,7 @@ public record ScreenPicture(
 
     /** The same place in another picture: a kept one may have another size. */
     public Point2D placeIn(Picture picture, Point2D place) {
-        double scale = (double) picture.studio().settings().width()
-                / now.studio().settings().width();
+        double scale = (double) picture.ownWidth() / now.ownWidth();
         return new Point2D.Double(scale * place.getX(), scale * place.getY());
     }
 

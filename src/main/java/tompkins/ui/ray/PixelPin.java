@@ -29,13 +29,13 @@ public final class PixelPin implements PictureTool {
     private final Function<Picture, String> names;
     private final BiConsumer<PixelReading, String> listener;
     private final Asker asker;
-    private Point2D place;
-    private boolean inOther;
+    private Pinned now = new Pinned(null, false);
 
     /** What was pinned before. */
-    private Point2D placeBefore;
+    private Pinned before = now;
 
-    private boolean beforeInOther;
+    /** A place of the picture, or of the one beside it; null if none is pinned. */
+    private record Pinned(Point2D place, boolean inOther) {}
 
     /** The plan of the picture that was read, and the name of the picture at that time. */
     private RenderPlan readPlan;
@@ -61,11 +61,9 @@ public final class PixelPin implements PictureTool {
     }
 
     /** Pins a place of the picture, or of the one beside it; no place if it is null. */
-    public void set(Point2D newPlace, boolean newInOther) {
-        placeBefore = place;
-        beforeInOther = inOther;
-        place = newPlace;
-        inOther = newInOther;
+    public void set(Point2D place, boolean inOther) {
+        before = now;
+        now = new Pinned(place, inOther);
         canvas.setPin(place);
         read();
     }
@@ -88,15 +86,15 @@ public final class PixelPin implements PictureTool {
     /** Pins again what was pinned before the first click. */
     @Override
     public boolean clickAgain(Point2D clicked, Picture seen) {
-        set(placeBefore, beforeInOther);
+        set(before.place, before.inOther);
         return false;
     }
 
     /** Another picture is on the screen. */
     public void follow() {
-        if (place != null && !canvas.shown().now().holds(place)) {
+        if (now.place != null && !canvas.shown().now().holds(now.place)) {
             set(null, false);
-        } else if (place != null
+        } else if (now.place != null
                 && (picture().plan() != readPlan || !Objects.equals(names.apply(picture()), readName))) {
             read();
         }
@@ -104,7 +102,7 @@ public final class PixelPin implements PictureTool {
 
     /** Reads the pinned place again, if there is one. */
     public void readAgain() {
-        if (place != null) {
+        if (now.place != null) {
             read();
         }
     }
@@ -112,8 +110,8 @@ public final class PixelPin implements PictureTool {
     /** Follows a cone of rays around the pinned one; the answer comes on the event thread. */
     public void askCone(Consumer<List<SampleHistory>> answer) {
         Picture picture = picture();
-        if (place != null && picture != null) {
-            Point2D middle = picture.inPixels(canvas.shown().placeIn(picture, place));
+        if (now.place != null && picture != null) {
+            Point2D middle = picture.inPixels(canvas.shown().placeIn(picture, now.place));
             asker.ask(RayCone.class, () -> cone(picture.plan(), middle), answer);
         }
     }
@@ -124,12 +122,12 @@ public final class PixelPin implements PictureTool {
 
     private Picture picture() {
         ScreenPicture shown = canvas.shown();
-        return inOther && shown.otherImage() != null ? shown.other() : shown.now();
+        return now.inOther && shown.otherImage() != null ? shown.other() : shown.now();
     }
 
     private void read() {
         Picture picture = picture();
-        if (place == null || picture == null) {
+        if (now.place == null || picture == null) {
             // the plan may hold a large scene
             readPlan = null;
             asker.drop(this);
@@ -139,7 +137,7 @@ public final class PixelPin implements PictureTool {
         readPlan = picture.plan();
         String name = names.apply(picture);
         readName = name;
-        Point2D own = canvas.shown().placeIn(picture, place);
+        Point2D own = canvas.shown().placeIn(picture, now.place);
         asker.ask(this, () -> PixelReading.of(picture, own), reading -> listener.accept(reading, name));
     }
 }

@@ -43,16 +43,16 @@ public final class RaySection extends Part {
     private final JComponent frames = ChoiceRow.of(
             List.of(Frame.SCENE, Frame.CAMERA),
             each -> Texts.get("ray.diagram." + each),
-            each -> Texts.get("ray.diagram." + each),
             each -> Texts.get("ray.diagram." + each + ".choose"),
             this::draw);
     private Frame frame = Frame.SCENE;
     private final JButton edit = Buttons.of("ray.edit", this::edit);
-    private final JButton drawRay = Buttons.of("ray.draw", this::drawRay);
-    private final JButton drawCone = Buttons.of("ray.cone", this::drawCone);
 
     /** The pinned ray, if it has a life. */
     private List<SampleHistory> rays = List.of();
+
+    private final JButton drawRay = Buttons.of("ray.draw", () -> draw("ray", rays));
+    private final JButton drawCone = Buttons.of("ray.cone", this::drawCone);
 
     /** What is photographed in its picture; null if nothing is pinned. */
     private Studio studio;
@@ -146,10 +146,6 @@ public final class RaySection extends Part {
                 .filter(sought::add)
                 .flatMap(object -> StudioPath.to(model.studio(), object).stream())
                 .findFirst();
-    }
-
-    private void drawRay() {
-        draw("ray", rays);
     }
 
     private void drawCone() {

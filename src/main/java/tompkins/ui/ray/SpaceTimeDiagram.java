@@ -178,7 +178,11 @@ public record SpaceTimeDiagram(
 
     /** The area around the path of a ray, with the event at the lens in the middle near the top. */
     static Rectangle2D around(List<Point2D> path) {
-        double reach = reach(path);
+        // in x or y, whichever is more; 0 if there is nothing but the lens
+        double reach = path.stream()
+                .mapToDouble(point -> Math.max(Math.abs(point.getX()), Math.abs(point.getY())))
+                .max()
+                .orElse(0);
         double room = ROOM * (reach == 0 ? 1 : reach);
         return new Rectangle2D.Double(-room, -room, 2 * room, (1 + AFTER) * room);
     }
@@ -213,13 +217,5 @@ public record SpaceTimeDiagram(
 
     private static Point2D place(Event event, Event origin, Vector3dc along) {
         return new Point2D.Double(along.dot(event.position().sub(origin.position())), event.time() - origin.time());
-    }
-
-    /** How far from the lens events are, in x or y, whichever is more; 0 if there is nothing but the lens. */
-    private static double reach(List<Point2D> path) {
-        return path.stream()
-                .mapToDouble(point -> Math.max(Math.abs(point.getX()), Math.abs(point.getY())))
-                .max()
-                .orElse(0);
     }
 }

@@ -115,29 +115,29 @@ public final class Motion {
         EntryField.takeAll(window.frame());
     }
 
-    /** Animates a number. */
-    public void play(NumberProperty property) {
+    /** Ends a ride, and shows the animation. */
+    private PlayPanel openPlay() {
         takeEntries();
         pilot.setRiding(false);
         strip.open(TabStrip.Tab.PLAY);
-        playPanel().run(property);
+        return playPanel();
+    }
+
+    /** Animates a number. */
+    public void play(NumberProperty property) {
+        openPlay().run(property);
     }
 
     /** Lets the light of flashes travel. */
     public void playLight() {
-        takeEntries();
-        pilot.setRiding(false);
-        strip.open(TabStrip.Tab.PLAY);
         Optional<Picture> shown = Optional.ofNullable(canvas.shown().now());
-        playPanel().runLight(shown.flatMap(picture -> new Flashes(picture.plan()).litTimes()));
+        openPlay().runLight(shown.flatMap(picture -> new Flashes(picture.plan()).litTimes()));
     }
 
     /** Plays the animation, or pauses it. */
     public void togglePlay() {
-        takeEntries();
-        pilot.setRiding(false);
-        strip.open(TabStrip.Tab.PLAY);
-        playPanel().setPlaying(!playPanel().isPlaying());
+        PlayPanel panel = openPlay();
+        panel.setPlaying(!panel.isPlaying());
     }
 
     /** Begins a ride, or pauses it. */
@@ -190,10 +190,9 @@ public final class Motion {
     }
 
     private void paintLine(Graphics2D g, Rectangle free) {
-        List<String> parts = parts();
-        if (!parts.isEmpty()) {
+        if (isOnRide()) {
             Font font = Look.captions();
-            Rectangle below = PictureLabel.paintParts(g, font, parts, free);
+            Rectangle below = PictureLabel.paintParts(g, font, parts(pilot.moment()), free);
             RideTask.Verdict verdict = pilot.task().verdict();
             if (verdict != null) {
                 // below the rest, where it can be read from the back row
@@ -207,14 +206,10 @@ public final class Motion {
         return ride != null && ride.isShown() && pilot.moment() != null;
     }
 
-    /** What the line at the top of the picture says; nothing if the camera is not on a ride. */
-    private List<String> parts() {
-        RideMoment moment = pilot.moment();
-        List<String> parts = new ArrayList<>();
-        if (isOnRide()) {
-            parts.addAll(state(moment));
-            parts.addAll(Captions.parts(moment, pilot.isRiding()));
-        }
+    /** What the line at the top of the picture says. */
+    private List<String> parts(RideMoment moment) {
+        List<String> parts = new ArrayList<>(state(moment));
+        parts.addAll(Captions.parts(moment, pilot.isRiding()));
         return parts;
     }
 

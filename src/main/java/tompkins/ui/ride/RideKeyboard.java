@@ -5,7 +5,6 @@ import java.awt.im.InputContext;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import java.util.function.IntUnaryOperator;
 import java.util.stream.Collectors;
 import tompkins.ui.widget.LatinKeys;
 import tompkins.ui.widget.Texts;
@@ -57,20 +56,12 @@ public record RideKeyboard(String name, String letters) {
 
     /** The letters as they stand on keys, with spaces between them. */
     String text() {
-        // of two small letters with one capital the second stays small
-        return String.join(
-                " ",
-                mapped(
-                                letters,
-                                c -> Character.toLowerCase(Character.toUpperCase(c)) == c
-                                        ? Character.toUpperCase(c)
-                                        : c)
-                        .split(""));
-    }
-
-    /** Letter by letter: a whole word may end with a letter of its own. */
-    private static String mapped(String text, IntUnaryOperator change) {
-        return text.chars().map(change).mapToObj(Character::toString).collect(Collectors.joining());
+        // letter by letter: a whole word may end with a letter of its own
+        return letters.chars()
+                // of two small letters with one capital the second stays small
+                .map(c -> Character.toLowerCase(Character.toUpperCase(c)) == c ? Character.toUpperCase(c) : c)
+                .mapToObj(Character::toString)
+                .collect(Collectors.joining(" "));
     }
 
     /**

@@ -93,7 +93,6 @@ public final class RidePanel extends Part {
                 new Range(SLOWEST, FASTEST, 3),
                 (units, drag) -> setUnits(units),
                 drag -> {});
-        light.show(pilot.unitsPerSecond());
         Naming.name(ride, "ride.ride");
         ride.addActionListener(event -> fly(() -> pilot.setRiding(ride.isSelected())));
         Naming.name(record, "ride.record");
@@ -114,7 +113,6 @@ public final class RidePanel extends Part {
         panel.add(showMore, "wrap");
         panel.add(more, "span, growx");
         panel.setVisible(false);
-        setUnits(pilot.unitsPerSecond());
         pilot.addListener(this::update);
         model.addListener(this::updateTask);
         update();
@@ -127,7 +125,7 @@ public final class RidePanel extends Part {
         more.add(record, "span, split 4");
         more.add(replay);
         more.add(export);
-        JPanel views = Rows.panel();
+        JPanel views = Rows.of("wrap 2, hidemode 3, gap 6 5", "[pref][grow,fill]");
         new StudioRow(model, "view", Texts.get("row.view")).addTo(views);
         more.add(views, "gapleft push, wmin 0, wrap");
         more.add(keyboard, "span, split 2, wmin 0");

@@ -157,7 +157,7 @@ public final class RidePilot {
             setRecording(false);
         } else if (moment() != null) {
             Studio start = trip.start();
-            flyFrom(
+            trip = RideTrip.from(
                     start,
                     RideMoment.start(model.studio().withCamera(start.camera()).withVelocity(start.velocity())));
             state = isRiding() ? Flying.coasting(false) : new Idle(false);
@@ -194,16 +194,16 @@ public final class RidePilot {
     private void begin() {
         if (moment() == null) {
             List<Ride> rides = model.studio().rides();
-            if (model.isAtHome() && !rides.isEmpty()) {
+            if (model.isAtHome(model.studio()) && !rides.isEmpty()) {
                 attempt(() -> goToStart(rides.get(0)));
             }
             if (moment() == null) {
                 task.begin(Ride.DEFAULT);
-                flyFrom(model.studio(), RideMoment.start(model.studio()));
+                trip = RideTrip.from(model.studio(), RideMoment.start(model.studio()));
                 whenBegun.run();
             }
         } else if (state.equals(new Idle(true))) {
-            flyFrom(trip.start(), moment());
+            trip = RideTrip.from(trip.start(), moment());
         }
         run(Flying.coasting(false));
     }
@@ -214,14 +214,10 @@ public final class RidePilot {
         timer.start();
     }
 
-    private void flyFrom(Studio start, RideMoment now) {
-        trip = RideTrip.from(start, now);
-    }
-
     private void goToStart(Ride ride) {
         unitsPerSecond = ride.lightSpeed();
         Studio start = ride.start(model.atHome());
-        flyFrom(start, RideMoment.start(start));
+        trip = RideTrip.from(start, RideMoment.start(start));
         state = new Idle(false);
         whenBegun.run();
         model.look(trip.moment().studio(), gesture);
@@ -255,7 +251,7 @@ public final class RidePilot {
     public void setRecording(boolean recording) {
         setRiding(recording);
         if (recording) {
-            flyFrom(trip.start(), RideMoment.start(model.studio()));
+            trip = RideTrip.from(trip.start(), RideMoment.start(model.studio()));
             state = Flying.coasting(true);
             task.restart();
             tell();

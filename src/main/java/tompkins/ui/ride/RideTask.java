@@ -70,8 +70,7 @@ final class RideTask {
         } else if (after.reached() > progress.reached()) {
             reached.add(clocks(next, now));
             if (after.isMet()) {
-                String place = Texts.get(place(next, ride));
-                settle(new Verdict(true, place + " " + String.join(GAP, reached) + ": " + Texts.get("ride.met")));
+                settle(new Verdict(true, place(next) + " " + String.join(GAP, reached) + ": " + Texts.get("ride.met")));
             }
         }
         progress = after;
@@ -110,17 +109,13 @@ final class RideTask {
             return "";
         }
         double distance = next.position().distance(now.rider().event().position()) - next.within();
-        return toGo(distance, place(next, ride)) + GAP + clocks(next, now);
+        String toGo = distance > 0 ? Texts.get("ride.toGo", Numbers.brief(distance, 3)) : place(next);
+        return toGo + GAP + clocks(next, now);
     }
 
-    /** The key of the name of a place: a ride may lead home. */
-    private static String place(RideGoal goal, Ride ride) {
-        return goal.position().equals(ride.position()) ? "ride.homeAgain" : "ride.there";
-    }
-
-    /** The way to go, or the key of the place that is reached. */
-    private static String toGo(double distance, String place) {
-        return distance > 0 ? Texts.get("ride.toGo", Numbers.brief(distance, 3)) : Texts.get(place);
+    /** What a place is called that is reached: a ride may lead home. */
+    private String place(RideGoal goal) {
+        return Texts.get(goal.position().equals(ride.position()) ? "ride.homeAgain" : "ride.there");
     }
 
     /** What is measured, and what is asked for: age, time, speed. */

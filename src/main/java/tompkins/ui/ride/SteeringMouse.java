@@ -87,24 +87,21 @@ final class SteeringMouse extends MouseAdapter {
     private PicturePosition pointed() {
         Picture picture = canvas.shown().now();
         Point2D place = canvas.pointedPlace();
-        return place == null ? position(picture.ownWidth() / 2.0, picture.ownHeight() / 2.0) : position(place);
+        return position(
+                place == null ? new Point2D.Double(picture.ownWidth() / 2.0, picture.ownHeight() / 2.0) : place);
     }
 
     private PicturePosition position(Point2D place) {
-        return position(place.getX(), place.getY());
-    }
-
-    private PicturePosition position(double x, double y) {
         Picture picture = canvas.shown().now();
-        return new PicturePosition(x, y, picture.ownWidth(), picture.ownHeight());
+        return new PicturePosition(place.getX(), place.getY(), picture.ownWidth(), picture.ownHeight());
     }
 
     /** The place of the picture at a point of the canvas, which may lie outside the picture. */
     private PicturePosition place(Point point, Rectangle bounds) {
         Picture picture = canvas.shown().now();
-        return position(
+        return position(new Point2D.Double(
                 (point.x + 0.5 - bounds.x) / bounds.width * picture.ownWidth(),
-                (point.y + 0.5 - bounds.y) / bounds.height * picture.ownHeight());
+                (point.y + 0.5 - bounds.y) / bounds.height * picture.ownHeight()));
     }
 
     /** Turns the camera by steps to the right and up. */
@@ -122,7 +119,7 @@ final class SteeringMouse extends MouseAdapter {
     @Override
     public void mousePressed(MouseEvent event) {
         boolean steers =
-                SwingUtilities.isLeftMouseButton(event) && canvas.hand().isFreeAt(event.getPoint());
+                SwingUtilities.isLeftMouseButton(event) && !canvas.hand().isNearDivider(event.getPoint());
         dragged = steers ? canvas.boundsAt(event.getPoint()) : null;
         if (dragged != null) {
             begin(null);

@@ -1,6 +1,5 @@
 package tompkins.ui.widget;
 
-import com.formdev.flatlaf.FlatClientProperties;
 import javax.swing.JButton;
 
 /** Buttons with the text of a key, and the tooltip of that key with {@code Tip} appended. */
@@ -13,14 +12,6 @@ public final class Buttons {
         JButton button = new JButton(Texts.get(key));
         Naming.name(button, key);
         button.addActionListener(event -> action.run());
-        return button;
-    }
-
-    /** A small cross that closes a bar. */
-    public static JButton closing(String key, Runnable action) {
-        JButton button = of(key, action);
-        button.setText("\u00d7");
-        button.putClientProperty(FlatClientProperties.BUTTON_TYPE, FlatClientProperties.BUTTON_TYPE_TOOLBAR_BUTTON);
         return button;
     }
 }

@@ -13,7 +13,7 @@ import javax.swing.JToggleButton;
 public final class ChoiceRow {
 
     /** The style of a button in a row of which one is chosen. */
-    public static final String STYLE = "margin: 2,4,2,4; minimumWidth: 0; selectedBackground: $Component.accentColor;"
+    private static final String STYLE = "margin: 2,4,2,4; minimumWidth: 0; selectedBackground: $Component.accentColor;"
             + " selectedForeground: $Tompkins.chosen; focusedBorderColor: $Tompkins.chosen";
 
     private ChoiceRow() {}
@@ -21,22 +21,20 @@ public final class ChoiceRow {
     /**
      * A row for some values.
      *
-     * @param text the text on the button of a value
-     * @param name the name of the button
+     * @param text the text on the button of a value, which is its name, too
      * @param tip what its value means
      * @param chosen notified of each choice
      */
     public static <T> JComponent of(
             List<T> values,
             Function<? super T, String> text,
-            Function<? super T, String> name,
             Function<? super T, String> tip,
             Consumer<? super T> chosen) {
         JPanel row = Rows.of("gap 2", "[grow,fill]".repeat(values.size()));
         ButtonGroup group = new ButtonGroup();
         for (T value : values) {
             JToggleButton button = new JToggleButton(text.apply(value), group.getButtonCount() == 0);
-            Naming.name(button, name.apply(value), tip.apply(value));
+            Naming.name(button, button.getText(), tip.apply(value));
             button.putClientProperty(FlatClientProperties.STYLE, STYLE);
             whenChosen(button, () -> chosen.accept(value));
             group.add(button);

@@ -2,7 +2,10 @@ package tompkins.ui.widget;
 
 import java.awt.Dimension;
 import java.awt.Rectangle;
+import javax.swing.BorderFactory;
 import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.ScrollPaneConstants;
 import javax.swing.Scrollable;
 import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
@@ -16,6 +19,20 @@ public final class Column extends JPanel implements Scrollable {
     /** An empty column. */
     public Column() {
         super(new MigLayout("novisualpadding, insets 6 6 4 6, fillx, wrap 1, hidemode 3, gap 0 0", "[grow,fill]"));
+    }
+
+    /** Puts it into a scroll pane with a name, which may take any height. */
+    public JScrollPane scrolled(String name) {
+        JScrollPane scroll = new JScrollPane(
+                this,
+                // so that nothing moves sideways when there is more, or less, than fits
+                ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS,
+                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        scroll.setName(name);
+        scroll.setBorder(BorderFactory.createEmptyBorder());
+        // beside another one it takes the room that is left
+        scroll.setMinimumSize(new Dimension(0, 0));
+        return scroll;
     }
 
     @Override

@@ -8,6 +8,7 @@ import java.awt.event.KeyEvent;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.JRootPane;
+import javax.swing.JSplitPane;
 import javax.swing.KeyStroke;
 import javax.swing.MenuSelectionManager;
 
@@ -54,6 +55,13 @@ public final class Keys {
                 action.run();
             }
         });
+    }
+
+    /** Leaves the keys to the window that split panes have a use of their own for. */
+    public static void freeForWindow(JSplitPane split) {
+        for (String key : new String[] {"F6", "F8"}) {
+            split.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(key), "none");
+        }
     }
 
     private static boolean isMenuOpen() {

@@ -10,11 +10,6 @@ public final class Rows {
 
     private Rows() {}
 
-    /** A panel of three columns: name, control, field. */
-    public static JPanel panel() {
-        return of("wrap 3, hidemode 3, gap 6 5", "[pref][grow,fill][pref!]");
-    }
-
     /** A panel of one column. */
     public static JPanel column() {
         return of("wrap 1, hidemode 3, gap 6 5", "[grow,fill]");

@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.ButtonGroup;
+import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -54,7 +55,10 @@ public final class TabStrip extends Part {
             buttons.put(tab, button);
             head.add(button, "wmin 0");
         }
-        head.add(Buttons.closing("strip.close", this::close), "pushx, alignx right");
+        JButton cross = Buttons.of("strip.close", this::close);
+        cross.setText("\u00d7");
+        cross.putClientProperty(FlatClientProperties.BUTTON_TYPE, FlatClientProperties.BUTTON_TYPE_TOOLBAR_BUTTON);
+        head.add(cross, "pushx, alignx right");
         JScrollPane scroll = new Scroll(column);
         panel.add(head, BorderLayout.NORTH);
         panel.add(scroll, BorderLayout.CENTER);

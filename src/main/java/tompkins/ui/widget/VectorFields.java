@@ -49,11 +49,6 @@ public final class VectorFields {
         }
     }
 
-    /** Fields for the direction of a motion, like those for a property. */
-    public static VectorFields ofDirection(Note note, Consumer<Vector3dc> commit) {
-        return new VectorFields("direction", NumberKind.DOUBLE, AXES, Texts.get("direction.tip"), note, commit);
-    }
-
     /** Adds the fields side by side, each with its name in it. */
     public void addInRow(JPanel panel) {
         for (int axis = 0; axis < fields.size(); axis++) {

@@ -51,16 +51,16 @@ class BackgroundTaskTest {
         void run(Progress task) throws Exception;
     }
 
-    private BackgroundTask<String> begin(String title, Errand errand) {
+    private void begin(String title, Path file, Errand errand) {
         BackgroundTask.Work<String> work = task -> {
             errand.run(task);
             return "done";
         };
-        return BackgroundTask.start(owner, title, work, ended::add, () -> ended.add("not done"));
+        BackgroundTask.start(owner, title, file, work, ended::add, () -> ended.add("not done"));
     }
 
     private void start(Errand errand) {
-        WindowDriver.onEventThread(() -> begin("work", errand));
+        WindowDriver.onEventThread(() -> begin("work", null, errand));
     }
 
     private Stream<JButton> cancel() {
@@ -112,7 +112,7 @@ class BackgroundTaskTest {
 
     private void find() {
         WindowDriver.onEventThread(() -> {
-            BackgroundTask<?> unused = BackgroundTask.find(
+            BackgroundTask.find(
                     owner,
                     "work",
                     () -> {
@@ -148,7 +148,7 @@ class BackgroundTaskTest {
     void itIsKnownWhatIsWritten() {
         Path file = Path.of("scene.json");
         WindowDriver.onEventThread(() -> {
-            begin("first", task -> late.await()).into(file);
+            begin("first", file, task -> late.await());
             assertThat(BackgroundTask.isWriting(Path.of("other.json"))).isFalse();
             assertThat(BackgroundTask.isWriting(Path.of("./scene.json"))).isTrue();
         });
@@ -168,7 +168,7 @@ class BackgroundTaskTest {
                 }
                 task.requireWanted();
             };
-            BackgroundTask<String> unused = begin("first", work);
+            begin("first", null, work);
             assertThat(BackgroundTask.cancel(owner)).isTrue();
             BackgroundTask.whenIdle(owner, () -> ended.add("idle"));
         });
