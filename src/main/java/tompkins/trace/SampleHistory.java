@@ -33,8 +33,6 @@ import tompkins.surface.Surface;
  * @param sceneDirectionLength length, in the scene frame, of the direction that has length 1 in the camera frame: the
  *     scene is brighter to the camera by the inverse of its fourth power, which in vacuum is that of the ratio of the
  *     frequencies
- * @param sceneSlowness time in the scene frame for a unit of length along that ray: 1 for light, and below 0 or above
- *     it where the scene is measured without light
  * @param hits everything that was hit, in the order of tracing: where a ray splits, first all of its weaker branch; of
  *     the main branch the first {@link #MOST_HITS} and the last, and as many of all weaker ones
  * @param hitsLeftOut how many hits there were beside these
@@ -55,7 +53,6 @@ public record SampleHistory(
         Vector3dc sceneDirection,
         double sceneDopplerFactor,
         double sceneDirectionLength,
-        double sceneSlowness,
         List<Encounter> hits,
         long hitsLeftOut,
         Vector3dc lastDirection,
@@ -242,7 +239,6 @@ public record SampleHistory(
         private Vector3d crossingDirection;
         private double sceneDopplerFactor = 1;
         private double sceneDirectionLength = 1;
-        private double sceneSlowness = 1;
         private Vector3d lastDirection;
         private double lastSlowness = 1;
         private double lastDopplerFactor = Double.NaN;
@@ -286,7 +282,6 @@ public record SampleHistory(
                 crossingDirection = new Vector3d(ray.dx, ray.dy, ray.dz);
                 sceneDopplerFactor = ratio(ray);
                 sceneDirectionLength = ray.directionLength;
-                sceneSlowness = ray.slowness;
             }
         }
 
@@ -382,7 +377,6 @@ public record SampleHistory(
                     crossingDirection,
                     sceneDopplerFactor,
                     sceneDirectionLength,
-                    sceneSlowness,
                     List.copyOf(hits),
                     mainHits + weakerHits - hits.size(),
                     lastDirection,
