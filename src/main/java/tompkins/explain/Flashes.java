@@ -93,8 +93,10 @@ public final class Flashes {
     }
 
     private List<FlashSight> middle() {
-        SampleHistory life = plan.hasFlashes() ? plan.middleLife() : null;
-        return life == null || life.end() == null ? List.of() : life.end().flashes();
+        SampleHistory history = plan.hasFlashes() ? plan.middleHistory() : null;
+        return history == null || history.end() == null
+                ? List.of()
+                : history.end().flashes();
     }
 
     private String sentence(FlashSight sight) {

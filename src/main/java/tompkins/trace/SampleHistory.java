@@ -21,7 +21,8 @@ import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.surface.Surface;
 
 /**
- * The life of one sample: where and when its ray starts in both frames, what it hits, and the colour that comes back.
+ * The history of one sample: where and when its ray starts in both frames, what it hits, and the colour that comes
+ * back.
  *
  * @param cameraStart the event at which the ray starts, in the camera frame
  * @param cameraDirection unit direction in which it is traced, in the camera frame
@@ -180,7 +181,7 @@ public record SampleHistory(
      * @param lensX place on the lens in units of its radius
      * @param lensY place on the lens in units of its radius
      * @param moment the part of the exposure time that has passed, from 0 to 1
-     * @return its life, or null if the sample never crosses the shutter and so has none
+     * @return its history, or null if the sample never crosses the shutter and so has none
      */
     public static SampleHistory of(RenderPlan plan, double x, double y, double lensX, double lensY, double moment) {
         return of(plan, x, y, lensX, lensY, moment, Long.MAX_VALUE);
@@ -198,15 +199,15 @@ public record SampleHistory(
     public static Stream<Encounter> hits(RenderPlan plan, int side) {
         return SamplePositions.spread(plan.width(), plan.height(), side)
                 .map(place -> way(plan, place.x(), place.y(), 0, 0, SamplePositions.MIDDLE))
-                .filter(life -> life != null)
-                .flatMap(life -> life.hits().stream());
+                .filter(history -> history != null)
+                .flatMap(history -> history.hits().stream());
     }
 
     private static SampleHistory of(
             RenderPlan plan, double x, double y, double lensX, double lensY, double moment, long mostWeaker) {
         Recorder recorder = new Recorder(plan, mostWeaker);
         Colour colour = plan.tracer(new RayCounts(), recorder).sample(x, y, lensX, lensY, moment);
-        return recorder.startDirection == null ? null : recorder.life(colour);
+        return recorder.startDirection == null ? null : recorder.history(colour);
     }
 
     private static final class Recorder implements PathObserver {
@@ -366,7 +367,7 @@ public record SampleHistory(
             }
         }
 
-        SampleHistory life(Colour colour) {
+        SampleHistory history(Colour colour) {
             if (latest != null) {
                 hits.add(latest);
             }
