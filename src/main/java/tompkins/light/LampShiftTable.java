@@ -45,14 +45,14 @@ final class LampShiftTable {
         rows = new AtomicReferenceArray<>(temperatures);
         aboveFirst = new double[edgeEntries * spectrum.size()];
         aboveSecond = new double[edgeEntries * spectrum.size()];
-        int place = 0;
+        int index = 0;
         for (int entry = 0; entry < edgeEntries; entry++) {
             double edgeFactor = Math.exp(LEAST_EDGE + (double) entry / stepsPerUnit);
             for (BlackBodyColours.SpectralPoint point : spectrum) {
                 double atSurface = edgeFactor * point.wavelength();
-                aboveFirst[place] = BlackBodyColours.aboveFirst(atSurface);
-                aboveSecond[place] = BlackBodyColours.aboveSecond(atSurface);
-                place++;
+                aboveFirst[index] = BlackBodyColours.aboveFirst(atSurface);
+                aboveSecond[index] = BlackBodyColours.aboveSecond(atSurface);
+                index++;
             }
         }
     }
@@ -72,9 +72,9 @@ final class LampShiftTable {
             row = row(temperatureFactor);
             rows.set(temperature, row);
         }
-        double place = Math.max(0, Math.min(edgeEntries - 1, (logEdgeFactor - LEAST_EDGE) * stepsPerUnit));
-        int before = NUMBERS * (int) Math.min(place, edgeEntries - 2);
-        double fraction = place - before / NUMBERS;
+        double position = Math.max(0, Math.min(edgeEntries - 1, (logEdgeFactor - LEAST_EDGE) * stepsPerUnit));
+        int before = NUMBERS * (int) Math.min(position, edgeEntries - 2);
+        double fraction = position - before / NUMBERS;
         first.set(
                 between(row, before, fraction), between(row, before + 1, fraction), between(row, before + 2, fraction));
         second.set(
@@ -113,7 +113,7 @@ final class LampShiftTable {
      * What lies above an edge: all from where its fraction is 1, and what the edge leaves of the wavelengths before.
      */
     private static void sum(
-            double[] red, double[] green, double[] blue, double[] fractions, int from, double[] row, int place) {
+            double[] red, double[] green, double[] blue, double[] fractions, int from, double[] row, int index) {
         int whole = red.length - 1;
         while (whole > 0 && fractions[from + whole - 1] > 1 - NO_SHARE) {
             whole--;
@@ -126,8 +126,8 @@ final class LampShiftTable {
             sumGreen += (green[i] - green[i + 1]) * fractions[from + i];
             sumBlue += (blue[i] - blue[i + 1]) * fractions[from + i];
         }
-        row[place] = sumRed;
-        row[place + 1] = sumGreen;
-        row[place + 2] = sumBlue;
+        row[index] = sumRed;
+        row[index + 1] = sumGreen;
+        row[index + 2] = sumBlue;
     }
 }

@@ -218,10 +218,10 @@ final class PixelVariance {
             Cancellation.stopIf(stopped);
             for (int column = 0; column < width; column++) {
                 if (specks.isAt(column, row)) {
-                    int place = bordered(row, column);
+                    int index = bordered(row, column);
                     double growth = growing.of(film.samples(film.pixel(column, row)));
-                    double roughness = Math.max(own[place], specks.varianceOfMean(column, row) * growth);
-                    own[place] = (float) (roughness * (1 - specks.missed(column, row)));
+                    double roughness = Math.max(own[index], specks.varianceOfMean(column, row) * growth);
+                    own[index] = (float) (roughness * (1 - specks.missed(column, row)));
                 }
             }
         }
@@ -258,7 +258,7 @@ final class PixelVariance {
         return row;
     }
 
-    /** The place of a pixel in a picture with a border of one pixel. */
+    /** The index of a pixel in a picture with a border of one pixel. */
     private int bordered(int row, int column) {
         return (row + 1) * (width + 2) + column + 1;
     }

@@ -129,9 +129,9 @@ public final class SampleTracer extends Padded {
             begin(next);
             // the way goes through a square of twice the side only after the smaller one
             int side = Integer.highestOneBit(2 * ((Math.max(width, height) - 1) / stride) + 1);
-            for (int place = 0; place < side * side; place++) {
-                int across = stride * BlockSamples.across(place);
-                int down = stride * BlockSamples.down(place);
+            for (int index = 0; index < side * side; index++) {
+                int across = stride * BlockSamples.across(index);
+                int down = stride * BlockSamples.down(index);
                 if (across < width && down < height) {
                     addPixel(left + across, top + down, taker);
                 }
