@@ -288,11 +288,6 @@ public final class PacketSearch extends Padded {
         return !together || inBatches || candidates.count() > 0;
     }
 
-    /** Whether the ray at an index may meet something. */
-    public boolean mayMeet(int index) {
-        return !together || (inBatches ? hits[index] != null : candidates.mayMeet(index));
-    }
-
     /**
      * Searches for the nearest hit of a ray; asked in the order of the packet.
      *
@@ -303,7 +298,7 @@ public final class PacketSearch extends Padded {
         if (!together) {
             return nearestAlone(index, limit);
         }
-        if (!mayMeet(index)) {
+        if (inBatches ? hits[index] == null : !candidates.mayMeet(index)) {
             return false;
         }
         rays.copy(index, ray);

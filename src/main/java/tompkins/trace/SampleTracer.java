@@ -33,8 +33,8 @@ public final class SampleTracer extends Padded {
     /** The samples of the block; those of the second eye follow those of the first. */
     private final BlockSamples samples = new BlockSamples();
 
-    /** What the other eye sees at the places of these. */
-    private final BlockSamples samplesOfOther = new BlockSamples();
+    /** What the other eye sees at the places of these; null if there is none. */
+    private final BlockSamples samplesOfOther;
 
     /** The eye whose picture the places are in. */
     private EyeView eye;
@@ -51,6 +51,7 @@ public final class SampleTracer extends Padded {
         boolean sharePlaces = pictureRays.layout().isAnaglyph();
         eyes = sharePlaces ? views.subList(0, 1) : views;
         other = sharePlaces && !isWatched ? views.get(1) : null;
+        samplesOfOther = other == null ? null : new BlockSamples();
         placesOfEyes =
                 eyes.stream().map(view -> new SamplePositions(RayPacket.MOST)).toList();
     }
