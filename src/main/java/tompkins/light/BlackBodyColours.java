@@ -58,7 +58,7 @@ final class BlackBodyColours {
     private static final Matrix3d BALANCE = balance();
 
     /** How much of each band, long waves first, a colour of the screen stands for. */
-    private static final Matrix3d SHARES = BALANCE.mul(AT_REST, new Matrix3d()).invert();
+    private static final Matrix3d WEIGHTS = BALANCE.mul(AT_REST, new Matrix3d()).invert();
 
     /**
      * For each Doppler factor the nine numbers, row by row, that make the colour in the camera frame of that in the
@@ -104,7 +104,7 @@ final class BlackBodyColours {
         int before = (int) Math.min(position, ENTRIES - 2.0);
         double fraction = Math.min(1, position - before);
         double beyond = Math.max(0, position - (ENTRIES - 1)) / STEPS_PER_UNIT;
-        Vector3d amounts = SHARES.transform(new Vector3d(light.red(), light.green(), light.blue()));
+        Vector3d amounts = WEIGHTS.transform(new Vector3d(light.red(), light.green(), light.blue()));
         double logEdge = Math.log(edgeFactor);
         Vector3d sum = TwoShifts.colour(before, logEdge, amounts)
                 .lerp(TwoShifts.colour(before + 1, logEdge, amounts), fraction)
@@ -171,7 +171,7 @@ final class BlackBodyColours {
         double[] table = new double[9 * ENTRIES];
         for (int index = 0; index < ENTRIES; index++) {
             Matrix3d change =
-                    BALANCE.mul(bands(dopplerFactor(index)), new Matrix3d()).mul(SHARES);
+                    BALANCE.mul(bands(dopplerFactor(index)), new Matrix3d()).mul(WEIGHTS);
             // JOML stores columns, the table holds rows
             change.transpose().get(table, 9 * index);
         }

@@ -21,7 +21,7 @@ final class LampShiftTable {
     private static final int NUMBERS = 6;
 
     /** A fraction of a band that is nearer to 0 or 1 counts as 0 or 1. */
-    private static final double NO_SHARE = 1e-9;
+    private static final double NEGLIGIBLE = 1e-9;
 
     private final List<BlackBodyColours.SpectralPoint> spectrum;
     private final int stepsPerUnit;
@@ -115,13 +115,13 @@ final class LampShiftTable {
     private static void sum(
             double[] red, double[] green, double[] blue, double[] fractions, int from, double[] row, int index) {
         int whole = red.length - 1;
-        while (whole > 0 && fractions[from + whole - 1] > 1 - NO_SHARE) {
+        while (whole > 0 && fractions[from + whole - 1] > 1 - NEGLIGIBLE) {
             whole--;
         }
         double sumRed = red[whole];
         double sumGreen = green[whole];
         double sumBlue = blue[whole];
-        for (int i = whole - 1; i >= 0 && fractions[from + i] > NO_SHARE; i--) {
+        for (int i = whole - 1; i >= 0 && fractions[from + i] > NEGLIGIBLE; i--) {
             sumRed += (red[i] - red[i + 1]) * fractions[from + i];
             sumGreen += (green[i] - green[i + 1]) * fractions[from + i];
             sumBlue += (blue[i] - blue[i + 1]) * fractions[from + i];

@@ -23,7 +23,7 @@ final class PixelVariance {
     /** Variance falls with this power: the mean of pixels with edges, sampled over pixel and lens. */
     static final double POWER = 1.25;
 
-    private static final double SHARE_OF_SECOND_DIFFERENCE = 1.0 / 24;
+    private static final double WEIGHT_OF_SECOND_DIFFERENCE = 1.0 / 24;
 
     /** Rows that one thread takes at a time, so that each region of specks is asked by one thread alone. */
     private static final int BAND = IsolatedHighlights.SIDE;
@@ -176,7 +176,7 @@ final class PixelVariance {
                     double difference = secondDifferences(above, here, below, 3 * column);
                     double roughness = samples > 1
                             ? film.halvesVariance(pixel) * growing.of(samples)
-                            : difference * SHARE_OF_SECOND_DIFFERENCE;
+                            : difference * WEIGHT_OF_SECOND_DIFFERENCE;
                     differences[bordered(row, column)] = (float) Math.min(Float.MAX_VALUE, difference);
                     own[bordered(row, column)] = (float) Math.min(Float.MAX_VALUE, roughness);
                 }

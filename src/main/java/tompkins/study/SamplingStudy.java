@@ -133,9 +133,9 @@ record SamplingStudy(
                     STRAIGHT,
                     own.slope(),
                     own.rSquared());
-            double share = error(problem, PROGRAM, all) / error(problem, RANDOM, all);
+            double ratio = error(problem, PROGRAM, all) / error(problem, RANDOM, all);
             conclusion.demand(
-                    share <= problem.share(), "sampling.share", problem.title(), COMPARED_AT, problem.share(), share);
+                    ratio <= problem.ratio(), "sampling.share", problem.title(), COMPARED_AT, problem.ratio(), ratio);
         }
         scenes.keySet().forEach(scene -> conclude(scene, all, conclusion));
     }
