@@ -93,10 +93,8 @@ public final class Flashes {
     }
 
     private List<FlashSight> middle() {
-        SampleHistory history = plan.hasFlashes() ? plan.middleHistory() : null;
-        return history == null || history.end() == null
-                ? List.of()
-                : history.end().flashes();
+        SampleHistory middle = plan.hasFlashes() ? plan.middleHistory() : null;
+        return middle == null || middle.end() == null ? List.of() : middle.end().flashes();
     }
 
     private String sentence(FlashSight sight) {
