@@ -5,8 +5,6 @@ import java.util.List;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3dc;
-import tompkins.ray.Ray;
-import tompkins.ray.RayCounts;
 import tompkins.spacetime.SpaceTimeTransformation;
 
 /** A camera that is ready to take one picture with all its eyes. Immutable, shared by all threads. */
@@ -87,11 +85,5 @@ public final class PictureRays {
             }
         }
         return positions;
-    }
-
-    /** The ray through the centre of the lens for a point of the whole picture, or null. */
-    public Ray ray(double x, double y, RayCounts counts) {
-        EyeView view = view(x, y);
-        return of(view).ray(x - view.column(), y - view.row(), 0, 0, counts);
     }
 }

@@ -93,8 +93,8 @@ public final class Flashes {
     }
 
     private List<FlashSight> middle() {
-        SampleHistory life = plan.hasFlashes() ? plan.middleLife() : null;
-        return life == null || life.end() == null ? List.of() : life.end().flashes();
+        SampleHistory middle = plan.hasFlashes() ? plan.middleHistory() : null;
+        return middle == null || middle.end() == null ? List.of() : middle.end().flashes();
     }
 
     private String sentence(FlashSight sight) {

@@ -37,22 +37,22 @@ final class MotionBlur {
     double length(int column, int row) {
         double x = column + 0.5;
         double y = row + 0.5;
-        SampleHistory life = at(x, y, 0.5);
-        if (life == null || plan.width() < 2 || plan.height() < 2) {
+        SampleHistory history = at(x, y, 0.5);
+        if (history == null || plan.width() < 2 || plan.height() < 2) {
             return Double.NaN;
         }
-        SampleHistory.Encounter seen = life.end();
+        SampleHistory.Encounter seen = history.end();
         if (seen == null || seen.frame() == Frame.CAMERA) {
             return 0;
         }
         // the first hit in the scene: mirrors and glass bend what comes after it
-        SampleHistory.Encounter first = life.mainHits().stream()
+        SampleHistory.Encounter first = history.mainHits().stream()
                 .filter(hit -> hit.frame() == Frame.SCENE)
                 .findFirst()
                 .orElse(seen);
         Vector3d velocity = velocity(first.rest().motion());
         Event point = first.event();
-        Vector3d here = miss(life, point, velocity);
+        Vector3d here = miss(history, point, velocity);
         int across = column == 0 ? 1 : -1;
         int down = row == 0 ? 1 : -1;
         Vector3d perColumn =
@@ -90,16 +90,16 @@ final class MotionBlur {
      * How far a ray, followed backwards with the speed of light, passes by a point that was at an event and has a
      * velocity; NaN if the ray does not come to the scene.
      */
-    private static Vector3d miss(SampleHistory life, Event event, Vector3d velocity) {
-        if (life == null || life.sceneStart() == null) {
+    private static Vector3d miss(SampleHistory history, Event event, Vector3d velocity) {
+        if (history == null || history.sceneStart() == null) {
             return new Vector3d(Double.NaN);
         }
-        Event start = life.sceneStart();
+        Event start = history.sceneStart();
         Vector3d towards = new Vector3d(velocity)
                 .mul(start.time() - event.time())
                 .add(event.position())
                 .sub(start.position());
-        Vector3d approach = new Vector3d(life.sceneDirection()).add(velocity);
+        Vector3d approach = new Vector3d(history.sceneDirection()).add(velocity);
         return towards.sub(new Vector3d(approach).mul(towards.dot(approach) / approach.lengthSquared()));
     }
 }

@@ -58,7 +58,7 @@ final class BlackBodyColours {
     private static final Matrix3d BALANCE = balance();
 
     /** How much of each band, long waves first, a colour of the screen stands for. */
-    private static final Matrix3d SHARES = BALANCE.mul(AT_REST, new Matrix3d()).invert();
+    private static final Matrix3d WEIGHTS = BALANCE.mul(AT_REST, new Matrix3d()).invert();
 
     /**
      * For each Doppler factor the nine numbers, row by row, that make the colour in the camera frame of that in the
@@ -70,11 +70,11 @@ final class BlackBodyColours {
 
     /** The colour in the camera frame; what a screen cannot show of it is left out. */
     static Colour seen(Colour light, double dopplerFactor) {
-        double place = place(dopplerFactor);
+        double position = position(dopplerFactor);
         return new Colour(
-                Math.max(0, channel(0, light, place)),
-                Math.max(0, channel(1, light, place)),
-                Math.max(0, channel(2, light, place)));
+                Math.max(0, channel(0, light, position)),
+                Math.max(0, channel(1, light, position)),
+                Math.max(0, channel(2, light, position)));
     }
 
     /**
@@ -97,14 +97,14 @@ final class BlackBodyColours {
      * @param edgeFactor frequency in the camera frame divided by that in the frame of the surface
      */
     static Colour seen(Colour light, double temperatureFactor, double edgeFactor) {
-        double place = place(temperatureFactor);
-        if (!(place >= 0)) {
+        double position = position(temperatureFactor);
+        if (!(position >= 0)) {
             return Colour.BLACK;
         }
-        int before = (int) Math.min(place, ENTRIES - 2.0);
-        double fraction = Math.min(1, place - before);
-        double beyond = Math.max(0, place - (ENTRIES - 1)) / STEPS_PER_UNIT;
-        Vector3d amounts = SHARES.transform(new Vector3d(light.red(), light.green(), light.blue()));
+        int before = (int) Math.min(position, ENTRIES - 2.0);
+        double fraction = Math.min(1, position - before);
+        double beyond = Math.max(0, position - (ENTRIES - 1)) / STEPS_PER_UNIT;
+        Vector3d amounts = WEIGHTS.transform(new Vector3d(light.red(), light.green(), light.blue()));
         double logEdge = Math.log(edgeFactor);
         Vector3d sum = TwoShifts.colour(before, logEdge, amounts)
                 .lerp(TwoShifts.colour(before + 1, logEdge, amounts), fraction)
@@ -117,13 +117,13 @@ final class BlackBodyColours {
         private static final LampShiftTable TABLE = new LampShiftTable(SPECTRUM, STEPS_PER_UNIT, ENTRIES);
 
         /** The colour for an entry of the temperature, of amounts of the long, the middle and the short waves. */
-        static Vector3d colour(int place, double logEdge, Vector3dc amounts) {
+        static Vector3d colour(int index, double logEdge, Vector3dc amounts) {
             Vector3d first = new Vector3d();
             Vector3d second = new Vector3d();
-            TABLE.bands(place, dopplerFactor(place), logEdge, first, second);
+            TABLE.bands(index, dopplerFactor(index), logEdge, first, second);
             // all, as a matrix for amounts of 1, is the white that the other table holds
             Vector3d all = new Vector3d(
-                    entry(place, 0, Colour.WHITE), entry(place, 1, Colour.WHITE), entry(place, 2, Colour.WHITE));
+                    entry(index, 0, Colour.WHITE), entry(index, 1, Colour.WHITE), entry(index, 2, Colour.WHITE));
             return BALANCE.transform(second.mul(amounts.x() - amounts.y()).add(first.mul(amounts.y() - amounts.z())))
                     .fma(amounts.z(), all);
         }
@@ -137,48 +137,50 @@ final class BlackBodyColours {
 
     /** The luminance in the camera frame of what is white in the scene. */
     static double brightness(double dopplerFactor) {
-        double place = place(dopplerFactor);
+        double position = position(dopplerFactor);
         return Colour.luminance(
-                channel(0, Colour.WHITE, place), channel(1, Colour.WHITE, place), channel(2, Colour.WHITE, place));
+                channel(0, Colour.WHITE, position),
+                channel(1, Colour.WHITE, position),
+                channel(2, Colour.WHITE, position));
     }
 
-    /** The place of a Doppler factor in the table, in entries. */
-    private static double place(double dopplerFactor) {
+    /** The position of a Doppler factor in the table, in entries. */
+    private static double position(double dopplerFactor) {
         return (Math.log(dopplerFactor) - LEAST) * STEPS_PER_UNIT;
     }
 
-    private static double channel(int row, Colour light, double place) {
-        if (place < 0) {
+    private static double channel(int row, Colour light, double position) {
+        if (position < 0) {
             return 0;
         }
-        double beyond = place - (ENTRIES - 1);
+        double beyond = position - (ENTRIES - 1);
         if (beyond >= 0) {
             return entry(ENTRIES - 1, row, light) * Math.exp(beyond / STEPS_PER_UNIT);
         }
-        int before = (int) place;
-        double fraction = place - before;
+        int before = (int) position;
+        double fraction = position - before;
         return (1 - fraction) * entry(before, row, light) + fraction * entry(before + 1, row, light);
     }
 
-    private static double entry(int place, int row, Colour light) {
-        int first = 9 * place + 3 * row;
+    private static double entry(int index, int row, Colour light) {
+        int first = 9 * index + 3 * row;
         return TABLE[first] * light.red() + TABLE[first + 1] * light.green() + TABLE[first + 2] * light.blue();
     }
 
     private static double[] table() {
         double[] table = new double[9 * ENTRIES];
-        for (int place = 0; place < ENTRIES; place++) {
+        for (int index = 0; index < ENTRIES; index++) {
             Matrix3d change =
-                    BALANCE.mul(bands(dopplerFactor(place)), new Matrix3d()).mul(SHARES);
+                    BALANCE.mul(bands(dopplerFactor(index)), new Matrix3d()).mul(WEIGHTS);
             // JOML stores columns, the table holds rows
-            change.transpose().get(table, 9 * place);
+            change.transpose().get(table, 9 * index);
         }
         return table;
     }
 
     /** The Doppler factor of an entry of the table. */
-    private static double dopplerFactor(int place) {
-        return Math.exp(LEAST + (double) place / STEPS_PER_UNIT);
+    private static double dopplerFactor(int index) {
+        return Math.exp(LEAST + (double) index / STEPS_PER_UNIT);
     }
 
     private static Matrix3d balance() {

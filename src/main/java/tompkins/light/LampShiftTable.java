@@ -21,7 +21,7 @@ final class LampShiftTable {
     private static final int NUMBERS = 6;
 
     /** A fraction of a band that is nearer to 0 or 1 counts as 0 or 1. */
-    private static final double NO_SHARE = 1e-9;
+    private static final double NEGLIGIBLE = 1e-9;
 
     private final List<BlackBodyColours.SpectralPoint> spectrum;
     private final int stepsPerUnit;
@@ -45,14 +45,14 @@ final class LampShiftTable {
         rows = new AtomicReferenceArray<>(temperatures);
         aboveFirst = new double[edgeEntries * spectrum.size()];
         aboveSecond = new double[edgeEntries * spectrum.size()];
-        int place = 0;
+        int index = 0;
         for (int entry = 0; entry < edgeEntries; entry++) {
             double edgeFactor = Math.exp(LEAST_EDGE + (double) entry / stepsPerUnit);
             for (BlackBodyColours.SpectralPoint point : spectrum) {
                 double atSurface = edgeFactor * point.wavelength();
-                aboveFirst[place] = BlackBodyColours.aboveFirst(atSurface);
-                aboveSecond[place] = BlackBodyColours.aboveSecond(atSurface);
-                place++;
+                aboveFirst[index] = BlackBodyColours.aboveFirst(atSurface);
+                aboveSecond[index] = BlackBodyColours.aboveSecond(atSurface);
+                index++;
             }
         }
     }
@@ -72,9 +72,9 @@ final class LampShiftTable {
             row = row(temperatureFactor);
             rows.set(temperature, row);
         }
-        double place = Math.max(0, Math.min(edgeEntries - 1, (logEdgeFactor - LEAST_EDGE) * stepsPerUnit));
-        int before = NUMBERS * (int) Math.min(place, edgeEntries - 2);
-        double fraction = place - before / NUMBERS;
+        double position = Math.max(0, Math.min(edgeEntries - 1, (logEdgeFactor - LEAST_EDGE) * stepsPerUnit));
+        int before = NUMBERS * (int) Math.min(position, edgeEntries - 2);
+        double fraction = position - before / NUMBERS;
         first.set(
                 between(row, before, fraction), between(row, before + 1, fraction), between(row, before + 2, fraction));
         second.set(
@@ -113,21 +113,21 @@ final class LampShiftTable {
      * What lies above an edge: all from where its fraction is 1, and what the edge leaves of the wavelengths before.
      */
     private static void sum(
-            double[] red, double[] green, double[] blue, double[] fractions, int from, double[] row, int place) {
+            double[] red, double[] green, double[] blue, double[] fractions, int from, double[] row, int index) {
         int whole = red.length - 1;
-        while (whole > 0 && fractions[from + whole - 1] > 1 - NO_SHARE) {
+        while (whole > 0 && fractions[from + whole - 1] > 1 - NEGLIGIBLE) {
             whole--;
         }
         double sumRed = red[whole];
         double sumGreen = green[whole];
         double sumBlue = blue[whole];
-        for (int i = whole - 1; i >= 0 && fractions[from + i] > NO_SHARE; i--) {
+        for (int i = whole - 1; i >= 0 && fractions[from + i] > NEGLIGIBLE; i--) {
             sumRed += (red[i] - red[i + 1]) * fractions[from + i];
             sumGreen += (green[i] - green[i + 1]) * fractions[from + i];
             sumBlue += (blue[i] - blue[i + 1]) * fractions[from + i];
         }
-        row[place] = sumRed;
-        row[place + 1] = sumGreen;
-        row[place + 2] = sumBlue;
+        row[index] = sumRed;
+        row[index + 1] = sumGreen;
+        row[index + 2] = sumBlue;
     }
 }

@@ -149,12 +149,8 @@ public final class Rotation {
     public double reach(Primitive primitive) {
         Vector3d right = Vectors.firstAxis(axis);
         Vector3d up = axis.cross(right, new Vector3d());
-        DoubleUnaryOperator extent = angle -> {
-            double x = Math.cos(angle) * right.x + Math.sin(angle) * up.x;
-            double y = Math.cos(angle) * right.y + Math.sin(angle) * up.y;
-            double z = Math.cos(angle) * right.z + Math.sin(angle) * up.z;
-            return -primitive.minimumAlong(-x, -y, -z) - centre.dot(x, y, z);
-        };
+        DoubleUnaryOperator extent = angle -> extent(
+                primitive, new Vector3d(right).mul(Math.cos(angle)).add(up.mul(Math.sin(angle), new Vector3d())));
         double quarter = Math.PI / 2;
         double most = 0;
         for (int i = 0; i < 4; i++) {
@@ -230,17 +226,15 @@ public final class Rotation {
     public CylinderPrimitive swept(List<Primitive> primitives) {
         Primitive first = primitives.get(0);
         double reach = primitives.stream().mapToDouble(this::reach).max().orElse(0);
-        double middle = centre.dot(axis);
-        double low = primitives.stream()
-                        .mapToDouble(each -> each.minimumAlong(axis.x(), axis.y(), axis.z()))
-                        .min()
-                        .orElse(0)
-                - middle;
-        double high = -primitives.stream()
-                        .mapToDouble(each -> each.minimumAlong(-axis.x(), -axis.y(), -axis.z()))
-                        .min()
-                        .orElse(0)
-                - middle;
+        Vector3d down = axis.negate(new Vector3d());
+        double low = -primitives.stream()
+                .mapToDouble(each -> extent(each, down))
+                .max()
+                .orElse(0);
+        double high = primitives.stream()
+                .mapToDouble(each -> extent(each, axis))
+                .max()
+                .orElse(0);
         // a flat wheel still needs a thickness
         double margin = 1e-9 * (reach + high - low) + Primitive.SLACK * Vectors.length(centre);
         return new CylinderPrimitive(

@@ -93,12 +93,7 @@ public final class Ray {
     /** A ray from (x, y, z) at the given time, in the unit direction (dx, dy, dz), of zero width, in vacuum. */
     public static Ray from(double x, double y, double z, double dx, double dy, double dz, double time) {
         Ray ray = new Ray();
-        ray.x = x;
-        ray.y = y;
-        ray.z = z;
-        ray.dx = dx;
-        ray.dy = dy;
-        ray.dz = dz;
+        ray.setLine(x, y, z, dx, dy, dz, null, 0);
         ray.time = time;
         ray.slowness = 1;
         ray.frequency = 1;
@@ -131,20 +126,12 @@ public final class Ray {
             double frequencyFactor,
             double lengthFactor) {
         set(other);
-        x = newX;
-        y = newY;
-        z = newZ;
-        dx = newDx;
-        dy = newDy;
-        dz = newDz;
+        setLine(newX, newY, newZ, newDx, newDy, newDz, null, 0);
         time = newTime;
         slowness = newSlowness;
         frequency *= frequencyFactor;
         directionLength *= lengthFactor;
-        spread /= lengthFactor;
-        boundary = null;
-        part = 0;
-        return this;
+        return narrowed(lengthFactor);
     }
 
     /** Moves the start in space and time. */
@@ -337,12 +324,8 @@ public final class Ray {
     /** As above, with a slowness. */
     public Ray setShadow(Hit hit, double toX, double toY, double toZ, double newSlowness) {
         startOn(hit);
-        dx = toX;
-        dy = toY;
-        dz = toZ;
+        aim(toX, toY, toZ);
         slowness = newSlowness;
-        frequency = 1;
-        directionLength = 1;
         measures = false;
         width = 0;
         spread = 0;

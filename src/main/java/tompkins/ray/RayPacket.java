@@ -137,9 +137,9 @@ public final class RayPacket extends Padded {
         return media == null || Arrays.stream(media, 0, count).allMatch(medium -> medium == media[0]);
     }
 
-    /** The medium of the ray at a place, as {@link Ray#medium}. */
-    public Medium medium(int place) {
-        return media == null ? null : media[place];
+    /** The medium of the ray at an index, as {@link Ray#medium}. */
+    public Medium medium(int index) {
+        return media == null ? null : media[index];
     }
 
     /** Makes all rays, which have just left the camera, lines of events at one time of the camera. */
@@ -210,63 +210,63 @@ public final class RayPacket extends Padded {
     }
 
     /** The number of the sample to which a ray belongs. */
-    public int sample(int place) {
-        return samples[place];
+    public int sample(int index) {
+        return samples[index];
     }
 
     /** Puts a ray in the place of another; what it starts on is forgotten. */
-    public void set(int place, Ray ray) {
-        x[place] = ray.x;
-        y[place] = ray.y;
-        z[place] = ray.z;
-        dx[place] = ray.dx;
-        dy[place] = ray.dy;
-        dz[place] = ray.dz;
-        time[place] = ray.time;
-        slowness[place] = ray.slowness;
-        frequency[place] = ray.frequency;
-        directionLength[place] = ray.directionLength;
-        width[place] = ray.width;
-        windowFactor[place] = ray.windowFactor;
-        throughput[place] = ray.throughput;
-        depth[place] = ray.depth;
-        spread[place] = ray.spread;
+    public void set(int index, Ray ray) {
+        x[index] = ray.x;
+        y[index] = ray.y;
+        z[index] = ray.z;
+        dx[index] = ray.dx;
+        dy[index] = ray.dy;
+        dz[index] = ray.dz;
+        time[index] = ray.time;
+        slowness[index] = ray.slowness;
+        frequency[index] = ray.frequency;
+        directionLength[index] = ray.directionLength;
+        width[index] = ray.width;
+        windowFactor[index] = ray.windowFactor;
+        throughput[index] = ray.throughput;
+        depth[index] = ray.depth;
+        spread[index] = ray.spread;
         if (media != null || ray.medium != null) {
             if (media == null) {
                 // the other rays are in none
                 media = new Medium[x.length];
             }
-            media[place] = ray.medium;
+            media[index] = ray.medium;
         }
     }
 
     /** One of the rays. */
-    public Ray ray(int place) {
-        return copy(place, Ray.blank());
+    public Ray ray(int index) {
+        return copy(index, Ray.blank());
     }
 
     /** One of the rays, in memory that is used again. */
-    public Ray copy(int place, Ray memory) {
+    public Ray copy(int index, Ray memory) {
         memory.frame = frame;
-        memory.x = x[place];
-        memory.y = y[place];
-        memory.z = z[place];
-        memory.dx = dx[place];
-        memory.dy = dy[place];
-        memory.dz = dz[place];
-        memory.time = time[place];
-        memory.slowness = slowness[place];
-        memory.frequency = frequency[place];
-        memory.directionLength = directionLength[place];
+        memory.x = x[index];
+        memory.y = y[index];
+        memory.z = z[index];
+        memory.dx = dx[index];
+        memory.dy = dy[index];
+        memory.dz = dz[index];
+        memory.time = time[index];
+        memory.slowness = slowness[index];
+        memory.frequency = frequency[index];
+        memory.directionLength = directionLength[index];
         memory.measures = measures;
-        memory.width = width[place];
-        memory.spread = spread[place];
-        memory.windowFactor = windowFactor[place];
-        memory.throughput = throughput[place];
-        memory.medium = media == null ? null : media[place];
+        memory.width = width[index];
+        memory.spread = spread[index];
+        memory.windowFactor = windowFactor[index];
+        memory.throughput = throughput[index];
+        memory.medium = media == null ? null : media[index];
         memory.boundary = null;
         memory.part = 0;
-        memory.depth = depth[place];
+        memory.depth = depth[index];
         return memory;
     }
 }

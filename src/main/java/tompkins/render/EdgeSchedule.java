@@ -42,7 +42,7 @@ final class EdgeSchedule implements Schedule {
         long most(long first, double seconds);
     }
 
-    private final PreviewFilm glimpse;
+    private final PreviewFilm preview;
     private final Budget budget;
     private final TimeBudget clock = new TimeBudget(Double.POSITIVE_INFINITY);
     private int stride = 2 * WIDEST;
@@ -52,11 +52,11 @@ final class EdgeSchedule implements Schedule {
     /**
      * A schedule for one picture.
      *
-     * @param glimpse what gets the samples
+     * @param preview what gets the samples
      * @param budget asked once, when the samples of the widest net have been taken
      */
-    EdgeSchedule(PreviewFilm glimpse, Budget budget) {
-        this.glimpse = glimpse;
+    EdgeSchedule(PreviewFilm preview, Budget budget) {
+        this.preview = preview;
         this.budget = budget;
     }
 
@@ -73,10 +73,10 @@ final class EdgeSchedule implements Schedule {
             most = most == 0 ? budget.most(taken, clock.spent()) : most;
             // each finer net needs as many samples
             BitSet next = choose(cell, (most - taken) / Integer.numberOfTrailingZeros(cell));
-            fraction = (double) next.cardinality() / glimpse.pixels();
+            fraction = (double) next.cardinality() / preview.pixels();
             chosen = next.toLongArray();
         }
-        taken += Math.round(fraction * glimpse.pixels());
+        taken += Math.round(fraction * preview.pixels());
         return new Pass(stride, 0, PixelSampler.CENTRE, 1, 1, chosen, fraction);
     }
 
@@ -85,8 +85,8 @@ final class EdgeSchedule implements Schedule {
      * differ alike and not all can be chosen, those left out are spread evenly over the picture.
      */
     private BitSet choose(int side, long most) {
-        int columns = (glimpse.width() + side - 1) / side;
-        int rows = (glimpse.height() + side - 1) / side;
+        int columns = (preview.width() + side - 1) / side;
+        int rows = (preview.height() + side - 1) / side;
         byte[] differences = new byte[columns * rows];
         IntStream.range(0, rows).parallel().forEach(row -> {
             for (int column = 0; column < columns; column++) {
@@ -103,7 +103,7 @@ final class EdgeSchedule implements Schedule {
         for (; least > smallest && cells[least] <= left; least--) {
             left -= cells[least];
         }
-        BitSet chosen = new BitSet(glimpse.pixels());
+        BitSet chosen = new BitSet(preview.pixels());
         // between the knots of the last cells the next one's left and upper side are its own
         int reach = side > 2 ? side : 1;
         long due = 0;
@@ -125,10 +125,10 @@ final class EdgeSchedule implements Schedule {
     }
 
     private void choose(int left, int top, int reach, int step, BitSet chosen) {
-        for (int row = top; row <= Math.min(top + reach, glimpse.height() - 1); row += step) {
-            for (int column = left; column <= Math.min(left + reach, glimpse.width() - 1); column += step) {
-                int pixel = glimpse.pixel(column, row);
-                if (glimpse.samples(pixel) == 0) {
+        for (int row = top; row <= Math.min(top + reach, preview.height() - 1); row += step) {
+            for (int column = left; column <= Math.min(left + reach, preview.width() - 1); column += step) {
+                int pixel = preview.pixel(column, row);
+                if (preview.samples(pixel) == 0) {
                     chosen.set(pixel);
                 }
             }
@@ -137,13 +137,13 @@ final class EdgeSchedule implements Schedule {
 
     /** The largest difference between those corners of a cell that are known, in one channel. */
     private int difference(int left, int top, int side) {
-        int right = left + side < glimpse.width() ? left + side : left;
-        int bottom = top + side < glimpse.height() ? top + side : top;
-        return glimpse.contrast(
-                glimpse.pixel(left, top),
-                glimpse.pixel(right, top),
-                glimpse.pixel(left, bottom),
-                glimpse.pixel(right, bottom));
+        int right = left + side < preview.width() ? left + side : left;
+        int bottom = top + side < preview.height() ? top + side : top;
+        return preview.contrast(
+                preview.pixel(left, top),
+                preview.pixel(right, top),
+                preview.pixel(left, bottom),
+                preview.pixel(right, bottom));
     }
 
     @Override

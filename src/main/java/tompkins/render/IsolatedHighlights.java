@@ -9,9 +9,9 @@ import java.util.stream.Stream;
 import tompkins.trace.Cancellation;
 
 /**
- * Small spots of light, or of darkness, that stand alone: stars, far lamps, glints. Most samples miss them. Along an
- * edge or a line a pixel says something about the next one. A speck says nothing about where the next one is, only how
- * many there are likely to be: where some were found, others were missed.
+ * Specks: small spots of light, or of darkness, that stand alone, such as stars, far lamps, glints. Most samples miss
+ * them. Along an edge or a line a pixel says something about the next one. A speck says nothing about where the next
+ * one is, only how many there are likely to be: where some were found, others were missed.
  *
  * <p>They are counted in regions. Each region relies on the wider one around it until it holds enough specks of its
  * own. What the specks of a region cover of their pixels says how many samples it takes to find such specks: one that
@@ -35,9 +35,9 @@ final class IsolatedHighlights {
     private static final double ENOUGH = 4;
 
     /**
-     * IsolatedHighlights count as found, each in its pixel, once it is likely that as many as this are all found. Until
-     * then they count alike in all pixels of a region, which get the same samples. If only pixels with a speck that was
-     * found by luck got more, its light would be corrected, and that of the missed ones never found.
+     * Specks count as found, each in its pixel, once it is likely that as many as this are all found. Until then they
+     * count alike in all pixels of a region, which get the same samples. If only pixels with a speck that was found by
+     * luck got more, its light would be corrected, and that of the missed ones never found.
      */
     private static final int ALL_OF = 32;
 
@@ -117,11 +117,11 @@ final class IsolatedHighlights {
         float[] variances = new float[(film.width() + 2 * BORDER) * (film.height() + 2 * BORDER)];
         Arrays.fill(variances, Float.POSITIVE_INFINITY);
         IntStream.range(0, film.height()).parallel().forEach(row -> {
-            int place = (row + BORDER) * (film.width() + 2 * BORDER) + BORDER;
-            for (int pixel = film.pixel(0, row); pixel < film.pixel(0, row + 1); pixel++, place++) {
+            int index = (row + BORDER) * (film.width() + 2 * BORDER) + BORDER;
+            for (int pixel = film.pixel(0, row); pixel < film.pixel(0, row + 1); pixel++, index++) {
                 int samples = film.samples(pixel);
                 if (samples > 0) {
-                    variances[place] = samples == 1 ? 0 : (float) Math.min(Float.MAX_VALUE, film.sampleVariance(pixel));
+                    variances[index] = samples == 1 ? 0 : (float) Math.min(Float.MAX_VALUE, film.sampleVariance(pixel));
                 }
             }
         });
@@ -167,13 +167,13 @@ final class IsolatedHighlights {
      * takes, and none of the twelve pixels around the square is similar.
      */
     private boolean isAlone(int column, int row, double variance) {
-        int place = bordered(column, row);
+        int index = bordered(column, row);
         int above = bordered(column, row - 1);
         double most = SIMILAR * variance;
         return isQuietAround(above - 1, most)
                 || isQuietAround(above, most)
-                || isQuietAround(place - 1, most)
-                || isQuietAround(place, most);
+                || isQuietAround(index - 1, most)
+                || isQuietAround(index, most);
     }
 
     private boolean isQuietAround(int square, double mostVariance) {

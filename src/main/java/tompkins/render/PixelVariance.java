@@ -23,7 +23,7 @@ final class PixelVariance {
     /** Variance falls with this power: the mean of pixels with edges, sampled over pixel and lens. */
     static final double POWER = 1.25;
 
-    private static final double SHARE_OF_SECOND_DIFFERENCE = 1.0 / 24;
+    private static final double WEIGHT_OF_SECOND_DIFFERENCE = 1.0 / 24;
 
     /** Rows that one thread takes at a time, so that each region of specks is asked by one thread alone. */
     private static final int BAND = IsolatedHighlights.SIDE;
@@ -176,7 +176,7 @@ final class PixelVariance {
                     double difference = secondDifferences(above, here, below, 3 * column);
                     double roughness = samples > 1
                             ? film.halvesVariance(pixel) * growing.of(samples)
-                            : difference * SHARE_OF_SECOND_DIFFERENCE;
+                            : difference * WEIGHT_OF_SECOND_DIFFERENCE;
                     differences[bordered(row, column)] = (float) Math.min(Float.MAX_VALUE, difference);
                     own[bordered(row, column)] = (float) Math.min(Float.MAX_VALUE, roughness);
                 }
@@ -218,10 +218,10 @@ final class PixelVariance {
             Cancellation.stopIf(stopped);
             for (int column = 0; column < width; column++) {
                 if (specks.isAt(column, row)) {
-                    int place = bordered(row, column);
+                    int index = bordered(row, column);
                     double growth = growing.of(film.samples(film.pixel(column, row)));
-                    double roughness = Math.max(own[place], specks.varianceOfMean(column, row) * growth);
-                    own[place] = (float) (roughness * (1 - specks.missed(column, row)));
+                    double roughness = Math.max(own[index], specks.varianceOfMean(column, row) * growth);
+                    own[index] = (float) (roughness * (1 - specks.missed(column, row)));
                 }
             }
         }
@@ -258,7 +258,7 @@ final class PixelVariance {
         return row;
     }
 
-    /** The place of a pixel in a picture with a border of one pixel. */
+    /** The index of a pixel in a picture with a border of one pixel. */
     private int bordered(int row, int column) {
         return (row + 1) * (width + 2) + column + 1;
     }

@@ -264,15 +264,15 @@ public final class RenderJob extends Padded {
         return failure.get();
     }
 
-    /** The picture so far, in linear light, exposed; that of a glimpse has the light of its levels. */
+    /** The picture so far, in linear light, exposed; that of a preview has the light of its levels. */
     public LinearImage image() {
         return buffer.image();
     }
 
     /** The picture so far as the screen shows it. */
     public FramePicture levels() {
-        return buffer instanceof PreviewFilm glimpse
-                ? glimpse.levels()
+        return buffer instanceof PreviewFilm preview
+                ? preview.levels()
                 : FramePicture.of(image(), plan.studio().settings().toneCurve());
     }
 

@@ -87,10 +87,10 @@ public final class Renderer implements AutoCloseable {
             schedule = new FixedSchedule(Pass.of(1, 1, false));
         } else {
             ToneCurve curve = plan.studio().settings().toneCurve();
-            PreviewFilm glimpse = new PreviewFilm(width, height, plan.exposure(), curve);
-            buffer = glimpse;
+            PreviewFilm preview = new PreviewFilm(width, height, plan.exposure(), curve);
+            buffer = preview;
             schedule = new EdgeSchedule(
-                    glimpse, (first, taken) -> previewBudget.most(first, taken, seconds, width * height));
+                    preview, (first, taken) -> previewBudget.most(first, taken, seconds, width * height));
         }
         long start = System.nanoTime();
         return start(plan, schedule, buffer, Tile.of(width, height), listener, job -> {

@@ -30,13 +30,13 @@ final class Boxes {
     }
 
     /** Makes a box of another array so large that it holds a box of this one. */
-    void extend(double[] other, int place, int box) {
-        extend(other, place, values, box);
+    void extend(double[] other, int index, int box) {
+        extend(other, index, values, box);
     }
 
     /** Makes a box of one array so large that it holds a box of another. */
-    static void extend(double[] larger, int place, double[] boxes, int box) {
-        int to = NUMBERS * place;
+    static void extend(double[] larger, int index, double[] boxes, int box) {
+        int to = NUMBERS * index;
         int from = NUMBERS * box;
         larger[to] = Math.min(larger[to], boxes[from]);
         larger[to + 1] = Math.min(larger[to + 1], boxes[from + 1]);

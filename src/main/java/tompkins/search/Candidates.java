@@ -45,7 +45,7 @@ final class Candidates extends Padded {
     }
 
     /**
-     * Adds those of some primitives, from one place (included) to another (excluded), that some ray of the frustum can
+     * Adds those of some primitives, from one index (included) to another (excluded), that some ray of the frustum can
      * meet.
      *
      * @return false if there is no room for one of them
@@ -67,14 +67,14 @@ final class Candidates extends Padded {
     private void insert(Primitive primitive, double leastDistance) {
         // what may lie anywhere, like a plane, comes first
         double least = leastDistance > 0 ? leastDistance : 0;
-        int place = count++;
-        while (place > 0 && leastDistances[place - 1] > least) {
-            found[place] = found[place - 1];
-            leastDistances[place] = leastDistances[place - 1];
-            place--;
+        int index = count++;
+        while (index > 0 && leastDistances[index - 1] > least) {
+            found[index] = found[index - 1];
+            leastDistances[index] = leastDistances[index - 1];
+            index--;
         }
-        found[place] = primitive;
-        leastDistances[place] = least;
+        found[index] = primitive;
+        leastDistances[index] = least;
     }
 
     /** Notes for each ray which candidates it may meet; short loops over all rays rule out most of the others. */
@@ -95,20 +95,20 @@ final class Candidates extends Padded {
         }
     }
 
-    /** Whether the ray at a place may meet a candidate. */
-    boolean mayMeet(int place) {
-        return mayMeet[place] != 0;
+    /** Whether the ray at an index may meet a candidate. */
+    boolean mayMeet(int index) {
+        return mayMeet[index] != 0;
     }
 
-    /** The number of candidates that the ray at a place may meet. */
-    int countFor(int place) {
-        return Long.bitCount((long) mayMeet[place]);
+    /** The number of candidates that the ray at an index may meet. */
+    int countFor(int index) {
+        return Long.bitCount((long) mayMeet[index]);
     }
 
-    /** Searches the candidates for a hit of the ray at a place that is nearer than what was found before. */
-    void search(Ray ray, int place, NearestHit nearest) {
+    /** Searches the candidates for a hit of the ray at an index that is nearer than what was found before. */
+    void search(Ray ray, int index, NearestHit nearest) {
         int tests = 0;
-        for (long left = (long) mayMeet[place]; left != 0; left &= left - 1) {
+        for (long left = (long) mayMeet[index]; left != 0; left &= left - 1) {
             int next = Long.numberOfTrailingZeros(left);
             if (leastDistances[next] > nearest.reach()) {
                 break;

@@ -39,8 +39,8 @@ final class EntryNodes extends Padded {
      *
      * @param parts parts of the tree that together hold everything that the rays can meet; empty for all of it
      * @param rays a packet that holds the rays
-     * @param from place of the first ray
-     * @param to place behind the last ray
+     * @param from index of the first ray
+     * @param to index behind the last ray
      * @return false if there is no tree, or if the rays spread too widely
      */
     boolean find(ObjectTree objects, List<TreeNode> parts, RayPacket rays, int from, int to) {
@@ -86,14 +86,14 @@ final class EntryNodes extends Padded {
             return;
         }
         double distance = bundle.leastDistance(node);
-        int place = waitingCount++;
-        while (place > 0 && waitingDistances[place - 1] < distance) {
-            waiting[place] = waiting[place - 1];
-            waitingDistances[place] = waitingDistances[place - 1];
-            place--;
+        int index = waitingCount++;
+        while (index > 0 && waitingDistances[index - 1] < distance) {
+            waiting[index] = waiting[index - 1];
+            waitingDistances[index] = waitingDistances[index - 1];
+            index--;
         }
-        waiting[place] = node;
-        waitingDistances[place] = distance;
+        waiting[index] = node;
+        waitingDistances[index] = distance;
     }
 
     /** Number of nodes, the nearest first. */
@@ -101,12 +101,12 @@ final class EntryNodes extends Padded {
         return count;
     }
 
-    TreeNode node(int place) {
-        return nodes[place];
+    TreeNode node(int index) {
+        return nodes[index];
     }
 
     /** A distance that no ray falls below before it reaches a node. */
-    double distance(int place) {
-        return distances[place];
+    double distance(int index) {
+        return distances[index];
     }
 }

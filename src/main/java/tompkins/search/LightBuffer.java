@@ -37,9 +37,9 @@ final class LightBuffer {
         int[] next = starts.clone();
         for (LightBufferBuilder part : notes) {
             for (int i = 0; i < part.count(); i++) {
-                int place = next[part.cell(i)]++;
-                entries[place] = part.entry(i);
-                primitives[place] = sights[part.number(i)].primitive();
+                int index = next[part.cell(i)]++;
+                entries[index] = part.entry(i);
+                primitives[index] = sights[part.number(i)].primitive();
             }
         }
     }
@@ -103,23 +103,23 @@ final class LightBuffer {
         return squares > (double) MOST_IN_CROWD * starts[CELLS];
     }
 
-    /** Place of the first entry of a cell. */
+    /** Index of the first entry of a cell. */
     int first(int cell) {
         return starts[cell];
     }
 
-    /** Place after the last entry of a cell. */
+    /** Index after the last entry of a cell. */
     int end(int cell) {
         return starts[cell + 1];
     }
 
-    /** The entry at a place. */
-    long entry(int place) {
-        return entries[place];
+    /** The entry at an index. */
+    long entry(int index) {
+        return entries[index];
     }
 
-    /** The primitive of the entry at a place. */
-    Primitive primitive(int place) {
-        return primitives[place];
+    /** The primitive of the entry at an index. */
+    Primitive primitive(int index) {
+        return primitives[index];
     }
 }

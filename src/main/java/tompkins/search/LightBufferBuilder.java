@@ -68,17 +68,17 @@ final class LightBufferBuilder {
     }
 
     /** The cell of an entry, row by row. */
-    int cell(int place) {
-        return cells[place];
+    int cell(int index) {
+        return cells[index];
     }
 
     /** The number of the primitive to which an entry belongs. */
-    int number(int place) {
-        return numbers[place];
+    int number(int index) {
+        return numbers[index];
     }
 
     /** An entry. */
-    long entry(int place) {
-        return entries[place];
+    long entry(int index) {
+        return entries[index];
     }
 }

@@ -117,8 +117,8 @@ public final class PacketSearch extends Padded {
     private boolean batchesPay() {
         candidates.sift(rays);
         int pairs = 0;
-        for (int place = 0; place < rays.count(); place++) {
-            pairs += candidates.countFor(place);
+        for (int index = 0; index < rays.count(); index++) {
+            pairs += candidates.countFor(index);
         }
         return pairs >= LEAST_RAYS * candidates.count();
     }
@@ -203,12 +203,12 @@ public final class PacketSearch extends Padded {
     }
 
     private void openAll() {
-        for (int place = 0; place < rays.count(); place++) {
-            hits[place] = null;
-            distances[place] = Primitive.NO_HIT;
-            reaches[place] = Primitive.NO_HIT;
-            shared[place] = false;
-            open[place] = place;
+        for (int index = 0; index < rays.count(); index++) {
+            hits[index] = null;
+            distances[index] = Primitive.NO_HIT;
+            reaches[index] = Primitive.NO_HIT;
+            shared[index] = false;
+            open[index] = index;
         }
         openCount = rays.count();
     }
@@ -234,11 +234,11 @@ public final class PacketSearch extends Padded {
 
     private void searchBatch() {
         for (int i = 0; i < openCount; i++) {
-            int place = open[i];
-            if (candidates.mayMeet(place)) {
-                nearest.resume(hits[place], distances[place], reaches[place], shared[place]);
-                candidates.search(rays.copy(place, ray), place, nearest);
-                keep(place);
+            int index = open[i];
+            if (candidates.mayMeet(index)) {
+                nearest.resume(hits[index], distances[index], reaches[index], shared[index]);
+                candidates.search(rays.copy(index, ray), index, nearest);
+                keep(index);
             }
         }
     }
@@ -261,21 +261,21 @@ public final class PacketSearch extends Padded {
     /** Lets each ray that is still open search by itself what waits. */
     private void searchWaiting() {
         for (int i = 0; i < openCount; i++) {
-            int place = open[i];
-            rays.copy(place, ray);
-            nearest.resume(hits[place], distances[place], reaches[place], shared[place]);
+            int index = open[i];
+            rays.copy(index, ray);
+            nearest.resume(hits[index], distances[index], reaches[index], shared[index]);
             for (Iterator<TreeNode> nearestFirst = waiting.descendingIterator(); nearestFirst.hasNext(); ) {
                 ObjectTree.searchTree(nearestFirst.next(), ray, nearest);
             }
-            keep(place);
+            keep(index);
         }
     }
 
-    private void keep(int place) {
-        hits[place] = nearest.primitive();
-        distances[place] = nearest.distance();
-        reaches[place] = nearest.reach();
-        shared[place] = nearest.isShared();
+    private void keep(int index) {
+        hits[index] = nearest.primitive();
+        distances[index] = nearest.distance();
+        reaches[index] = nearest.reach();
+        shared[index] = nearest.isShared();
     }
 
     /** Whether what the rays can meet was found for all together. */
@@ -288,39 +288,34 @@ public final class PacketSearch extends Padded {
         return !together || inBatches || candidates.count() > 0;
     }
 
-    /** Whether the ray at a place may meet something. */
-    public boolean mayMeet(int place) {
-        return !together || (inBatches ? hits[place] != null : candidates.mayMeet(place));
-    }
-
     /**
-     * Searches for the nearest hit of a ray; asked in the order of the places.
+     * Searches for the nearest hit of a ray; asked in the order of the packet.
      *
      * @param limit what is farther may be left out
      * @return whether there is one; the memory holds it, and {@link #ray()} the ray
      */
-    public boolean nearest(int place, double limit) {
+    public boolean nearest(int index, double limit) {
         if (!together) {
-            return nearestAlone(place, limit);
+            return nearestAlone(index, limit);
         }
-        if (!mayMeet(place)) {
+        if (inBatches ? hits[index] == null : !candidates.mayMeet(index)) {
             return false;
         }
-        rays.copy(place, ray);
+        rays.copy(index, ray);
         if (inBatches) {
-            nearest.resume(hits[place], distances[place], reaches[place], shared[place]);
+            nearest.resume(hits[index], distances[index], reaches[index], shared[index]);
         } else {
             nearest.start(limit);
-            candidates.search(ray, place, nearest);
+            candidates.search(ray, index, nearest);
         }
         return nearest.primitive() != null;
     }
 
-    private boolean nearestAlone(int place, double limit) {
-        if (place % EntryNodes.RAYS == 0) {
-            hasEntries = entries.find(objects, parts, rays, place, Math.min(rays.count(), place + EntryNodes.RAYS));
+    private boolean nearestAlone(int index, double limit) {
+        if (index % EntryNodes.RAYS == 0) {
+            hasEntries = entries.find(objects, parts, rays, index, Math.min(rays.count(), index + EntryNodes.RAYS));
         }
-        rays.copy(place, ray);
+        rays.copy(index, ray);
         return hasEntries ? objects.nearest(ray, limit, entries, nearest) : objects.nearest(ray, limit, nearest);
     }
 

@@ -152,10 +152,12 @@ final class RotatingGroup extends Primitive {
         void of(Ray newRay, double newLimit, double known) {
             ray.set(newRay);
             limit = newLimit;
-            forget();
+            found = null;
+            foundDistance = NO_HIT;
+            shared = false;
             path.begin(ray);
             for (Primitive each : round) {
-                double distance = each.distanceOff(ray, Math.min(limit, reach()));
+                double distance = each.distanceOff(ray, nearest());
                 if (distance < NO_HIT) {
                     find(each, distance);
                 }
@@ -181,12 +183,6 @@ final class RotatingGroup extends Primitive {
 
         private double nearest() {
             return Math.min(limit, reach());
-        }
-
-        private void forget() {
-            found = null;
-            foundDistance = NO_HIT;
-            shared = false;
         }
 
         /** The distance up to which something at the place of what was found may lie. */

@@ -172,8 +172,8 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
         }
     }
 
-    private boolean isAhead(RayPacket rays, int place) {
-        return alongDirection(rays.dx[place], rays.dy[place], rays.dz[place]) > 0;
+    private boolean isAhead(RayPacket rays, int index) {
+        return alongDirection(rays.dx[index], rays.dy[index], rays.dz[index]) > 0;
     }
 
     /** Transforms directions that all lie ahead, or all behind. */

@@ -1,6 +1,5 @@
 package tompkins.studio;
 
-import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.joml.Vector3dc;
 import tompkins.camera.Camera;
@@ -69,13 +68,6 @@ public final class LensEvent {
                 .withCameraFrame(faster.cameraFrame().stream()
                         .map(object -> object.moved(motion))
                         .toList());
-    }
-
-    /** As {@link #moved(Studio, Event, Velocity, Quaterniondc)}, to another place at the same time of the scene. */
-    public static Studio moved(Studio studio, Vector3dc placeInScene) {
-        double time = inScene(studio).time();
-        Event event = new Event(placeInScene.x(), placeInScene.y(), placeInScene.z(), time);
-        return moved(studio, event, studio.velocity(), new Quaterniond());
     }
 
     private static Studio withOpeningTime(Studio studio) {

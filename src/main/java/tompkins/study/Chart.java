@@ -57,17 +57,13 @@ public record Chart(String problem, String title, Axis across, Axis up, boolean 
         return up.value.apply(point);
     }
 
-    /** The measurements that this chart shows: those of its problem and of the parts of it, {@code problem:part}. */
-    List<StudyPoint> shown(List<StudyPoint> all) {
-        return all.stream()
-                .filter(measurement -> measurement.problem().equals(problem)
-                        || measurement.problem().startsWith(problem + ":"))
-                .toList();
-    }
-
-    /** Those of them that can be drawn on logarithmic axes. */
+    /**
+     * The measurements that this chart shows: those of its problem and of the parts of it, {@code problem:part}, that
+     * can be drawn on logarithmic axes.
+     */
     public List<StudyPoint> drawn(List<StudyPoint> all) {
-        return shown(all).stream()
+        return all.stream()
+                .filter(point -> (point.problem() + ":").startsWith(problem + ":"))
                 .filter(point -> x(point) > 0 && y(point).low() > 0)
                 .toList();
     }

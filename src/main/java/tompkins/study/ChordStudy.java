@@ -146,7 +146,8 @@ record ChordStudy(long seed) implements Study {
         return new Triangle("", at, along.mul(0.3, new Vector3d()), across, ColouredSurface.DEFAULT);
     }
 
-    private static Vector3d inBall(SplittableRandom random) {
+    /** A random place in the ball of radius 1 around the origin. */
+    static Vector3d inBall(SplittableRandom random) {
         Vector3d place;
         do {
             place = new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));

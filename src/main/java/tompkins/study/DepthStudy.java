@@ -37,11 +37,11 @@ final class DepthStudy implements Study {
      * Something to look through.
      *
      * @param title of its chart
-     * @param share the largest share of rays that the program may follow, compared with a limit that is as exact
+     * @param part the largest part of the rays that the program may follow, compared with a limit that is as exact
      * @param above the reflectance of the mirrors above the camera
      * @param below the reflectance of the mirrors below it
      */
-    private record Problem(String key, String title, double share, double above, double below) {}
+    private record Problem(String key, String title, double part, double above, double below) {}
 
     private static final List<Problem> PROBLEMS = List.of(
             new Problem("R=0.90", "Corridor of mirrors, reflectance 0.90", 1, 0.9, 0.9),
@@ -145,10 +145,10 @@ final class DepthStudy implements Study {
                     Ray.FAINTEST,
                     own.maximum());
             conclusion.demand(
-                    own.rays() <= cheapest * problem.share,
+                    own.rays() <= cheapest * problem.part,
                     "depth.rays",
                     problem.title,
-                    problem.share < 1 ? problem.share + " times " : "",
+                    problem.part < 1 ? problem.part + " times " : "",
                     own.rays(),
                     cheapest);
         }

@@ -5,14 +5,14 @@ final class DiscArea {
 
     private DiscArea() {}
 
-    /** The share of the disc with x below c. */
+    /** The fraction of the disc with x below c. */
     static double below(double c) {
         double edge = Math.max(-1, Math.min(1, c));
         return 0.5 + 2 * chord(edge) / Math.PI;
     }
 
     /**
-     * The share of the disc and the unit square around 0 where {@code x + u s + v t} is below c, with (s, t) in the
+     * The fraction of the disc and the unit square around 0 where {@code x + u s + v t} is below c, with (s, t) in the
      * square: the second integral of {@link #below}, differenced.
      */
     static double below(double c, double u, double v) {

@@ -14,7 +14,7 @@ import tompkins.camera.Sampler;
  * @param space what the samples have to be spread over
  * @param largestSlope with which the error of the program's samples may fall
  * @param theory the slope that theory gives it
- * @param share the largest error of the program's samples, divided by that of random ones
+ * @param ratio the largest error of the program's samples, divided by that of random ones
  * @param instances makes cases of the problem
  */
 record ExactProblem(
@@ -23,7 +23,7 @@ record ExactProblem(
         SampledSpace space,
         double largestSlope,
         String theory,
-        double share,
+        double ratio,
         Function<SplittableRandom, Instance> instances) {
 
     /** Number of cases that are worked out. */

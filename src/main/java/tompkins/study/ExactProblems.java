@@ -68,7 +68,7 @@ final class ExactProblems {
                                         < c
                                 ? 1
                                 : 0,
-                        shareBelow(c, perX, perY, speed));
+                        fractionBelow(c, perX, perY, speed));
             });
 
     /** Those of a wide aperture. */
@@ -80,12 +80,12 @@ final class ExactProblems {
     private ExactProblems() {}
 
     /**
-     * The share of a box with one corner at 0 in which the sum of the coordinates is below a number: a sum over its
+     * The fraction of a box with one corner at 0 in which the sum of the coordinates is below a number: a sum over its
      * corners with alternating signs.
      *
      * @param sides of the box, two or three
      */
-    private static double shareBelow(double height, double... sides) {
+    private static double fractionBelow(double height, double... sides) {
         double sum = 0;
         for (int corner = 0; corner < 1 << sides.length; corner++) {
             double from = height;

@@ -10,7 +10,7 @@ import java.util.stream.IntStream;
  *
  * @param slope the exponent
  * @param factor y at x = 1
- * @param rSquared the share of the spread of log y that the law explains, from 0 to 1
+ * @param rSquared the fraction of the spread of log y that the law explains, from 0 to 1
  */
 record PowerLaw(double slope, double factor, double rSquared) {
 

@@ -81,8 +81,8 @@ record PrecisionStudy(long seed) implements Study {
 
     /** The unit direction in the scene frame, and the length that the transformation gives it. */
     private static BigDecimal[] exact(Vector3dc u, Vector3dc d) {
-        BigDecimal[] velocity = {new BigDecimal(u.x()), new BigDecimal(u.y()), new BigDecimal(u.z())};
-        BigDecimal[] direction = {new BigDecimal(d.x()), new BigDecimal(d.y()), new BigDecimal(d.z())};
+        BigDecimal[] velocity = decimals(u);
+        BigDecimal[] direction = decimals(d);
         BigDecimal gamma = dot(velocity, velocity).add(BigDecimal.ONE).sqrt(DIGITS);
         BigDecimal length = dot(direction, direction).sqrt(DIGITS);
         BigDecimal factor = dot(velocity, direction)
@@ -99,7 +99,11 @@ record PrecisionStudy(long seed) implements Study {
         return turned;
     }
 
-    private static BigDecimal dot(BigDecimal[] a, BigDecimal[] b) {
+    static BigDecimal[] decimals(Vector3dc vector) {
+        return new BigDecimal[] {new BigDecimal(vector.x()), new BigDecimal(vector.y()), new BigDecimal(vector.z())};
+    }
+
+    static BigDecimal dot(BigDecimal[] a, BigDecimal[] b) {
         return a[0].multiply(b[0]).add(a[1].multiply(b[1])).add(a[2].multiply(b[2]));
     }
 

@@ -25,7 +25,7 @@ record PromisedErrors(Map<String, Studio> studios, long seed, int width, int ref
     private static final String PROBLEM = "promise";
     private static final double[] PROMISES = {0.01, Quality.TargetError.DEFAULT.rootMeanSquare()};
     private static final double TOLERANCE = 1.25;
-    private static final double SHARE = 0.95;
+    private static final double KEPT = 0.95;
 
     /** Errors below this are those of single precision. */
     private static final double ROUNDING = 1e-6;
@@ -116,7 +116,7 @@ record PromisedErrors(Map<String, Studio> studios, long seed, int width, int ref
                                     StudyText.format("%s at %s (%.2f times)", sceneOf(run), run.setting(), excess(run)))
                             .collect(Collectors.joining(", ")));
         }
-        conclusion.demand(kept >= SHARE * runs.size(), "promise.kept", TOLERANCE, 100 * SHARE, kept, runs.size());
+        conclusion.demand(kept >= KEPT * runs.size(), "promise.kept", TOLERANCE, 100 * KEPT, kept, runs.size());
         double reference = runs.stream().mapToDouble(StudyPoint::floor).max().orElseThrow();
         conclusion.demand(reference <= REFERENCE_ERROR, "promise.reference", REFERENCE_ERROR, reference);
     }

@@ -1,5 +1,6 @@
 package tompkins.study;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.function.Function;
 import java.util.function.IntFunction;
@@ -129,9 +130,7 @@ final class SamplePattern implements Sampler {
     }
 
     private static double[] wrapped(double[] last, double[] steps) {
-        for (int i = 0; i < last.length; i++) {
-            last[i] = wrapped(last[i], steps[i]);
-        }
+        Arrays.setAll(last, i -> wrapped(last[i], steps[i]));
         return last.clone();
     }
 
@@ -141,11 +140,10 @@ final class SamplePattern implements Sampler {
      */
     static SamplePattern lattice(long seed, int samples) {
         return shifted(seed, samples, SampledSpace.ALL, i -> {
-            double[] point = new double[GENERATOR.length];
-            for (int dimension = 0; dimension < point.length; dimension++) {
-                point[dimension] = wrapped((Integer.reverse(i) & 0xffffffffL) * 0x1p-32 * GENERATOR[dimension], 0);
-            }
-            return point;
+            double fraction = (Integer.reverse(i) & 0xffffffffL) * 0x1p-32;
+            return Arrays.stream(GENERATOR)
+                    .mapToDouble(step -> wrapped(fraction * step, 0))
+                    .toArray();
         });
     }
 

@@ -72,21 +72,15 @@ record SamplingStudy(
                         trials.add(new Trial(problem.key(), title, samples, () -> exact(problem, factory, samples))));
             }
         }
-        scenes.forEach((name, pixels) -> {
-            for (int samples : counts()) {
-                trials.addAll(race(name, pixels, samples));
-            }
-        });
+        scenes.forEach((name, pixels) -> counts().forEach(samples -> trials.addAll(race(name, pixels, samples))));
         return trials;
     }
 
     /** Numbers of samples that are measured. */
     private List<Integer> counts() {
-        List<Integer> counts = new ArrayList<>();
-        for (int samples = 4; samples <= mostSamples; samples *= 4) {
-            counts.add(samples);
-        }
-        return counts;
+        return IntStream.iterate(4, samples -> samples <= mostSamples, samples -> 4 * samples)
+                .boxed()
+                .toList();
     }
 
     /** All methods at work on a photograph, in turns. */
@@ -139,9 +133,9 @@ record SamplingStudy(
                     STRAIGHT,
                     own.slope(),
                     own.rSquared());
-            double share = error(problem, PROGRAM, all) / error(problem, RANDOM, all);
+            double ratio = error(problem, PROGRAM, all) / error(problem, RANDOM, all);
             conclusion.demand(
-                    share <= problem.share(), "sampling.share", problem.title(), COMPARED_AT, problem.share(), share);
+                    ratio <= problem.ratio(), "sampling.share", problem.title(), COMPARED_AT, problem.ratio(), ratio);
         }
         scenes.keySet().forEach(scene -> conclude(scene, all, conclusion));
     }

@@ -123,10 +123,10 @@ final class ScenePixels {
         double[] light = new double[3 * block.width * block.height];
         SampleSink sink = taken -> {
             for (int i = 0; i < taken.count(); i++) {
-                int place = 3 * ((taken.row(i) - block.y) * block.width + taken.column(i) - block.x);
-                light[place] += taken.red[i];
-                light[place + 1] += taken.green[i];
-                light[place + 2] += taken.blue[i];
+                int index = 3 * ((taken.row(i) - block.y) * block.width + taken.column(i) - block.x);
+                light[index] += taken.red[i];
+                light[index + 1] += taken.green[i];
+                light[index + 2] += taken.blue[i];
             }
         };
         tracer.beginBlock(block.x, block.y, block.width, block.height, 1, sink);

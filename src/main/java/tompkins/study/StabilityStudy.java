@@ -5,6 +5,7 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.BiFunction;
 import java.util.function.ToDoubleFunction;
 import org.joml.Vector3d;
 import tompkins.property.InvalidPropertyException;
@@ -40,15 +41,14 @@ record StabilityStudy(long seed) implements Study {
      * @param title of its chart
      * @param distance what the axis across shows: the distance from the place
      * @param nearest exponent of 10 of the smallest distance that is measured; the largest is 10^-1
+     * @param errors the relative errors of both formulas in one case: first the program's, then the textbook's
      */
-    private record Place(String key, String title, String distance, int nearest, Case worked) {}
-
-    /** Works out the relative errors of both formulas in one case: first the program's, then the textbook's. */
-    @FunctionalInterface
-    private interface Case {
-
-        double[] errors(double distance, SplittableRandom random);
-    }
+    private record Place(
+            String key,
+            String title,
+            String distance,
+            int nearest,
+            BiFunction<Double, SplittableRandom, double[]> errors) {}
 
     private static final List<Place> PLACES = List.of(
             new Place("light", "gamma of a speed close to that of light", "1 - beta", -15, StabilityStudy::nearLight),
@@ -85,7 +85,7 @@ record StabilityStudy(long seed) implements Study {
         // an error of 0 would have no place on a logarithmic axis
         double largest = SMALLEST;
         for (int i = 0; i < CASES; i++) {
-            double error = place.worked.errors(distance, random)[method.equals(STABLE) ? 0 : 1];
+            double error = place.errors.apply(distance, random)[method.equals(STABLE) ? 0 : 1];
             largest = Math.max(largest, Double.isNaN(error) ? NOTHING_LEFT : Math.min(NOTHING_LEFT, Math.abs(error)));
         }
         return Figures.of(CASES, 0, largest);
@@ -94,17 +94,13 @@ record StabilityStudy(long seed) implements Study {
     private static Vector3d velocity(double speed, SplittableRandom random) {
         Vector3d direction;
         do {
-            direction = new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
-        } while (direction.lengthSquared() > 1 || direction.lengthSquared() < 0.1);
+            direction = ChordStudy.inBall(random);
+        } while (direction.lengthSquared() < 0.1);
         return direction.normalize(speed);
     }
 
     private static BigDecimal dot(Vector3d a, Vector3d b) {
-        return product(a.x, b.x).add(product(a.y, b.y)).add(product(a.z, b.z));
-    }
-
-    private static BigDecimal product(double a, double b) {
-        return new BigDecimal(a).multiply(new BigDecimal(b));
+        return PrecisionStudy.dot(PrecisionStudy.decimals(a), PrecisionStudy.decimals(b));
     }
 
     private static BigDecimal gamma(Vector3d beta) {
@@ -160,7 +156,7 @@ record StabilityStudy(long seed) implements Study {
         double offset = random.nextDouble(-0.9, 0.9);
         Vector3d centre = new Vector3d(offset, 0, far);
         BigDecimal exact = new BigDecimal(far)
-                .subtract(BigDecimal.ONE.subtract(product(offset, offset)).sqrt(DIGITS));
+                .subtract(BigDecimal.ONE.subtract(new BigDecimal(offset).pow(2)).sqrt(DIGITS));
         Ray ray = Ray.from(0, 0, 0, 0, 0, 1, 0);
         NearestHit nearest = new NearestHit(new RayCounts());
         boolean hit = new ObjectTree(

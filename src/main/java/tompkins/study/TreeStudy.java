@@ -86,7 +86,7 @@ record TreeStudy(long seed) implements Study {
 
     private List<Primitive> spheres(int count) {
         SplittableRandom random = new SplittableRandom(seed);
-        // they cover the same share of the view, whatever their number
+        // they cover the same fraction of the view, whatever their number
         double radius = 0.25 / Math.sqrt(count);
         List<SceneObject> spheres = new ArrayList<>();
         for (int i = 0; i < count; i++) {

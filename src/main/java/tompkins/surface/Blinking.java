@@ -28,7 +28,7 @@ public record Blinking(
     }
 
     @Override
-    public double shareOfSecond(Ray ray, Hit hit) {
+    public double fractionOfSecond(Ray ray, Hit hit) {
         return SquareWave.isOdd(Math.floor(2 * hit.clockReading() / period)) ? 1 : 0;
     }
 

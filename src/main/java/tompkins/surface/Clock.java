@@ -57,7 +57,7 @@ public record Clock(
     }
 
     @Override
-    public double shareOfSecond(Ray ray, Hit hit) {
+    public double fractionOfSecond(Ray ray, Hit hit) {
         double toRight = hit.coordinates.u() - 0.5;
         double up = hit.coordinates.v() - 0.5;
         double turns = hit.clockReading() / period;

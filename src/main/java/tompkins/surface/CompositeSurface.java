@@ -14,12 +14,12 @@ public sealed interface CompositeSurface extends Surface permits Tiling, CutOut,
     Surface second();
 
     /** The fraction of the second surface at a hit, from 0 to 1. */
-    double shareOfSecond(Ray ray, Hit hit);
+    double fractionOfSecond(Ray ray, Hit hit);
 
     /** Each surface answers for its fraction of the bundle; the tracer loops over the larger fraction. */
     @Override
     default Response respond(Ray ray, Hit hit, Tracer tracer) {
-        double fraction = shareOfSecond(ray, hit);
+        double fraction = fractionOfSecond(ray, hit);
         if (fraction == 0) {
             return first().respond(ray, hit, tracer);
         }
@@ -49,7 +49,7 @@ public sealed interface CompositeSurface extends Surface permits Tiling, CutOut,
     /** Where light passes one of both there is no shadow. */
     @Override
     default boolean throwsShadowAt(Ray ray, Hit hit) {
-        double fraction = shareOfSecond(ray, hit);
+        double fraction = fractionOfSecond(ray, hit);
         return (fraction == 1 || first().throwsShadowAt(ray, hit))
                 && (fraction == 0 || second().throwsShadowAt(ray, hit));
     }

@@ -33,7 +33,7 @@ public record CutOut(
     }
 
     @Override
-    public double shareOfSecond(Ray ray, Hit hit) {
+    public double fractionOfSecond(Ray ray, Hit hit) {
         double u = PictureSurface.inside(hit.coordinates.u());
         double v = PictureSurface.inside(hit.coordinates.v());
         return picture.isDark(u, v) ? 0 : 1;

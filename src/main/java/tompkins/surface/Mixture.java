@@ -25,7 +25,7 @@ public record Mixture(
     }
 
     @Override
-    public double shareOfSecond(Ray ray, Hit hit) {
+    public double fractionOfSecond(Ray ray, Hit hit) {
         return share;
     }
 

@@ -169,8 +169,9 @@ public record Refractive(
                 : split(tracer, bent.dim(transmitted), transmitted, mirrored.dim(reflected), reflected);
     }
 
-    private static Response split(Tracer tracer, Ray weaker, double weakerShare, Ray stronger, double strongerShare) {
-        return new Response(tracer.colour(weaker).times(weakerShare), Colour.grey(strongerShare), stronger);
+    private static Response split(
+            Tracer tracer, Ray weaker, double weakerFraction, Ray stronger, double strongerFraction) {
+        return new Response(tracer.colour(weaker).times(weakerFraction), Colour.grey(strongerFraction), stronger);
     }
 
     @Override

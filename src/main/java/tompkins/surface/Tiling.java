@@ -47,7 +47,7 @@ public record Tiling(
     }
 
     @Override
-    public double shareOfSecond(Ray ray, Hit hit) {
+    public double fractionOfSecond(Ray ray, Hit hit) {
         SurfaceCoordinates at = hit.coordinates;
         double u = at.u() / width;
         double v = at.v() / height;

@@ -45,7 +45,7 @@ public record TwoSided(
     }
 
     @Override
-    public double shareOfSecond(Ray ray, Hit hit) {
+    public double fractionOfSecond(Ray ray, Hit hit) {
         return hit.cosine(ray) < 0 ? 0 : 1;
     }
 }

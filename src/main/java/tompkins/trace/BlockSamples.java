@@ -13,9 +13,9 @@ import tompkins.ray.RayPacket;
  */
 public final class BlockSamples extends Padded {
 
-    /** Columns of the places on Morton's way through a block, on which those that follow each other are neighbours. */
+    /** Columns of the indices on Morton's way through a block, on which those that follow each other are neighbours. */
     private static final int[] MORTON_COLUMNS = IntStream.range(0, RayPacket.MOST)
-            .map(place -> place & 1 | place >> 1 & 2 | place >> 2 & 4 | place >> 3 & 8)
+            .map(index -> index & 1 | index >> 1 & 2 | index >> 2 & 4 | index >> 3 & 8)
             .toArray();
 
     /** The light of each sample, before exposure. */
@@ -59,14 +59,14 @@ public final class BlockSamples extends Padded {
         return new Colour(red[sample], green[sample], blue[sample]);
     }
 
-    /** How many pixels a place on the way through a block is to the right of its first one. */
-    static int across(int place) {
-        return MORTON_COLUMNS[place];
+    /** How many pixels an index on the way through a block is to the right of its first one. */
+    static int across(int index) {
+        return MORTON_COLUMNS[index];
     }
 
     /** How many pixels it is below. */
-    static int down(int place) {
-        return MORTON_COLUMNS[place >> 1];
+    static int down(int index) {
+        return MORTON_COLUMNS[index >> 1];
     }
 
     void clear() {

@@ -33,18 +33,18 @@ final class CellLists {
         }
     }
 
-    /** The place at which the numbers of a cell begin. */
+    /** The index at which the numbers of a cell begin. */
     int begin(int cell) {
         return begins[cell];
     }
 
-    /** The place behind the last number of a cell. */
+    /** The index behind the last number of a cell. */
     int end(int cell) {
         return begins[cell + 1];
     }
 
-    /** The number at a place. */
-    int number(int place) {
-        return numbers[place];
+    /** The number at an index. */
+    int number(int index) {
+        return numbers[index];
     }
 }

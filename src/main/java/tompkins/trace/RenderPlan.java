@@ -61,6 +61,7 @@ public final class RenderPlan {
     private final World world;
     private final FrameRoutes routes;
     private final ObjectTree cameraFrame;
+
     /** The medium around the lens, if it need not be known how it moves there; null otherwise, and in vacuum. */
     private final Medium lensMedium;
 
@@ -262,8 +263,8 @@ public final class RenderPlan {
         return new Vector2d(view.width() / 2.0, view.height() / 2.0);
     }
 
-    /** The life of the sample in the middle of the picture; null if it never crosses the shutter. */
-    public SampleHistory middleLife() {
+    /** The history of the sample in the middle of the picture; null if it never crosses the shutter. */
+    public SampleHistory middleHistory() {
         return SampleHistory.way(this, middle().x(), middle().y(), 0, 0, SamplePositions.MIDDLE);
     }
 
@@ -280,7 +281,7 @@ public final class RenderPlan {
         if (studio.camera().stereo().layout() != StereoLayout.NONE) {
             return RenderPlan.of(studio.withCamera(studio.camera().betweenEyes()), this).shift;
         }
-        SampleHistory middle = middleLife();
+        SampleHistory middle = middleHistory();
         if (middle != null && middle.sceneStart() != null) {
             return new LightShift(
                     studio.colours(), studio.metering(), middle.sceneDopplerFactor(), middle.sceneDirectionLength());

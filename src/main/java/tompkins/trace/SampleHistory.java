@@ -21,7 +21,8 @@ import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.surface.Surface;
 
 /**
- * The life of one sample: where and when its ray starts in both frames, what it hits, and the colour that comes back.
+ * The history of one sample: where and when its ray starts in both frames, what it hits, and the colour that comes
+ * back.
  *
  * @param cameraStart the event at which the ray starts, in the camera frame
  * @param cameraDirection unit direction in which it is traced, in the camera frame
@@ -33,8 +34,6 @@ import tompkins.surface.Surface;
  * @param sceneDirectionLength length, in the scene frame, of the direction that has length 1 in the camera frame: the
  *     scene is brighter to the camera by the inverse of its fourth power, which in vacuum is that of the ratio of the
  *     frequencies
- * @param sceneSlowness time in the scene frame for a unit of length along that ray: 1 for light, and below 0 or above
- *     it where the scene is measured without light
  * @param hits everything that was hit, in the order of tracing: where a ray splits, first all of its weaker branch; of
  *     the main branch the first {@link #MOST_HITS} and the last, and as many of all weaker ones
  * @param hitsLeftOut how many hits there were beside these
@@ -55,7 +54,6 @@ public record SampleHistory(
         Vector3dc sceneDirection,
         double sceneDopplerFactor,
         double sceneDirectionLength,
-        double sceneSlowness,
         List<Encounter> hits,
         long hitsLeftOut,
         Vector3dc lastDirection,
@@ -183,7 +181,7 @@ public record SampleHistory(
      * @param lensX place on the lens in units of its radius
      * @param lensY place on the lens in units of its radius
      * @param moment the part of the exposure time that has passed, from 0 to 1
-     * @return its life, or null if the sample never crosses the shutter and so has none
+     * @return its history, or null if the sample never crosses the shutter and so has none
      */
     public static SampleHistory of(RenderPlan plan, double x, double y, double lensX, double lensY, double moment) {
         return of(plan, x, y, lensX, lensY, moment, Long.MAX_VALUE);
@@ -201,15 +199,15 @@ public record SampleHistory(
     public static Stream<Encounter> hits(RenderPlan plan, int side) {
         return SamplePositions.spread(plan.width(), plan.height(), side)
                 .map(place -> way(plan, place.x(), place.y(), 0, 0, SamplePositions.MIDDLE))
-                .filter(life -> life != null)
-                .flatMap(life -> life.hits().stream());
+                .filter(history -> history != null)
+                .flatMap(history -> history.hits().stream());
     }
 
     private static SampleHistory of(
             RenderPlan plan, double x, double y, double lensX, double lensY, double moment, long mostWeaker) {
         Recorder recorder = new Recorder(plan, mostWeaker);
         Colour colour = plan.tracer(new RayCounts(), recorder).sample(x, y, lensX, lensY, moment);
-        return recorder.startDirection == null ? null : recorder.life(colour);
+        return recorder.startDirection == null ? null : recorder.history(colour);
     }
 
     private static final class Recorder implements PathObserver {
@@ -242,7 +240,6 @@ public record SampleHistory(
         private Vector3d crossingDirection;
         private double sceneDopplerFactor = 1;
         private double sceneDirectionLength = 1;
-        private double sceneSlowness = 1;
         private Vector3d lastDirection;
         private double lastSlowness = 1;
         private double lastDopplerFactor = Double.NaN;
@@ -286,7 +283,6 @@ public record SampleHistory(
                 crossingDirection = new Vector3d(ray.dx, ray.dy, ray.dz);
                 sceneDopplerFactor = ratio(ray);
                 sceneDirectionLength = ray.directionLength;
-                sceneSlowness = ray.slowness;
             }
         }
 
@@ -371,7 +367,7 @@ public record SampleHistory(
             }
         }
 
-        SampleHistory life(Colour colour) {
+        SampleHistory history(Colour colour) {
             if (latest != null) {
                 hits.add(latest);
             }
@@ -382,7 +378,6 @@ public record SampleHistory(
                     crossingDirection,
                     sceneDopplerFactor,
                     sceneDirectionLength,
-                    sceneSlowness,
                     List.copyOf(hits),
                     mainHits + weakerHits - hits.size(),
                     lastDirection,

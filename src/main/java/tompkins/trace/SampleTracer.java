@@ -33,8 +33,8 @@ public final class SampleTracer extends Padded {
     /** The samples of the block; those of the second eye follow those of the first. */
     private final BlockSamples samples = new BlockSamples();
 
-    /** What the other eye sees at the places of these. */
-    private final BlockSamples samplesOfOther = new BlockSamples();
+    /** What the other eye sees at the places of these; null if there is none. */
+    private final BlockSamples samplesOfOther;
 
     /** The eye whose picture the places are in. */
     private EyeView eye;
@@ -51,6 +51,7 @@ public final class SampleTracer extends Padded {
         boolean sharePlaces = pictureRays.layout().isAnaglyph();
         eyes = sharePlaces ? views.subList(0, 1) : views;
         other = sharePlaces && !isWatched ? views.get(1) : null;
+        samplesOfOther = other == null ? null : new BlockSamples();
         placesOfEyes =
                 eyes.stream().map(view -> new SamplePositions(RayPacket.MOST)).toList();
     }
@@ -129,9 +130,9 @@ public final class SampleTracer extends Padded {
             begin(next);
             // the way goes through a square of twice the side only after the smaller one
             int side = Integer.highestOneBit(2 * ((Math.max(width, height) - 1) / stride) + 1);
-            for (int place = 0; place < side * side; place++) {
-                int across = stride * BlockSamples.across(place);
-                int down = stride * BlockSamples.down(place);
+            for (int index = 0; index < side * side; index++) {
+                int across = stride * BlockSamples.across(index);
+                int down = stride * BlockSamples.down(index);
                 if (across < width && down < height) {
                     addPixel(left + across, top + down, taker);
                 }

@@ -87,8 +87,8 @@ final class StarTracer extends Padded implements EscapedLight, StarMap.Visitor {
     }
 
     @Override
-    public Colour colour(RayPacket rays, int place) {
-        return colour(rays.copy(place, memory));
+    public Colour colour(RayPacket rays, int index) {
+        return colour(rays.copy(index, memory));
     }
 
     private Colour stars(Ray ray) {

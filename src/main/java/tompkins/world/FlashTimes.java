@@ -65,7 +65,7 @@ public final class FlashTimes {
         Vector3dc place = lamp.position();
         Hit event = hit.event == null ? hit : hit.event;
         Event[] ends = DoubleStream.of(begin, end)
-                .mapToObj(time -> new Event(place.x(), place.y(), place.z(), time + lamp.zero()))
+                .mapToObj(time -> new Event(place.x(), place.y(), place.z(), time + lamp.properTimeZero()))
                 .map(routes.route(lamp.frame(), frame)::transform)
                 .toArray(Event[]::new);
         Event met = routes.route(event.frame, frame).transform(new Event(event.x, event.y, event.z, event.time));

@@ -14,15 +14,15 @@ import tompkins.search.LampTrack;
  *
  * @param light the source, in the coordinates in which the tracer works
  * @param frame the number of its frame
- * @param zero when its own time is 0, in the time of that frame
+ * @param properTimeZero when its own time is 0, in the time of that frame
  * @param grid what it sees of what rests with it, or null if that is not prepared
  * @param tracks its way past what rests in each frame, null where that is not prepared; empty if it is nowhere
  */
-public record Lamp(RestingLight light, int frame, double zero, LampShadows grid, List<LampTrack> tracks) {
+public record Lamp(RestingLight light, int frame, double properTimeZero, LampShadows grid, List<LampTrack> tracks) {
 
     /** A lamp for whose shadows nothing is prepared. */
-    public Lamp(RestingLight light, int frame, double zero) {
-        this(light, frame, zero, null, List.of());
+    public Lamp(RestingLight light, int frame, double properTimeZero) {
+        this(light, frame, properTimeZero, null, List.of());
     }
 
     /** Where it is, or null if it has no place. */
@@ -43,6 +43,6 @@ public record Lamp(RestingLight light, int frame, double zero, LampShadows grid,
     /** Finds the way to it from a hit on something that rests with it. */
     public void find(Hit hit, Sightline sight) {
         Vector3dc at = light.position();
-        sight.set(at.x() - hit.x, at.y() - hit.y, at.z() - hit.z, hit.time - zero);
+        sight.set(at.x() - hit.x, at.y() - hit.y, at.z() - hit.z, hit.time - properTimeZero);
     }
 }

@@ -90,7 +90,7 @@ final class RetardedLight implements Lighting {
         if (length == 0) {
             return false;
         }
-        double emission = way.time - length - lamp.zero();
+        double emission = way.time - length - lamp.properTimeZero();
         routes.transform(way.aim(x / length, y / length, z / length), hit.frame, way);
         double stretched = length * way.directionLength;
         sight.set(way.dx * stretched, way.dy * stretched, way.dz * stretched, way.directionLength, 1, emission);
@@ -133,7 +133,7 @@ final class RetardedLight implements Lighting {
                 way.dz * stretched,
                 1,
                 way.slowness,
-                later - duration - lamp.zero());
+                later - duration - lamp.properTimeZero());
         return true;
     }
 

@@ -163,9 +163,7 @@ public final class Surroundings extends Padded {
         for (int i = 0; i < openCount; i++) {
             RayPacket rays = open[i].rays;
             PacketSearch query = open[i].query;
-            if (query.mayMeet(index)
-                    && !Double.isNaN(rays.dx[index])
-                    && query.nearest(index, limit(rays.directionLength[index]))) {
+            if (!Double.isNaN(rays.dx[index]) && query.nearest(index, limit(rays.directionLength[index]))) {
                 compare(query.ray());
             }
         }

@@ -128,7 +128,7 @@ public final class World {
                 prepared.add(new Lamp(
                         lamp.light(),
                         lamp.frame(),
-                        lamp.zero(),
+                        lamp.properTimeZero(),
                         hasBuffer ? LampShadows.of(lamp.position(), seen) : null,
                         hasTracks ? tracks(lamp, routes, left) : List.of()));
             }

@@ -88,7 +88,7 @@ class FlashesTest {
         RenderPlan plan = RenderPlan.of(studio("'scene':[{'type':'Plane','point':[0,0,10],'normal':[0,0,-1]}],"
                 + "'lights':[{'type':'Moving','velocity':[0,0,0.9999995],'objects':[{'type':'PointLight',"
                 + "'position':[0.5,0.25,0],'flash':{'start':-6,'duration':1}}]}],'camera':{SHUT OPEN20}}"));
-        LitSpan span = plan.middleLife().end().flashes().get(0).spans().get(0);
+        LitSpan span = plan.middleHistory().end().flashes().get(0).spans().get(0);
         assertThat(20 + span.from()).isCloseTo(19.997025997970905678, within(2e-14));
         assertThat(20 + span.to()).isCloseTo(19.997531187323926942, within(2e-14));
     }

@@ -72,7 +72,7 @@ class UnseenObjectsTest {
         assertThat(time.find()).as(warning).isTrue();
         Studio then = studio.withCamera(
                 studio.camera().withShutter(studio.camera().shutter().openedAt(Double.parseDouble(time.group(1)))));
-        SampleHistory middle = RenderPlan.of(then).middleLife();
+        SampleHistory middle = RenderPlan.of(then).middleHistory();
         assertThat(middle.end().object().description()).isEqualTo("die");
     }
 

@@ -141,7 +141,7 @@ class StarScenesTest {
                 .filter(star -> star.rightAscensionDegrees() == 269.1515 && star.declinationDegrees() == 51.4889)
                 .findFirst()
                 .orElseThrow();
-        assertThat(plan.middleLife().lastDirection().distance(sky(studio).direction(gammaDraconis)))
+        assertThat(plan.middleHistory().lastDirection().distance(sky(studio).direction(gammaDraconis)))
                 .isLessThan(1e-6);
         double pixel = 2 * Math.tan(Math.toRadians(24)) / 640;
         for (double across : new double[] {-150, -40, 90, 200}) {
@@ -234,7 +234,7 @@ class StarScenesTest {
                     .isLessThan(1e-12);
             assertThat(life.lastDopplerFactor()).isCloseTo(Math.sin(i) / Math.sin(r), within(1e-12));
         }
-        SampleHistory middle = plan.middleLife();
+        SampleHistory middle = plan.middleHistory();
         assertThat(middle.lastDopplerFactor()).isCloseTo(3, within(1e-12));
         assertThat(middle.end() == null ? middle.hits().get(0).event().z() : Double.NaN)
                 .isCloseTo(6, within(1e-12));

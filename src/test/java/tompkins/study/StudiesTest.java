@@ -43,7 +43,7 @@ class StudiesTest {
                 .allSatisfy(finding ->
                         assertThat(finding.holds()).as(finding.sentence()).isTrue());
         for (Chart chart : study.charts()) {
-            assertThat(chart.shown(all)).as(chart.title()).isNotEmpty();
+            assertThat(chart.drawn(all)).as(chart.title()).isNotEmpty();
             assertThat(ChartDrawing.png(chart, all)).hasSizeLessThan(100_000);
             ChartDrawingTest.assertReadable(chart, all);
         }

@@ -107,7 +107,7 @@ class TouchingSurfacesTest {
     }
 
     private static SampleHistory middle(Studio studio) {
-        return RenderPlan.of(studio).middleLife();
+        return RenderPlan.of(studio).middleHistory();
     }
 
     private static SampleHistory life(Studio studio, double x, double y) {
