@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.File;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -72,9 +71,7 @@ class ExtensionTest {
         assertThat(page.find()).isTrue();
         List<String> sources = new ArrayList<>(List.of(page.group(1)));
         for (String name : List.of("IrisShutter", "Torus", "TorusShape")) {
-            try (InputStream in = ExtensionTest.class.getResourceAsStream("optics/" + name + ".java")) {
-                sources.add(new String(in.readAllBytes(), StandardCharsets.UTF_8));
-            }
+            sources.add(Files.readString(Path.of("src/test/java/optics/" + name + ".java")));
         }
         jar = jar(
                 "optics",
@@ -135,7 +132,7 @@ class ExtensionTest {
         return TORUS.replace("ASIDE", String.valueOf(x)).replace("AXIS", axis);
     }
 
-    /** Runs the program with other jars beside it. */
+    /** Runs the program with other jars beside it, before it because tests use some of their types themselves. */
     private static Run run(List<Path> jars, String... words) throws IOException, InterruptedException {
         return run("tompkins.app.Main", jars, words);
     }
@@ -147,7 +144,7 @@ class ExtensionTest {
                 "-XX:TieredStopAtLevel=1",
                 "-Djava.awt.headless=true",
                 "-cp",
-                Stream.concat(Stream.of(classPath()), jars.stream().map(Path::toString))
+                Stream.concat(jars.stream().map(Path::toString), Stream.of(classPath()))
                         .collect(Collectors.joining(File.pathSeparator)),
                 program));
         command.addAll(List.of(words));
