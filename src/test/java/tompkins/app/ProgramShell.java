@@ -5,6 +5,7 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import tompkins.RunningJava;
 
 /** Runs the program as a process of its own, from a shell in which {@code tompkins} is its name. */
 final class ProgramShell {
@@ -19,11 +20,8 @@ final class ProgramShell {
     static ProgramRun run(Path folder, String line) throws IOException, InterruptedException {
         Path err = folder.resolve("err");
         ProcessBuilder builder = new ProcessBuilder("sh", "-c", "tompkins() { " + PROGRAM + " \"$@\"; }; " + line);
-        builder.environment()
-                .put(
-                        "JAVA",
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString());
-        builder.environment().put("CLASSPATH", System.getProperty("java.class.path"));
+        builder.environment().put("JAVA", RunningJava.PROGRAM);
+        builder.environment().put("CLASSPATH", RunningJava.CLASS_PATH);
         Process process =
                 builder.directory(folder.toFile()).redirectError(err.toFile()).start();
         String out = new String(process.getInputStream().readAllBytes(), UTF_8);

@@ -24,6 +24,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.w3c.dom.NodeList;
 import tompkins.OnLinux;
+import tompkins.RunningJava;
 import tompkins.file.FileException;
 
 class PhotographFileTest {
@@ -282,8 +283,8 @@ class PhotographFileTest {
                         "sh",
                         "-c",
                         "ulimit -f 2; exec \"$0\" -Xshare:auto -XX:-UsePerfData -cp \"$1\" \"$2\" \"$3\" \"$4\"",
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        System.getProperty("java.class.path"),
+                        RunningJava.PROGRAM,
+                        RunningJava.CLASS_PATH,
                         SaveInLittleSpace.class.getName(),
                         target.toString(),
                         format.name())

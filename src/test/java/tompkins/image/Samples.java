@@ -14,10 +14,8 @@ import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
 import java.util.zip.CRC32;
-import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
-import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
 import javax.imageio.spi.IIORegistry;
 import javax.imageio.spi.ImageReaderSpi;
@@ -98,20 +96,6 @@ public final class Samples {
         try (ImageOutputStream out = new MemoryCacheImageOutputStream(bytes)) {
             writer.setOutput(out);
             writer.write(image);
-        }
-        return bytes.toByteArray();
-    }
-
-    /** A TIFF file of the JDK's writer with a compression of a name. */
-    static byte[] compressedTiff(BufferedImage image, String compression) throws IOException {
-        ImageWriter writer = ImageProviders.tiffWriter();
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ImageOutputStream out = new MemoryCacheImageOutputStream(bytes)) {
-            ImageWriteParam param = writer.getDefaultWriteParam();
-            param.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
-            param.setCompressionType(compression);
-            writer.setOutput(out);
-            writer.write(null, new IIOImage(image, null, null), param);
         }
         return bytes.toByteArray();
     }

@@ -11,6 +11,8 @@ import java.lang.reflect.RecordComponent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -31,6 +33,8 @@ class SceneSchemaTest {
     private static final JsonMapper JSON = JsonMapper.builder()
             .enable(JsonReadFeature.ALLOW_JAVA_COMMENTS, JsonReadFeature.ALLOW_TRAILING_COMMA)
             .build();
+
+    private static final Pattern NUMBER = Pattern.compile("-?[0-9][0-9.]*(?:e-?[0-9]+)?");
 
     private static final Schema SCHEMA = schemaOf("Studio");
 
@@ -112,17 +116,28 @@ class SceneSchemaTest {
                 boolean isNumber = component.getType() == double.class || component.getType() == int.class;
                 if (isNumber && !TypeReference.allowed(type, component).isEmpty()) {
                     ranges++;
-                    for (double number :
-                            new double[] {-2, -1, 0, 1, 2, 64, 179, 180, 1e5, 1e6, 2e6, 2e9, -1e50, 1e50, 1e51, -1e51
-                            }) {
-                        if (component.getType() == double.class || Math.abs(number) < 1e10) {
-                            requireSame(schema, type, component, number);
-                        }
+                    for (double number : numbers(type, component)) {
+                        requireSame(schema, type, component, number);
                     }
                 }
             }
         }
         assertThat(ranges).isGreaterThan(50);
+    }
+
+    /** The ends that a refusal names, the numbers beside them, and some more. */
+    private static double[] numbers(Class<?> type, RecordComponent component) {
+        boolean isWhole = component.getType() == int.class;
+        DoubleStream ends = NUMBER.matcher(TypeReference.allowed(type, component))
+                .results()
+                .mapToDouble(end -> Double.parseDouble(end.group()))
+                .flatMap(end -> isWhole
+                        ? DoubleStream.of(end - 1, end, end + 1)
+                        : DoubleStream.of(Math.nextDown(end), end, Math.nextUp(end)));
+        DoubleStream others = DoubleStream.of(-2, -1, 0, 1, 2, 64, 179, 180, 1e5, 1e6, 2e6, 2e9, 1e51, -1e51);
+        return DoubleStream.concat(ends, others)
+                .filter(number -> !isWhole || number == (int) number)
+                .toArray();
     }
 
     private static void requireSame(Schema schema, Class<?> type, RecordComponent component, double number) {

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.File;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -29,6 +28,7 @@ import javax.tools.ToolProvider;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.RunningJava;
 import tompkins.image.PhotographFile;
 import tompkins.io.SelfDescription;
 
@@ -72,9 +72,7 @@ class ExtensionTest {
         assertThat(page.find()).isTrue();
         List<String> sources = new ArrayList<>(List.of(page.group(1)));
         for (String name : List.of("IrisShutter", "Torus", "TorusShape")) {
-            try (InputStream in = ExtensionTest.class.getResourceAsStream("optics/" + name + ".java")) {
-                sources.add(new String(in.readAllBytes(), StandardCharsets.UTF_8));
-            }
+            sources.add(Files.readString(Path.of("src/test/java/optics/" + name + ".java")));
         }
         jar = jar(
                 "optics",
@@ -90,7 +88,8 @@ class ExtensionTest {
     /** A jar of records in the package {@code optics}, with a file for each service that names one of them. */
     private static Path jar(String name, List<String> sources, String... services) throws IOException {
         Path classes = Files.createDirectories(folder.resolve(name + "-classes"));
-        List<String> arguments = new ArrayList<>(List.of("-cp", classPath(), "-proc:none", "-d", classes.toString()));
+        List<String> arguments =
+                new ArrayList<>(List.of("-cp", RunningJava.CLASS_PATH, "-proc:none", "-d", classes.toString()));
         for (String source : sources) {
             Matcher record = Pattern.compile("(?m)^(?:.*;)?(?: ?public| ?final)* (?:record|class) (\\w+)")
                     .matcher(source);
@@ -121,12 +120,6 @@ class ExtensionTest {
         return made;
     }
 
-    private static String classPath() {
-        return Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
-                .map(part -> Path.of(part).toAbsolutePath().toString())
-                .collect(Collectors.joining(File.pathSeparator));
-    }
-
     private static String grating(double beta) {
         return GRATING.replace("SPEED", String.valueOf(beta));
     }
@@ -135,19 +128,19 @@ class ExtensionTest {
         return TORUS.replace("ASIDE", String.valueOf(x)).replace("AXIS", axis);
     }
 
-    /** Runs the program with other jars beside it. */
+    /** Runs the program with other jars beside it, before it because tests use some of their types themselves. */
     private static Run run(List<Path> jars, String... words) throws IOException, InterruptedException {
         return run("tompkins.app.Main", jars, words);
     }
 
     private static Run run(String program, List<Path> jars, String... words) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                RunningJava.PROGRAM,
                 "-ea",
                 "-XX:TieredStopAtLevel=1",
                 "-Djava.awt.headless=true",
                 "-cp",
-                Stream.concat(Stream.of(classPath()), jars.stream().map(Path::toString))
+                Stream.concat(jars.stream().map(Path::toString), Stream.of(RunningJava.CLASS_PATH))
                         .collect(Collectors.joining(File.pathSeparator)),
                 program));
         command.addAll(List.of(words));

@@ -2,7 +2,6 @@ package tompkins.lab;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -10,10 +9,9 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.RunningJava;
 
 /** The program that {@code docs/library.md} prints runs as it stands there. */
 class LibraryPageTest {
@@ -31,13 +29,7 @@ class LibraryPageTest {
         Files.writeString(folder.resolve("Sweep.java"), program.group(1).replace("\"scenes/", '"' + scenes + '/'));
 
         Process run = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-XX:TieredStopAtLevel=1",
-                        "-cp",
-                        Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
-                                .map(part -> Path.of(part).toAbsolutePath().toString())
-                                .collect(Collectors.joining(File.pathSeparator)),
-                        "Sweep.java")
+                        RunningJava.PROGRAM, "-XX:TieredStopAtLevel=1", "-cp", RunningJava.CLASS_PATH, "Sweep.java")
                 .directory(folder.toFile())
                 .redirectErrorStream(true)
                 .start();

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
+import optics.Torus;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
@@ -40,8 +41,12 @@ class TorusTest {
 
     private final RandomAims random = new RandomAims(5);
 
-    private static Torus torus(Vector3dc centre, Vector3dc axis, Placement placement) {
-        return new Torus(() -> "torus", ColouredSurface.DEFAULT, centre, axis, RADIUS, TUBE, placement);
+    private static Torus torus(Vector3dc centre, Vector3dc axis) {
+        return new Torus("torus", centre, axis, RADIUS, TUBE, ColouredSurface.DEFAULT);
+    }
+
+    private static Primitive placed(Torus torus) {
+        return PrimitiveCollector.primitivesOf(torus).get(0);
     }
 
     /** How far a point is from the torus, without a sign. */
@@ -82,7 +87,7 @@ class TorusTest {
     /** A line in a plane with the axis meets two circles. */
     @Test
     void lineMeetsItFourTimes() {
-        Torus torus = torus(new Vector3d(0, 0, 5), new Vector3d(0, 2, 0), Placement.NONE);
+        Primitive torus = placed(torus(new Vector3d(0, 0, 5), new Vector3d(0, 2, 0)));
         double slant = 0.1;
         double x = Math.cos(slant);
         double y = Math.sin(slant);
@@ -99,7 +104,7 @@ class TorusTest {
     }
 
     /** All distances, each from a ray that starts where the one before ended. */
-    private static List<Double> meetings(Torus torus, Ray first) {
+    private static List<Double> meetings(Primitive torus, Ray first) {
         List<Double> all = new ArrayList<>();
         Ray ray = first;
         double passed = 0;
@@ -120,7 +125,7 @@ class TorusTest {
         for (int i = 0; i < 2 * ObjectTree.SMALLEST_TREE; i++) {
             centres.add(random.vector(4));
             axes.add(random.vector(1).normalize());
-            collector.add(torus(centres.get(i), axes.get(i), Placement.NONE));
+            torus(centres.get(i), axes.get(i)).addTo(collector, Placement.NONE);
         }
         ObjectTree tree = new ObjectTree(collector.primitives());
         NearestHit alone = new NearestHit(new RayCounts());
@@ -163,7 +168,7 @@ class TorusTest {
                 new Vector3d(),
                 0,
                 Placement.NONE,
-                inner -> collector.add(torus(centre, axis, inner)));
+                inner -> torus(centre, axis).addTo(collector, inner));
         FrameMotion motion = collector.motions().get(1);
         ObjectTree tree = new ObjectTree(collector.primitives(1));
         NearestHit nearest = new NearestHit(new RayCounts());
@@ -192,7 +197,7 @@ class TorusTest {
     void turningTorusIsMetOnACurve() {
         Vector3d centre = new Vector3d(0.8, 0.1, 0.2);
         Vector3d axis = new Vector3d(2, -1, 2).div(3);
-        Torus torus = torus(centre, axis, Placement.NONE);
+        Primitive torus = placed(torus(centre, axis));
         torus.setRestFrame(RestFrame.OUTERMOST.turning(
                 new Rotation(new Vector3d(), new Vector3d(0, 0, 1), ANGULAR_SPEED, 0, 0, true)));
         ObjectTree tree = new ObjectTree(List.of(torus));

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
@@ -57,6 +58,18 @@ class StudiesTest {
             studies.add(new AntialiasingStudy(figure, promises, 3, 72, 1024));
         }
         return studies;
+    }
+
+    /** Triangles that are thinner than the way between a curve and its chord. */
+    @Test
+    void moreChordsOfACurveMissFewerSlivers() {
+        List<Double> missed = new ChordStudy(5)
+                .trials().stream()
+                        .filter(trial -> trial.method().equals("slivers"))
+                        .map(trial -> trial.measure().medianError())
+                        .toList();
+        assertThat(missed).hasSize(5).isSortedAccordingTo(Comparator.reverseOrder());
+        assertThat(missed.get(0)).isGreaterThan(10 * missed.get(4));
     }
 
     /** The powers of gamma of the theory: rounding of nearly equal numbers costs gamma twice, half angles once. */

@@ -81,7 +81,7 @@ class ChoiceRowsTest {
     @Test
     void arrowKeysChooseAsClicksDo() {
         List<List<JToggleButton>> rows = rows();
-        assertThat(rows).isNotEmpty();
+        assertThat(rows).as("the frames of the diagram").hasSize(1);
         for (List<JToggleButton> row : rows) {
             List<List<Object>> clicked = new ArrayList<>();
             for (JToggleButton button : row) {

@@ -3,11 +3,11 @@ package tompkins.ui;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.ProcessBuilder.Redirect;
-import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.platform.launcher.LauncherSession;
 import org.junit.platform.launcher.LauncherSessionListener;
+import tompkins.RunningJava;
 
 /**
  * Runs tests without a display, unless there is one that answers. Another process asks it, since Java draws nothing any
@@ -37,9 +37,8 @@ public final class DisplayProbe implements LauncherSessionListener {
 
     /** Whether windows can be opened on a display of that name. */
     static boolean answers(String display) {
-        String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
         ProcessBuilder probe =
-                new ProcessBuilder(java, "-cp", System.getProperty("java.class.path"), DisplayProbe.class.getName());
+                new ProcessBuilder(RunningJava.PROGRAM, "-cp", RunningJava.CLASS_PATH, DisplayProbe.class.getName());
         probe.environment().put("DISPLAY", display);
         try {
             Process asking = probe.redirectErrorStream(true)

@@ -178,7 +178,7 @@ class EditorWindowTest {
     /** As long as the editor is there a click chooses, except while clicks measure. */
     @Test
     void theLineAtTheBottomSaysWhatAClickDoes() {
-        WindowDriver.await("choosing", () -> said().equals(Texts.get("status.idle.CHOOSE")));
+        WindowDriver.await("choosing", () -> said().equals("Click to choose an object or a lamp."));
         driver.menu("menu.measure");
         WindowDriver.await("measuring", () -> said().equals("Click in the picture to measure there."));
         driver.menu("menu.measure");

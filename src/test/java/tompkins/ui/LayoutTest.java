@@ -174,20 +174,25 @@ class LayoutTest {
         });
     }
 
+    private RidePanel ridePanel() {
+        RidePanel ride = new RidePanel(
+                model,
+                new Settings((Path) null),
+                new RidePilot(model, message -> {}),
+                () -> {},
+                studio -> {},
+                letters -> {});
+        ride.setShown(true);
+        return ride;
+    }
+
     /** In a window of 800 x 600 the panel leaves it 450 pixels. */
     @ParameterizedTest
     @MethodSource("looks")
     void rideBarHasRoomForAll(Look look, float size, Locale locale) {
         WindowDriver.onEventThread(() -> {
             use(look, size, locale);
-            RidePanel ride = new RidePanel(
-                    model,
-                    new Settings((Path) null),
-                    new RidePilot(model, message -> {}),
-                    () -> {},
-                    studio -> {},
-                    letters -> {});
-            ride.setShown(true);
+            RidePanel ride = ridePanel();
             Components.find(ride.component(), JToggleButton.class, Texts.get("ride.more"))
                     .doClick();
             boolean usual = look != Look.PROJECTOR && size == 1 && locale.equals(Locale.ENGLISH);
@@ -202,14 +207,7 @@ class LayoutTest {
     void theRideBarIsLow() {
         WindowDriver.onEventThread(() -> {
             use(Look.PROJECTOR, 1, Locale.ENGLISH);
-            RidePanel ride = new RidePanel(
-                    model,
-                    new Settings((Path) null),
-                    new RidePilot(model, message -> {}),
-                    () -> {},
-                    studio -> {},
-                    letters -> {});
-            ride.setShown(true);
+            RidePanel ride = ridePanel();
             Components.layOut(ride.component(), 700);
             Components.layOut(ride.component(), 700);
             assertThat(LayoutProblems.in(ride.component())).isEmpty();

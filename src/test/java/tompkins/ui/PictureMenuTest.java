@@ -136,7 +136,7 @@ class PictureMenuTest {
     void theCameraIsFocusedOnWhatIsSeen() {
         choose("focus");
         WindowDriver.await("another focus", () -> driver.window().model().isModified());
-        assertThat(FocusDistance.of(driver.studio().camera())).isCloseTo(20, within(0.01));
+        assertThat(FocusDistance.of(driver.studio().camera())).isCloseTo(20, within(1e-3));
     }
 
     @Test

@@ -235,6 +235,7 @@ class SceneFilesTest {
         StudioWriter.save(BOX, box, true);
         assertThat(drop(box)).isTrue();
         awaitStudio(BOX);
+        assertThat(driver.window().model().file()).isEqualTo(box);
         Path wrong = Files.writeString(folder.resolve("wrong.json"), "no scene");
         assertThat(drop(wrong)).isTrue();
         driver.answer("OK");

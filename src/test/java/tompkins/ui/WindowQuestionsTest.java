@@ -7,7 +7,6 @@ import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.datatransfer.DataFlavor;
-import java.awt.datatransfer.Transferable;
 import java.awt.datatransfer.UnsupportedFlavorException;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -28,7 +27,6 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.JTextPane;
 import javax.swing.SwingUtilities;
-import javax.swing.TransferHandler;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -150,48 +148,6 @@ class WindowQuestionsTest {
         driver.choose(folder.resolve("sphere"));
         WindowDriver.await("the end", () -> !driver.window().frame().isDisplayable());
         assertThat(StudioReader.read(folder.resolve("sphere.json"))).isEqualTo(changed);
-    }
-
-    private record DroppedFiles(List<?> files) implements Transferable {
-
-        @Override
-        public DataFlavor[] getTransferDataFlavors() {
-            return new DataFlavor[] {DataFlavor.javaFileListFlavor};
-        }
-
-        @Override
-        public boolean isDataFlavorSupported(DataFlavor flavor) {
-            return flavor.equals(DataFlavor.javaFileListFlavor);
-        }
-
-        @Override
-        public Object getTransferData(DataFlavor flavor) throws UnsupportedFlavorException {
-            return files;
-        }
-    }
-
-    private boolean drop(Path dropped) {
-        JComponent pane = driver.window().frame().getRootPane();
-        return WindowDriver.onEventThread(() -> pane.getTransferHandler()
-                .importData(new TransferHandler.TransferSupport(pane, new DroppedFiles(List.of(dropped.toFile())))));
-    }
-
-    @Test
-    void aDroppedFileOpens() throws IOException {
-        Path other = folder.resolve("other.json");
-        StudioWriter.save(Studios.sphere(), other, true);
-        assertThat(drop(other)).isTrue();
-        WindowDriver.await(
-                "the dropped scene", () -> driver.window().model().studio().equals(Studios.sphere()));
-        assertThat(driver.window().model().file()).isEqualTo(other);
-    }
-
-    @Test
-    void aDroppedFileThatHoldsNoSceneIsRefused() throws IOException {
-        Path other = Files.writeString(folder.resolve("other.json"), "{ \"title\": 1 }");
-        drop(other);
-        driver.answer("OK");
-        assertThat(driver.studio()).isEqualTo(WALL);
     }
 
     @Test

@@ -11,7 +11,6 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -25,7 +24,6 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import tompkins.camera.Stereo;
 import tompkins.camera.StereoLayout;
-import tompkins.image.LinearImage;
 import tompkins.light.PointLight;
 import tompkins.light.Pulse;
 import tompkins.measure.OverlayKind;
@@ -53,6 +51,7 @@ import tompkins.ui.picture.Asker;
 import tompkins.ui.picture.Overlay;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.picture.Pictures;
 import tompkins.ui.widget.Look;
 
 /** What is drawn over pictures lies where it should. */
@@ -77,21 +76,7 @@ class OverlayTest {
 
     private static BufferedImage painted(Overlay overlay, Studio studio, Rectangle free) {
         Studio large = studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT));
-        LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
-        return painted(
-                overlay,
-                new Picture(
-                        large,
-                        RenderPlan.of(large),
-                        image,
-                        null,
-                        true,
-                        Duration.ZERO,
-                        1,
-                        0,
-                        List.of(),
-                        Picture.Flaw.NONE),
-                free);
+        return painted(overlay, Pictures.black(large), free);
     }
 
     private static BufferedImage painted(Overlay overlay, Picture picture, Rectangle free) {
@@ -292,9 +277,7 @@ class OverlayTest {
         Studio fine = flying(0, 0, 0.8);
         Studio slow = fine.withCamera(fine.camera().withShutter(DetectorPlaneShutter.DEFAULT))
                 .withSettings(fine.settings().withSize(WIDTH, HEIGHT));
-        LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
-        Picture picture = new Picture(
-                slow, RenderPlan.of(slow), image, null, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE);
+        Picture picture = Pictures.black(slow);
 
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isTrue();
         assertThat(again.await(5, TimeUnit.MINUTES)).isTrue();
@@ -313,9 +296,7 @@ class OverlayTest {
                 Lighting.of(dark, List.of(lamp)).withSettings(dark.settings().withSize(WIDTH, HEIGHT));
 
         assertThat(marked(painted(overlay, dark)).isEmpty()).isFalse();
-        LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
-        Picture picture = new Picture(
-                flash, RenderPlan.of(flash), image, null, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE);
+        Picture picture = Pictures.black(flash);
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isTrue();
         assertThat(again.await(5, TimeUnit.MINUTES)).isTrue();
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isFalse();

@@ -11,7 +11,6 @@ import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.beans.PropertyChangeEvent;
 import java.beans.PropertyChangeListener;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -19,11 +18,9 @@ import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import tompkins.image.LinearImage;
 import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
-import tompkins.trace.RenderPlan;
 
 /** The keys and the mouse on a picture that has more pixels than the canvas, without a display. */
 class PictureCanvasTest {
@@ -69,10 +66,7 @@ class PictureCanvasTest {
     }
 
     private static ScreenPicture pictures(Studio studio) {
-        LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
-        Studio sized = studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT));
-        Picture picture = new Picture(
-                sized, RenderPlan.of(sized), image, null, true, Duration.ZERO, 1, 0, List.of(), Picture.Flaw.NONE);
+        Picture picture = Pictures.black(studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT)));
         return new ScreenPicture(picture, picture.levels(), null, null, null);
     }
 

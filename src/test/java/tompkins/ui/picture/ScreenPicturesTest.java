@@ -4,9 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Dimension;
 import java.awt.image.BufferedImage;
-import java.time.Duration;
 import java.util.Arrays;
-import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -27,8 +25,7 @@ class ScreenPicturesTest {
     }
 
     private static Picture picture(RenderPlan plan, LinearImage image) {
-        return new Picture(
-                plan.studio(), plan, image, null, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
+        return Pictures.of(plan.studio(), plan, image, Double.NaN);
     }
 
     private static Picture grey(int width, int height) {
@@ -78,27 +75,12 @@ class ScreenPicturesTest {
         Studio large = studio.withSettings(studio.settings().withSize(1920, 1080));
         try (ScreenPictures screen = new ScreenPictures(events::add, events::add)) {
             screen.setRoom(new Room(new Dimension(997, 700), false, false));
-            screen.setNow(picture(large, 997, 561));
-            screen.setOther(picture(large, 501, 282));
+            screen.setNow(Pictures.black(large, 997, 561));
+            screen.setOther(Pictures.black(large, 501, 282));
             ScreenPicture shown = await(picture -> picture.other() != null);
             assertThat(shown.nowImage().getHeight()).isEqualTo(561);
             assertThat(shown.otherImage()).isNotNull();
         }
-    }
-
-    private static Picture picture(Studio studio, int width, int height) {
-        LinearImage image = new LinearImage(width, height, new float[3 * width * height]);
-        return new Picture(
-                studio,
-                RenderPlan.of(studio),
-                image,
-                null,
-                true,
-                Duration.ZERO,
-                1,
-                Double.NaN,
-                List.of(),
-                Picture.Flaw.NONE);
     }
 
     /** One bright column in eight: between the columns that a single step looks at, it would be lost. */

@@ -4,13 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.awt.geom.Point2D;
-import java.time.Duration;
 import java.util.List;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import tompkins.camera.FocusDistance;
 import tompkins.camera.PanoramicCamera;
-import tompkins.image.LinearImage;
 import tompkins.measure.Sighting;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Box;
@@ -27,7 +25,7 @@ import tompkins.surface.LorentzWindow;
 import tompkins.surface.Refractive;
 import tompkins.surface.Tiling;
 import tompkins.trace.RenderPlan;
-import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.Pictures;
 
 /** What is read is held against closed formulas: aberration, the light cone, Doppler's factor. */
 class PixelReadingTest {
@@ -37,7 +35,7 @@ class PixelReadingTest {
 
     private static Sighting read(Studio studio, double x, double y) {
         Point2D place = new Point2D.Double(x, y);
-        return PixelReading.of(picture(studio), place).sighting();
+        return PixelReading.of(Pictures.black(studio), place).sighting();
     }
 
     private static String object(Sighting sighting) {
@@ -97,7 +95,7 @@ class PixelReadingTest {
     void pickedDistanceIsThatOfTheEventInTheCameraFrame() {
         Studio moving = Studios.sphere().withVelocity(Velocity.of(0, 0, BETA));
         Point2D middle = new Point2D.Double(32, 24);
-        double depth = PixelReading.of(picture(moving), middle).depth(moving.camera());
+        double depth = PixelReading.of(Pictures.black(moving), middle).depth(moving.camera());
         assertThat(depth).isCloseTo(27, within(1e-11));
         Studio focused = moving.withCamera(FocusDistance.with(moving.camera(), depth));
         assertThat(FocusDistance.of(focused.camera())).isCloseTo(27, within(1e-11));
@@ -113,7 +111,7 @@ class PixelReadingTest {
         // 106.7 degrees to the left of the middle
         double column = 180 - Math.toDegrees(Math.atan2(10, -3));
         Point2D place = new Point2D.Double(column, 90);
-        assertThat(PixelReading.of(picture(studio), place).depth(studio.camera()))
+        assertThat(PixelReading.of(Pictures.black(studio), place).depth(studio.camera()))
                 .isCloseTo(Math.sqrt(109) - 1, within(1e-9));
     }
 
@@ -170,22 +168,11 @@ class PixelReadingTest {
         assertThat(reading.life().hits()).hasSize(2);
     }
 
-    private static Picture picture(Studio studio) {
-        return picture(studio, studio.settings().width(), studio.settings().height());
-    }
-
-    /** A picture of a studio that has another size on the screen. */
-    private static Picture picture(Studio studio, int width, int height) {
-        RenderPlan plan = RenderPlan.of(studio.withSettings(studio.settings().withSize(width, height)));
-        LinearImage image = new LinearImage(width, height, new float[3 * width * height]);
-        return new Picture(studio, plan, image, null, true, Duration.ZERO, 1, Double.NaN, List.of(), Picture.Flaw.NONE);
-    }
-
     /** The picture on the screen has twice as many pixels in a row: the second one shows the first half of it. */
     @Test
     void pixelsAreThoseOfThePhotographInItsOwnSize() {
         Studio studio = Studios.sphere().withVelocity(Velocity.of(0.6, 0, 0));
-        PixelReading reading = PixelReading.of(picture(studio, 128, 96), new Point2D.Double(40.25, 30.75));
+        PixelReading reading = PixelReading.of(Pictures.black(studio, 128, 96), new Point2D.Double(40.25, 30.75));
         assertThat(reading.column()).isEqualTo(40);
         assertThat(reading.row()).isEqualTo(30);
         assertThat(reading.sighting().cameraAngle())

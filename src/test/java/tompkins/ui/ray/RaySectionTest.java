@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Container;
 import java.awt.geom.Point2D;
-import java.time.Duration;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JButton;
@@ -12,7 +11,6 @@ import javax.swing.JToggleButton;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import tompkins.camera.SamplePositions;
-import tompkins.image.LinearImage;
 import tompkins.measure.RayCone;
 import tompkins.measure.Sighting;
 import tompkins.sceneobject.Group;
@@ -24,7 +22,7 @@ import tompkins.trace.SampleHistory;
 import tompkins.ui.Components;
 import tompkins.ui.WindowDriver;
 import tompkins.ui.model.StudioModel;
-import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.Pictures;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
@@ -48,7 +46,7 @@ class RaySectionTest {
     }
 
     private PixelReading reading() {
-        return PixelReading.of(picture(STUDIO), new Point2D.Double(32, 24));
+        return PixelReading.of(Pictures.black(STUDIO), new Point2D.Double(32, 24));
     }
 
     @Test
@@ -122,20 +120,5 @@ class RaySectionTest {
             assertThat(diagram.isVisible()).isTrue();
             assertThat(camera.getParent().isVisible()).isTrue();
         });
-    }
-
-    private static Picture picture(Studio studio) {
-        LinearImage image = new LinearImage(64, 48, new float[3 * 64 * 48]);
-        return new Picture(
-                studio,
-                RenderPlan.of(studio),
-                image,
-                null,
-                true,
-                Duration.ZERO,
-                1,
-                Double.NaN,
-                List.of(),
-                Picture.Flaw.NONE);
     }
 }
