@@ -32,14 +32,14 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        28_010),
+                        27_960),
                 arguments("file, image", 4_062),
                 arguments("explain", 850),
-                arguments("lesson, measure, animation", 4_922),
-                arguments("io, app", 7_758),
-                arguments("study", 3_409),
-                arguments("ui", 18_681),
-                arguments("lab", 233));
+                arguments("lesson, measure, animation", 4_916),
+                arguments("io, app", 7_752),
+                arguments("study", 3_398),
+                arguments("ui", 18_497),
+                arguments("lab", 231));
     }
 
     @ParameterizedTest
