@@ -62,16 +62,6 @@ final class LightBufferProjection {
         boolean isEmpty() {
             return lastColumn < firstColumn || lastRow < firstRow;
         }
-
-        /** Number of columns of cells that it reaches into. */
-        int width() {
-            return lastCellColumn() - firstCellColumn() + 1;
-        }
-
-        /** Number of rows of cells that it reaches into. */
-        int height() {
-            return lastCellRow() - firstCellRow() + 1;
-        }
     }
 
     /**

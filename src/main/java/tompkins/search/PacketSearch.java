@@ -42,7 +42,7 @@ public final class PacketSearch extends Padded {
     private RayPacket rays;
 
     /** Whether what each ray can meet was found for all together. */
-    private boolean together;
+    boolean together;
 
     private final PacketFrustum bundle = new PacketFrustum();
     private final Candidates candidates = new Candidates(bundle);
@@ -276,11 +276,6 @@ public final class PacketSearch extends Padded {
         distances[index] = nearest.distance();
         reaches[index] = nearest.reach();
         shared[index] = nearest.isShared();
-    }
-
-    /** Whether what the rays can meet was found for all together. */
-    boolean isTogether() {
-        return together;
     }
 
     /** Whether some ray may meet something. */

@@ -48,8 +48,8 @@ class ObjectTreeTest {
             assertThat(tree.shadow(ray, 5, inTree) == null).isEqualTo(list.shadow(ray, 5, inList) == null);
         }
         assertThat(hits).isBetween(1, 299);
-        assertThat(tree.hasTree()).isTrue();
-        assertThat(list.hasTree()).isFalse();
+        assertThat(tree.root()).isNotNull();
+        assertThat(list.root()).isNull();
     }
 
     @ParameterizedTest
@@ -109,7 +109,7 @@ class ObjectTreeTest {
                     .flatMap(Stream::of)
                     .toArray(Ray[]::new);
             search.begin(block(rays));
-            gaveUp += search.isTogether() ? 0 : 1;
+            gaveUp += search.together ? 0 : 1;
             for (int place = 0; place < rays.length; place++) {
                 boolean hit = list.nearest(rays[place], inList);
                 hits += hit ? 1 : 0;
