@@ -77,9 +77,9 @@ public final class EllipsoidPrimitive extends Primitive {
     }
 
     @Override
-    public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
+    public boolean overlaps(RayPacket rays, double farthest, double[] overlaps) {
         double longest = Math.max(axes[0].length(), Math.max(axes[1].length(), axes[2].length()));
-        return ballOverlaps(centre.x, centre.y, centre.z, longest, rays, starts, overlaps);
+        return ballOverlaps(centre.x, centre.y, centre.z, longest, rays, farthest, overlaps);
     }
 
     @Override

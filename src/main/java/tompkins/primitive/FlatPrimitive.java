@@ -139,7 +139,7 @@ public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
 
     /** By the smallest ball around the middle of the parallelogram. */
     @Override
-    public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
+    public boolean overlaps(RayPacket rays, double farthest, double[] overlaps) {
         double plus = squared(spanUX + spanVX, spanUY + spanVY, spanUZ + spanVZ);
         double minus = squared(spanUX - spanVX, spanUY - spanVY, spanUZ - spanVZ);
         return ballOverlaps(
@@ -148,7 +148,7 @@ public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
                 cornerZ + 0.5 * (spanUZ + spanVZ),
                 0.5 * Math.sqrt(Math.max(plus, minus)),
                 rays,
-                starts,
+                farthest,
                 overlaps);
     }
 

@@ -52,8 +52,8 @@ public final class PlanePrimitive extends Primitive {
 
     /** By the same signs as {@link #distance}. */
     @Override
-    public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
-        if (!hasSquare(starts.farthest() + Math.abs(point.x) + Math.abs(point.y) + Math.abs(point.z))) {
+    public boolean overlaps(RayPacket rays, double farthest, double[] overlaps) {
+        if (!hasSquare(farthest + Math.abs(point.x) + Math.abs(point.y) + Math.abs(point.z))) {
             return false;
         }
         int count = rays.count();

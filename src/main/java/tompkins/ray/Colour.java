@@ -69,13 +69,6 @@ public record Colour(double red, double green, double blue) {
         return new Colour(red * factor, green * factor, blue * factor);
     }
 
-    /** {@code (1 - fraction)} of this colour and {@code fraction} of the other. */
-    public Colour mixedWith(Colour other, double fraction) {
-        return fraction == 0
-                ? this
-                : fraction == 1 ? other : times(1 - fraction).plus(other.times(fraction));
-    }
-
     /** The brightest channel. */
     public double brightest() {
         return Math.max(red, Math.max(green, blue));

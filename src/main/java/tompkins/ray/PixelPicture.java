@@ -120,7 +120,7 @@ public final class PixelPicture implements FileContent {
         MipMap known = scales;
         if (known == null) {
             synchronized (file) {
-                known = scales == null ? new MipMap(width, height, rgba) : scales;
+                known = scales == null ? new MipMap(width, height, rgba, opaque) : scales;
                 scales = known;
             }
         }

@@ -1,7 +1,7 @@
 package tompkins.search;
 
+import java.util.Arrays;
 import tompkins.primitive.Primitive;
-import tompkins.primitive.RayStarts;
 import tompkins.ray.Padded;
 import tompkins.ray.RayPacket;
 
@@ -36,8 +36,8 @@ final class PacketFrustum extends Padded {
     private final double[] slopesE = new double[RayPacket.MOST];
     private final double[] slopesF = new double[RayPacket.MOST];
 
-    private final RayStarts starts = new RayStarts();
-    private double farthestStart;
+    private double farthest;
+    private double farthestAhead;
 
     /**
      * Bounds the rays of a packet from one place (included) to another (excluded).
@@ -112,32 +112,28 @@ final class PacketFrustum extends Padded {
 
     /** n.x only falls along a ray, so that its start decides. */
     private void boundStarts(RayPacket rays, int from, int to) {
-        double firstX = rays.x[from];
-        double firstY = rays.y[from];
-        double firstZ = rays.z[from];
-        starts.measure(rays, from, to);
-        for (int plane = 0; plane < PLANES; plane++) {
-            bounds[plane] = height(plane, firstX, firstY, firstZ);
-        }
-        farthestStart = -bounds[AHEAD];
-        for (int i = starts.areOne() ? to : from + 1; i < to; i++) {
+        Arrays.fill(bounds, Double.NEGATIVE_INFINITY);
+        farthest = 0;
+        farthestAhead = Double.NEGATIVE_INFINITY;
+        for (int i = from; i < to; i++) {
             double x = rays.x[i];
             double y = rays.y[i];
             double z = rays.z[i];
             for (int plane = 0; plane < PLANES; plane++) {
                 bounds[plane] = Math.max(bounds[plane], height(plane, x, y, z));
             }
-            farthestStart = Math.max(farthestStart, -height(AHEAD, x, y, z));
+            farthest = Math.max(farthest, Math.abs(x) + Math.abs(y) + Math.abs(z));
+            farthestAhead = Math.max(farthestAhead, -height(AHEAD, x, y, z));
         }
         for (int plane = 0; plane < PLANES; plane++) {
-            bounds[plane] += MARGIN * starts.farthest();
+            bounds[plane] += MARGIN * farthest;
         }
-        farthestStart += MARGIN * starts.farthest();
+        farthestAhead += MARGIN * farthest;
     }
 
-    /** Where the rays start. */
-    RayStarts starts() {
-        return starts;
+    /** The largest |x| + |y| + |z| of a start of a ray. */
+    double farthest() {
+        return farthest;
     }
 
     private double height(int plane, double x, double y, double z) {
@@ -169,12 +165,12 @@ final class PacketFrustum extends Padded {
     /** A lower bound of the distance at which any ray reaches a primitive. */
     double leastDistance(Primitive primitive) {
         int at = 3 * AHEAD;
-        return primitive.conservativeMinimumAlong(-normals[at], -normals[at + 1], -normals[at + 2]) - farthestStart;
+        return primitive.conservativeMinimumAlong(-normals[at], -normals[at + 1], -normals[at + 2]) - farthestAhead;
     }
 
     /** A lower bound of the distance at which any ray reaches the box of a node. */
     double leastDistance(TreeNode node) {
         int at = 3 * AHEAD;
-        return node.minimumAlong(-normals[at], -normals[at + 1], -normals[at + 2]) - farthestStart;
+        return node.minimumAlong(-normals[at], -normals[at + 1], -normals[at + 2]) - farthestAhead;
     }
 }
