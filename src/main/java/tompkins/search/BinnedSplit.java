@@ -26,12 +26,7 @@ final class BinnedSplit {
     private double bestScale;
     private int bestSlice;
 
-    /**
-     * A split of boxes that hold primitives.
-     *
-     * @param costOfNode cost of visiting a node, in tests of a primitive: two boxes against a ray, and the memory that
-     *     they come from
-     */
+    /** A split of boxes, where to visit a node costs as much as so many tests of a primitive. */
     BinnedSplit(double costOfNode) {
         this.costOfNode = costOfNode;
     }

@@ -87,7 +87,7 @@ final class Candidates extends Padded {
         }
     }
 
-    /** Uses no branch and one kind of number, so that the compiler makes instructions for several rays at once. */
+    /** Without a branch, so that the compiler makes instructions for several rays at once. */
     private void takeOut(double bit, int rayCount) {
         for (int ray = 0; ray < rayCount; ray++) {
             // -1 below 0, otherwise 0

@@ -18,8 +18,7 @@ import tompkins.ray.RayCounts;
 public final class LampShadows {
 
     /**
-     * From this number of primitives, more than a {@link LampTrack} passes, the tree answers first: to fill the cells
-     * takes at least as long as a shadow ray for each of them, and one picture may ask for less.
+     * From this number of primitives the tree answers first: one picture may ask for less than it takes to fill cells.
      */
     static final int MANY = 100_000;
 

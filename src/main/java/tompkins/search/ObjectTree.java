@@ -173,15 +173,6 @@ public final class ObjectTree {
         return nearest.primitive() != null;
     }
 
-    /** As {@link #nearest(Ray, double, NearestHit)}, for a ray that enters the tree through some nodes. */
-    public boolean nearest(Ray ray, double limit, EntryNodes entries, NearestHit nearest) {
-        searchListed(ray, limit, nearest);
-        for (int i = 0; i < entries.count() && entries.distance(i) <= nearest.reach(); i++) {
-            searchTree(entries.node(i), ray, nearest);
-        }
-        return nearest.primitive() != null;
-    }
-
     private void searchListed(Ray ray, double limit, NearestHit nearest) {
         nearest.start(limit);
         for (Primitive primitive : listed) {

@@ -31,24 +31,20 @@ final class PacketFrustum extends Padded {
     final double[] normals = new double[3 * PLANES];
     final double[] bounds = new double[PLANES];
 
-    private final double[] cosines = new double[RayPacket.MOST];
-    private final double[] inverses = new double[RayPacket.MOST];
-    private final double[] slopesE = new double[RayPacket.MOST];
-    private final double[] slopesF = new double[RayPacket.MOST];
-
     private double farthest;
     private double farthestAhead;
 
     /**
-     * Bounds the rays of a packet from one place (included) to another (excluded).
+     * Bounds the rays of a packet.
      *
      * @return false if they spread too widely; the frustum must not be used then
      */
-    boolean enclose(RayPacket rays, int from, int to) {
+    boolean enclose(RayPacket rays) {
+        int count = rays.count();
         // any axis will do that is close to all rays; the first and the last ray of a packet lie in opposite corners
-        double ax = rays.dx[from] + rays.dx[to - 1];
-        double ay = rays.dy[from] + rays.dy[to - 1];
-        double az = rays.dz[from] + rays.dz[to - 1];
+        double ax = rays.dx[0] + rays.dx[count - 1];
+        double ay = rays.dy[0] + rays.dy[count - 1];
+        double az = rays.dz[0] + rays.dz[count - 1];
         double length = Math.sqrt(ax * ax + ay * ay + az * az);
         if (!(length > LEAST_COSINE)) {
             return false;
@@ -68,28 +64,17 @@ final class PacketFrustum extends Padded {
         double fx = ay * ez - az * ey;
         double fy = az * ex - ax * ez;
         double fz = ax * ey - ay * ex;
-        for (int i = from; i < to; i++) {
-            cosines[i] = rays.dx[i] * ax + rays.dy[i] * ay + rays.dz[i] * az;
-        }
-        for (int i = from; i < to; i++) {
-            inverses[i] = 1 / cosines[i];
-        }
-        for (int i = from; i < to; i++) {
-            slopesE[i] = (rays.dx[i] * ex + rays.dy[i] * ey + rays.dz[i] * ez) * inverses[i];
-        }
-        for (int i = from; i < to; i++) {
-            slopesF[i] = (rays.dx[i] * fx + rays.dy[i] * fy + rays.dz[i] * fz) * inverses[i];
-        }
         double leastE = Double.POSITIVE_INFINITY;
         double mostE = Double.NEGATIVE_INFINITY;
         double leastF = Double.POSITIVE_INFINITY;
         double mostF = Double.NEGATIVE_INFINITY;
-        for (int i = from; i < to; i++) {
-            if (!(cosines[i] > LEAST_COSINE)) {
+        for (int i = 0; i < count; i++) {
+            double cosine = rays.dx[i] * ax + rays.dy[i] * ay + rays.dz[i] * az;
+            if (!(cosine > LEAST_COSINE)) {
                 return false;
             }
-            double slopeE = slopesE[i];
-            double slopeF = slopesF[i];
+            double slopeE = (rays.dx[i] * ex + rays.dy[i] * ey + rays.dz[i] * ez) / cosine;
+            double slopeF = (rays.dx[i] * fx + rays.dy[i] * fy + rays.dz[i] * fz) / cosine;
             leastE = slopeE < leastE ? slopeE : leastE;
             mostE = slopeE > mostE ? slopeE : mostE;
             leastF = slopeF < leastF ? slopeF : leastF;
@@ -100,7 +85,7 @@ final class PacketFrustum extends Padded {
         setNormal(2, fx - mostF * ax, fy - mostF * ay, fz - mostF * az);
         setNormal(3, leastF * ax - fx, leastF * ay - fy, leastF * az - fz);
         setNormal(AHEAD, -ax, -ay, -az);
-        boundStarts(rays, from, to);
+        boundStarts(rays);
         return true;
     }
 
@@ -111,11 +96,11 @@ final class PacketFrustum extends Padded {
     }
 
     /** n.x only falls along a ray, so that its start decides. */
-    private void boundStarts(RayPacket rays, int from, int to) {
+    private void boundStarts(RayPacket rays) {
         Arrays.fill(bounds, Double.NEGATIVE_INFINITY);
         farthest = 0;
         farthestAhead = Double.NEGATIVE_INFINITY;
-        for (int i = from; i < to; i++) {
+        for (int i = 0; i < rays.count(); i++) {
             double x = rays.x[i];
             double y = rays.y[i];
             double z = rays.z[i];

@@ -260,7 +260,7 @@ class OverlapsTest {
 
     private static PacketFrustum bundle(RayPacket block) {
         PacketFrustum bundle = new PacketFrustum();
-        assertThat(bundle.enclose(block, 0, 1)).isTrue();
+        assertThat(bundle.enclose(block)).isTrue();
         return bundle;
     }
 }
