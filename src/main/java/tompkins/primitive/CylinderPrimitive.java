@@ -111,10 +111,7 @@ public final class CylinderPrimitive extends Primitive {
         return nearest <= limit ? nearest : NO_HIT;
     }
 
-    /**
-     * By the distance between the ray's line and the axis, as in {@link #distance} but without the ends. Short loops,
-     * because the compiler makes no vector instructions from a long one.
-     */
+    /** By the distance between the ray's line and the axis, as in {@link #distance} but without the ends. */
     @Override
     public boolean overlaps(RayPacket rays, double farthest, double[] overlaps) {
         double size = farthest + Math.abs(startX) + Math.abs(startY) + Math.abs(startZ);
