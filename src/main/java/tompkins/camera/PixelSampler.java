@@ -16,10 +16,7 @@ import tompkins.ray.RayPacket;
  */
 public final class PixelSampler extends Padded implements Sampler {
 
-    /**
-     * The number of the sample in the centre of the pixel and of the lens, in the middle of the exposure time: the one
-     * that stands for all where one is enough.
-     */
+    /** The number of the sample in the centre of pixel and lens, in the middle of the exposure time. */
     public static final int CENTRE = -1;
 
     private final int seed;

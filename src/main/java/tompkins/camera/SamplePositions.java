@@ -6,10 +6,7 @@ import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import tompkins.ray.Padded;
 
-/**
- * The samples of a block: their pixels, and where they lie in the picture, on the lens and in the exposure time. One
- * for each thread, filled again for each block.
- */
+/** The samples of a block: their pixels, and where they lie in picture, lens and exposure. One for each thread. */
 public final class SamplePositions extends Padded {
 
     /** The moment in the middle of the exposure time. */

@@ -58,10 +58,7 @@ public final class PlanePrimitive extends Primitive {
         return normal.x * dx + normal.y * dy + normal.z * dz;
     }
 
-    /**
-     * The inverse of the signed distance along a line: positive in front of the start, negative behind it, 0 at
-     * infinity.
-     */
+    /** The inverse of the signed distance along a line: positive in front of the start, 0 at infinity. */
     public double inverseDistance(Ray line) {
         return slope(line.dx, line.dy, line.dz) / heightBelow(line.x, line.y, line.z);
     }

@@ -187,11 +187,6 @@ public abstract class Primitive implements Boundary, Cloneable {
      */
     public abstract double minimumAlong(double nx, double ny, double nz);
 
-    /** Whether the primitive surely lies where n.x is above a bound, even allowing for rounding. */
-    public final boolean isBeyond(double nx, double ny, double nz, double bound) {
-        return conservativeMinimumAlong(nx, ny, nz) > bound;
-    }
-
     /** As {@link #minimumAlong}, even allowing for rounding. */
     public final double conservativeMinimumAlong(double nx, double ny, double nz) {
         return minimumAlong(nx, ny, nz) - slack * (Math.abs(nx) + Math.abs(ny) + Math.abs(nz));

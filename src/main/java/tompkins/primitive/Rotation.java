@@ -143,10 +143,7 @@ public final class Rotation {
         return fromAxis(point) <= ROUNDING * size;
     }
 
-    /**
-     * The largest distance of a point of a primitive from the axis, never less than it is: the largest of its extents
-     * across the axis, all around.
-     */
+    /** The largest distance of a point of a primitive from the axis, never less than it is. */
     public double reach(Primitive primitive) {
         Vector3d right = Vectors.firstAxis(axis);
         Vector3d up = axis.cross(right, new Vector3d());

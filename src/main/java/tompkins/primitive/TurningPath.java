@@ -4,10 +4,7 @@ import org.joml.Vector3d;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
-/**
- * A straight ray as it runs past objects that turn, in coordinates that turn with them. It knows where it comes near to
- * what turns, and what a hit on it is like. Memory of one thread, used again for every ray.
- */
+/** A straight ray past objects that turn, in coordinates that turn with them. Memory of one thread. */
 public final class TurningPath implements CurvedPath {
 
     private static final double ROUNDING = 0x1p-50;

@@ -2,10 +2,7 @@ package tompkins.search;
 
 import java.util.Arrays;
 
-/**
- * Splits some boxes by the best cut across one axis, among those between slices of equal width (binned surface-area
- * heuristic). One for each thread.
- */
+/** Splits boxes by the best of the cuts between slices of equal width, across one axis. One for each thread. */
 final class BinnedSplit {
 
     private static final int SLICES = 16;

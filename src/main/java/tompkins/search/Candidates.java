@@ -6,10 +6,7 @@ import tompkins.ray.Padded;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 
-/**
- * A few primitives that the rays of a packet may meet, the nearest first, with a note for each ray which of them it may
- * meet. One for each thread, filled again and again.
- */
+/** A few primitives, the nearest first, and which of them each ray of a packet may meet. One for each thread. */
 final class Candidates extends Padded {
 
     /** Most primitives: this many bits of a double add up without rounding. */

@@ -17,6 +17,7 @@ final class LightBuffer {
     /** With this many primitives in the cell of the average primitive there are too many, wherever the others are. */
     private static final int MOST_IN_CROWD = 1000;
 
+    private static final int PARTS = LightBufferProjection.PARTS;
     private static final int CELLS = LightBufferProjection.SIDE * LightBufferProjection.SIDE;
 
     /** Where each cell begins; the last one ends at the last number. */
@@ -66,9 +67,9 @@ final class LightBuffer {
     private static int visit(LightBufferProjection view, ProjectedBounds sight, CellVisitor visitor) {
         int count = 0;
         Rectangle all = sight.rectangle();
-        for (int column = all.firstCellColumn(); column <= all.lastCellColumn(); column++) {
+        for (int column = all.firstColumn() / PARTS; column <= all.lastColumn() / PARTS; column++) {
             Rectangle inColumn = sight.rectangle(view, column, 0, LightBufferProjection.SIDE);
-            for (int row = inColumn.firstCellRow(); row <= inColumn.lastCellRow(); row++) {
+            for (int row = inColumn.firstRow() / PARTS; row <= inColumn.lastRow() / PARTS; row++) {
                 Rectangle inCell = sight.rectangle(view, column, row, 1);
                 if (!inCell.isEmpty()) {
                     visitor.visit(

@@ -34,22 +34,6 @@ final class LightBufferProjection {
     /** A rectangle of parts of cells, from the first to the last column and row of them. */
     record Rectangle(int firstColumn, int lastColumn, int firstRow, int lastRow) {
 
-        int firstCellColumn() {
-            return firstColumn / PARTS;
-        }
-
-        int lastCellColumn() {
-            return lastColumn / PARTS;
-        }
-
-        int firstCellRow() {
-            return firstRow / PARTS;
-        }
-
-        int lastCellRow() {
-            return lastRow / PARTS;
-        }
-
         /** What this and another have in common; empty if the last place lies before the first. */
         Rectangle and(Rectangle other) {
             return new Rectangle(

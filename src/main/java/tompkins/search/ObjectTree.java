@@ -19,10 +19,7 @@ import tompkins.surface.Surface;
  */
 public final class ObjectTree {
 
-    /**
-     * From this number of primitives a tree is faster than a list (see the chart of the tree in
-     * docs/speed-and-accuracy.md).
-     */
+    /** From this number of primitives a tree is faster than a list, as the study {@code tree} shows. */
     public static final int SMALLEST_TREE = 20;
 
     /** With fewer chords of a ray past what turns, more hits are missed, as the study {@code precision} shows. */
@@ -166,19 +163,15 @@ public final class ObjectTree {
 
     /** As above, of what is not farther than a limit. */
     public boolean nearest(Ray ray, double limit, NearestHit nearest) {
-        searchListed(ray, limit, nearest);
-        if (root != null) {
-            searchTree(root, ray, nearest);
-        }
-        return nearest.primitive() != null;
-    }
-
-    private void searchListed(Ray ray, double limit, NearestHit nearest) {
         nearest.start(limit);
         for (Primitive primitive : listed) {
             nearest.test(primitive, ray);
         }
         nearest.count(0, listed.length);
+        if (root != null) {
+            searchTree(root, ray, nearest);
+        }
+        return nearest.primitive() != null;
     }
 
     /** Searches below a node for what is nearer than what was found before. */

@@ -19,10 +19,7 @@ final class PacketFrustum extends Padded {
     /** The plane across the rays: all of them lie in front of it. */
     private static final int AHEAD = 4;
 
-    /**
-     * Widening against rounding, relative to the coordinates of the starts. Primitives and nodes have margins of their
-     * own for their coordinates.
-     */
+    /** Widening against rounding of the starts; primitives and nodes have margins of their own. */
     private static final double MARGIN = 1e-12;
 
     /** Smallest cosine between a ray and the mean direction; it is not worth bounding wider packets. */
@@ -129,7 +126,7 @@ final class PacketFrustum extends Padded {
     boolean misses(Primitive primitive) {
         for (int plane = 0; plane < PLANES; plane++) {
             int at = 3 * plane;
-            if (primitive.isBeyond(normals[at], normals[at + 1], normals[at + 2], bounds[plane])) {
+            if (primitive.conservativeMinimumAlong(normals[at], normals[at + 1], normals[at + 2]) > bounds[plane]) {
                 return true;
             }
         }

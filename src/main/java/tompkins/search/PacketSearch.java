@@ -22,10 +22,7 @@ public final class PacketSearch extends Padded {
     /** Number of candidates by which it is decided whether batches are worth while. */
     private static final int PROBES = 8;
 
-    /**
-     * Batches are worth while if this many rays may meet a candidate on average; objects as small as a pixel are left
-     * to each ray.
-     */
+    /** Batches are worth while if so many rays may meet a candidate on average; specks are left to each ray. */
     private static final int LEAST_RAYS = 4;
 
     /** When only this many rays are open, each searches the rest by itself. */

@@ -115,7 +115,7 @@ class PrimitiveContractTest {
         }
         Vector3d n = aims.vector(1);
         assertThat(primitive.minimumAlong(n.x, n.y, n.z)).isLessThanOrEqualTo(n.dot(place(hit)) + 1e-9);
-        assertThat(primitive.isBeyond(n.x, n.y, n.z, n.dot(place(hit)))).isFalse();
+        assertThat(primitive.conservativeMinimumAlong(n.x, n.y, n.z)).isLessThanOrEqualTo(n.dot(place(hit)));
     }
 
     private static void gradientsAreThoseOfTheCoordinates(Primitive primitive, Ray ray, Hit hit) {
