@@ -27,7 +27,13 @@ public final class PixelSampler extends Padded implements Sampler {
     private final int[] points = new int[RayPacket.MOST];
     private final int[] fractions = new int[RayPacket.MOST];
 
-    private final int[] seeds = new int[RayPacket.MOST];
+    // the same for up to 256 samples of the same pixels
+    private final int[][] seeds = new int[SobolPoints.DIMENSIONS][RayPacket.MOST];
+    private final int[][] upper = new int[SobolPoints.DIMENSIONS][RayPacket.MOST];
+    private SamplePositions known;
+    private int knownChanges;
+    private int knownSamples;
+    private boolean isNew;
 
     /**
      * A sampler for one picture.
@@ -64,7 +70,13 @@ public final class PixelSampler extends Padded implements Sampler {
             }
             return;
         }
-        hashPixels(positions, count);
+        isNew = known != positions || knownChanges != positions.changes() || knownSamples != sample >>> Byte.SIZE;
+        if (isNew) {
+            known = positions;
+            knownChanges = positions.changes();
+            knownSamples = sample >>> Byte.SIZE;
+            hashPixels(positions, count);
+        }
         SobolPoints.shuffle(sample, pixels, points, count);
         // the first dimensions fill their square or cube best; they go to what blurs most
         if (wideAperture) {
@@ -105,11 +117,14 @@ public final class PixelSampler extends Padded implements Sampler {
     }
 
     private void coordinates(int dimension, double[] coordinates, int count) {
-        for (int i = 0; i < count; i++) {
-            seeds[i] = pixels[i] + dimension + 1;
+        if (isNew) {
+            for (int i = 0; i < count; i++) {
+                seeds[dimension][i] = pixels[i] + dimension + 1;
+            }
+            hash(seeds[dimension], count);
+            SobolPoints.upperFractions(dimension, points, upper[dimension], count);
         }
-        hash(seeds, count);
-        SobolPoints.fractions(dimension, points, seeds, fractions, count);
+        SobolPoints.fractions(dimension, points, upper[dimension], seeds[dimension], fractions, count);
         for (int i = 0; i < count; i++) {
             coordinates[i] = SobolPoints.number(fractions[i]);
         }

@@ -34,6 +34,7 @@ public final class SamplePositions extends Padded {
     public final double[] moments;
 
     private int count;
+    private int changes;
 
     /** Without positions, with room for {@code most}. */
     public SamplePositions(int most) {
@@ -67,6 +68,7 @@ public final class SamplePositions extends Padded {
     /** Removes all positions. */
     public void clear() {
         count = 0;
+        changes++;
     }
 
     /** Adds a pixel; a {@link PixelSampler} chooses the position in it. */
@@ -74,6 +76,12 @@ public final class SamplePositions extends Padded {
         columns[count] = column;
         rows[count] = row;
         count++;
+        changes++;
+    }
+
+    /** Differs from that of before if the pixels do. */
+    int changes() {
+        return changes;
     }
 
     /**

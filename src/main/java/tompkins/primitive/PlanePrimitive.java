@@ -5,6 +5,7 @@ import org.joml.Vector3dc;
 import tompkins.math.Vectors;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
+import tompkins.ray.RayPacket;
 import tompkins.ray.SurfaceCoordinates;
 import tompkins.surface.Surface;
 
@@ -47,6 +48,28 @@ public final class PlanePrimitive extends Primitive {
         }
         double distance = height / slope;
         return distance > 0 && distance <= limit ? distance : NO_HIT;
+    }
+
+    /** By the same signs as {@link #distance}. */
+    @Override
+    public boolean overlaps(RayPacket rays, double farthest, double[] overlaps) {
+        if (!hasSquare(farthest + Math.abs(point.x) + Math.abs(point.y) + Math.abs(point.z))) {
+            return false;
+        }
+        int count = rays.count();
+        for (int i = 0; i < count; i++) {
+            overlaps[i] = slope(rays.dx[i], rays.dy[i], rays.dz[i]);
+        }
+        for (int i = 0; i < count; i++) {
+            overlaps[i] *= heightBelow(rays.x[i], rays.y[i], rays.z[i]);
+        }
+        return true;
+    }
+
+    /** Also of rays that start beside it. */
+    @Override
+    public boolean leavesConvexShape(Hit from, double dx, double dy, double dz) {
+        return from.boundary == this || heightBelow(from.x, from.y, from.z) * slope(dx, dy, dz) < 0;
     }
 
     /** The normal times (point - start), subtracted first so that no digits are lost near the plane. */

@@ -28,6 +28,11 @@ final class PacketFrustum extends Padded {
     final double[] normals = new double[3 * PLANES];
     final double[] bounds = new double[PLANES];
 
+    private final double[] cosines = new double[RayPacket.MOST];
+    private final double[] inverses = new double[RayPacket.MOST];
+    private final double[] slopesE = new double[RayPacket.MOST];
+    private final double[] slopesF = new double[RayPacket.MOST];
+
     private double farthest;
     private double farthestAhead;
 
@@ -61,17 +66,28 @@ final class PacketFrustum extends Padded {
         double fx = ay * ez - az * ey;
         double fy = az * ex - ax * ez;
         double fz = ax * ey - ay * ex;
+        for (int i = 0; i < count; i++) {
+            cosines[i] = rays.dx[i] * ax + rays.dy[i] * ay + rays.dz[i] * az;
+        }
+        for (int i = 0; i < count; i++) {
+            inverses[i] = 1 / cosines[i];
+        }
+        for (int i = 0; i < count; i++) {
+            slopesE[i] = (rays.dx[i] * ex + rays.dy[i] * ey + rays.dz[i] * ez) * inverses[i];
+        }
+        for (int i = 0; i < count; i++) {
+            slopesF[i] = (rays.dx[i] * fx + rays.dy[i] * fy + rays.dz[i] * fz) * inverses[i];
+        }
         double leastE = Double.POSITIVE_INFINITY;
         double mostE = Double.NEGATIVE_INFINITY;
         double leastF = Double.POSITIVE_INFINITY;
         double mostF = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < count; i++) {
-            double cosine = rays.dx[i] * ax + rays.dy[i] * ay + rays.dz[i] * az;
-            if (!(cosine > LEAST_COSINE)) {
+            if (!(cosines[i] > LEAST_COSINE)) {
                 return false;
             }
-            double slopeE = (rays.dx[i] * ex + rays.dy[i] * ey + rays.dz[i] * ez) / cosine;
-            double slopeF = (rays.dx[i] * fx + rays.dy[i] * fy + rays.dz[i] * fz) / cosine;
+            double slopeE = slopesE[i];
+            double slopeF = slopesF[i];
             leastE = slopeE < leastE ? slopeE : leastE;
             mostE = slopeE > mostE ? slopeE : mostE;
             leastF = slopeF < leastF ? slopeF : leastF;
@@ -97,7 +113,8 @@ final class PacketFrustum extends Padded {
         Arrays.fill(bounds, Double.NEGATIVE_INFINITY);
         farthest = 0;
         farthestAhead = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < rays.count(); i++) {
+        int starts = haveOneStart(rays) ? 1 : rays.count();
+        for (int i = 0; i < starts; i++) {
             double x = rays.x[i];
             double y = rays.y[i];
             double z = rays.z[i];
@@ -111,6 +128,15 @@ final class PacketFrustum extends Padded {
             bounds[plane] += MARGIN * farthest;
         }
         farthestAhead += MARGIN * farthest;
+    }
+
+    /** Whether all rays start at one point, as most of those from a pinhole do. */
+    private static boolean haveOneStart(RayPacket rays) {
+        int same = 0;
+        for (int i = 0; i < rays.count(); i++) {
+            same += rays.x[i] == rays.x[0] && rays.y[i] == rays.y[0] && rays.z[i] == rays.z[0] ? 1 : 0;
+        }
+        return same == rays.count();
     }
 
     /** The largest |x| + |y| + |z| of a start of a ray. */

@@ -234,7 +234,9 @@ class PixelSamplerTest {
 
     private static double coordinate(int dimension, int[] point, int seed) {
         int[] fraction = new int[1];
-        SobolPoints.fractions(dimension, point, new int[] {seed}, fraction, 1);
+        int[] upper = new int[1];
+        SobolPoints.upperFractions(dimension, point, upper, 1);
+        SobolPoints.fractions(dimension, point, upper, new int[] {seed}, fraction, 1);
         return SobolPoints.number(fraction[0]);
     }
 
