@@ -121,7 +121,7 @@ final class MeasureCommand extends ProgramCommand {
     /** The plan of what is measured, after its warnings are told. */
     private RenderPlan planned(Studio studio) {
         RenderPlan plan = ScenePlan.of(studio, scene);
-        ScenePlan.warn(plan, err());
+        ScenePlan.warn(ScenePlan.warnings(plan), err());
         return plan;
     }
 

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
@@ -128,8 +129,12 @@ final class Photographer implements AutoCloseable {
         PhotographInfo before = info(studio, order.scene);
         progress.begin("preparing the objects of the scene");
         RenderPlan plan = ScenePlan.of(studio, order.scene);
+        // beside the rays, so that nobody waits for it at the end
+        CompletableFuture<List<String>> warnings = CompletableFuture.supplyAsync(() -> ScenePlan.warnings(plan));
         RenderJob job = traced(plan, order.quality);
         progress.clear();
+        // while the file is written, which takes as long
+        CompletableFuture<RenderReport> report = CompletableFuture.supplyAsync(job::report);
         ToneCurve curve = studio.settings().toneCurve();
         RenderSettings kept = kept(job, order);
         PhotographInfo info = kept == studio.settings() ? before : info(studio.withSettings(kept), order.scene);
@@ -139,8 +144,8 @@ final class Photographer implements AutoCloseable {
         Path place = isPiped
                 ? target
                 : PhotographFile.write(target, job.image(), order.format, curve, info, mayReplace.getAsBoolean());
-        ScenePlan.warn(plan, err);
-        report(place, job.report(), studio.view());
+        ScenePlan.warn(warnings.join(), err);
+        report(place, report.join(), studio.view());
         if (order.quality instanceof Quality.TimeLimit) {
             err.println("note: taken again it has " + samples(kept.samples()) + " of each pixel");
         }
