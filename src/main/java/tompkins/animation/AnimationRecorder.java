@@ -57,7 +57,7 @@ public record AnimationRecorder(
      * @throws FileException if the file cannot be written
      */
     public List<String> record(AnimationWriter writer, Progress progress) throws FileException, InterruptedException {
-        Store file = (frame, picture, info) -> writer.add(picture.image(), info);
+        Store file = (frame, picture, info) -> writer.add(picture.image());
         return record(FrameSelection.all(film.frames()), frame -> false, file, progress);
     }
 

@@ -10,7 +10,6 @@ import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
 import tompkins.image.FrameFolder;
 import tompkins.image.FramePicture;
-import tompkins.image.PhotographInfo;
 import tompkins.property.MistakeException;
 import tompkins.render.Progress;
 
@@ -95,7 +94,7 @@ public final class FilmAssembly {
                 throw new MistakeException(folder.file(frame) + ": must have the size of the first frame, "
                         + first.size() + ", was " + picture.size());
             }
-            writer.add(picture.image(), PhotographInfo.NONE);
+            writer.add(picture.image());
             progress.setProgress((frame + 1.0) / count);
         }
     }

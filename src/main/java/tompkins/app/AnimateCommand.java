@@ -67,7 +67,7 @@ final class AnimateCommand extends ProgramCommand {
             names = {"-o", "--output"},
             paramLabel = "FILE",
             description = "the animation: .gif (256 colours) or .mp4 (if ffmpeg is installed); a name"
-                    + " without an ending is a new folder of PNG pictures")
+                    + " without an ending is a folder of PNG pictures")
     private Path output;
 
     @Option(
@@ -142,10 +142,10 @@ final class AnimateCommand extends ProgramCommand {
         AnimationRecorder recorder = new AnimationRecorder(
                 recording.film, recording.caption, moment -> PictureDecoration.NONE, threads.number());
         Set<String> warnings = new LinkedHashSet<>(requirePossible(recording.film));
-        if (frames.areGiven()) {
-            requireFolder();
+        if (format() == AnimationFormat.NUMBERED_PNG) {
             OutputOption.inFolder(output, () -> takeFrames(recorder, warnings));
         } else {
+            requireWhole();
             takeFilm(recorder, warnings);
         }
         Photographer.tellFilesToKeep(studio, err());
@@ -192,7 +192,7 @@ final class AnimateCommand extends ProgramCommand {
         });
     }
 
-    /** Takes frames into a folder to which other processes may add. */
+    /** Takes all or some frames into a folder, to which other processes may add. */
     private int takeFrames(AnimationRecorder recorder, Set<String> warnings) throws Exception {
         FrameFolder folder = new FrameFolder(output);
         FrameSelection chosen = frames.choose(recorder.film().frames());
@@ -358,8 +358,8 @@ final class AnimateCommand extends ProgramCommand {
         }
     }
 
-    private void requireFolder() {
-        if (format() != AnimationFormat.NUMBERED_PNG) {
+    private void requireWhole() {
+        if (frames.areGiven()) {
             throw new MistakeException("--frames, --part and --skip-existing take frames into a folder: give -o a name"
                     + " without an ending, was " + output + "; --assemble makes the film of them");
         }
