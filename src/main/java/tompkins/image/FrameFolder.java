@@ -2,9 +2,7 @@ package tompkins.image;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
-import java.io.BufferedInputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -70,13 +68,11 @@ public record FrameFolder(Path folder) {
     /** The scene and the description of a frame. */
     public PhotographInfo info(int frame) throws FileException {
         Path file = file(frame);
-        try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {
-            return PngFile.readInfo(in);
-        } catch (IOException failure) {
-            throw FileException.cannotRead(file, failure);
-        } catch (RuntimeException damaged) {
+        try {
+            return PngFile.readInfo(WholeFile.read(file));
+        } catch (IOException | RuntimeException damaged) {
             // texts of other programs may be anything
-            throw FileException.cannotRead(file, new IOException(damaged));
+            throw FileException.cannotRead(file, damaged);
         }
     }
 

@@ -51,7 +51,11 @@ final class PngReader {
         int[] transparent = {};
         int colours = colourType == PALETTE ? 0 : 1 << bitDepth;
         Orientation orientation = Orientation.TOP_LEFT;
-        for (PngChunk chunk : PngChunk.all(file)) {
+        PngChunk chunk;
+        int place = PngChunk.SIGNATURE_LENGTH;
+        do {
+            chunk = PngChunk.at(file, place);
+            place += chunk.size();
             if (tellsPixels(chunk.type(), colourType)) {
                 chunk.write(plain);
                 colours = chunk.type().equals(COLOURS) ? chunk.data().length / 3 : colours;
@@ -60,7 +64,7 @@ final class PngReader {
             } else if (chunk.type().equals("eXIf")) {
                 orientation = TiffDirectory.exifOrientation(chunk.data());
             }
-        }
+        } while (!chunk.isLast());
         BufferedImage image = ImageProviders.image(PictureEncoding.PNG, plain.toByteArray(), name);
         float[] palette = image.getColorModel() instanceof IndexColorModel model ? colours(model, colours) : null;
         Pixels pixels = PixelDecoder.decode(image.getRaster(), palette);
