@@ -56,9 +56,10 @@ final class Edges {
         return found;
     }
 
-    /** The point just behind the edge at which the brightness of a profile changes most; none if it has no edge. */
-    Optional<Vector2dc> largestStep(Profile profile) {
-        List<Sighting> points = profile.points();
+    /**
+     * The point just behind the edge at which the brightness of points of a line changes most; none if it has no edge.
+     */
+    Optional<Vector2dc> largestStep(List<Sighting> points) {
         int before = 0;
         for (int i = 1; i < points.size() - 1; i++) {
             before = step(points, i) > step(points, before) ? i : before;

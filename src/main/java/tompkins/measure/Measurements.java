@@ -53,7 +53,7 @@ public final class Measurements {
 
     /** Where the brightness of a profile has its largest step; nothing if there is no edge. */
     private Measured profile(List<Vector2dc> points, BooleanSupplier goesOn) {
-        Profile profile = Profile.between(plan, points.get(0), points.get(1), goesOn);
+        List<Sighting> profile = Sighting.along(plan, points.get(0), points.get(1), goesOn);
         if (profile == null) {
             return null;
         }
