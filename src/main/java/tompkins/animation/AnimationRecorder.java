@@ -3,6 +3,7 @@ package tompkins.animation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.IntPredicate;
 import tompkins.file.FileException;
@@ -10,7 +11,6 @@ import tompkins.image.AnimationWriter;
 import tompkins.image.FrameFolder;
 import tompkins.image.FramePicture;
 import tompkins.image.PhotographInfo;
-import tompkins.image.PictureDecoration;
 import tompkins.io.SelfDescription;
 import tompkins.property.OneLine;
 import tompkins.render.PhotographTaker;
@@ -32,7 +32,7 @@ import tompkins.studio.Studio;
 public record AnimationRecorder(
         FrameSequence film,
         FrameSequence.Caption caption,
-        Function<Studio, PictureDecoration> decorations,
+        Function<Studio, Consumer<FramePicture>> decorations,
         int threads) {
 
     /** What a folder has under the name of a frame: nothing or a damaged picture; the same frame; or anything else. */

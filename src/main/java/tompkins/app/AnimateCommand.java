@@ -29,7 +29,6 @@ import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
 import tompkins.image.Fonts;
 import tompkins.image.FrameFolder;
-import tompkins.image.PictureDecoration;
 import tompkins.io.Assignment;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.MistakeException;
@@ -140,7 +139,7 @@ final class AnimateCommand extends ProgramCommand {
             Fonts.require();
         }
         AnimationRecorder recorder = new AnimationRecorder(
-                recording.film, recording.caption, moment -> PictureDecoration.NONE, threads.number());
+                recording.film, recording.caption, moment -> picture -> {}, threads.number());
         Set<String> warnings = new LinkedHashSet<>(requirePossible(recording.film));
         if (format() == AnimationFormat.NUMBERED_PNG) {
             OutputOption.inFolder(output, () -> takeFrames(recorder, warnings));

@@ -1,6 +1,7 @@
 package tompkins.image;
 
 import java.awt.image.BufferedImage;
+import java.util.function.Consumer;
 
 /**
  * A photograph, or a frame of a film, as a screen shows it.
@@ -33,13 +34,13 @@ public record FramePicture(BufferedImage image) {
      * @param caption what is written into its lower left corner; nothing if it is empty
      */
     public static FramePicture of(
-            LinearImage photograph, ToneCurve curve, PictureDecoration decoration, String caption) {
-        BufferedImage image = BufferedImages.toBufferedImage(photograph, curve);
-        decoration.paint(image);
+            LinearImage photograph, ToneCurve curve, Consumer<FramePicture> decoration, String caption) {
+        FramePicture picture = of(photograph, curve);
+        decoration.accept(picture);
         if (!caption.isEmpty()) {
-            PictureLabel.paint(image, caption);
+            PictureLabel.paint(picture.image, caption);
         }
-        return new FramePicture(image);
+        return picture;
     }
 
     /** Its size in pixels: {@code 640 x 480}. */

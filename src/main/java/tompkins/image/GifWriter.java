@@ -29,7 +29,7 @@ final class GifWriter extends AnimationWriter {
     GifWriter(PendingFile pending, int framesPerSecond) throws IOException {
         super(pending);
         this.framesPerSecond = framesPerSecond;
-        this.writer = ImageProviders.gifWriter();
+        this.writer = ImageProviders.writer(PictureEncoding.GIF);
         this.out = pending.open();
         this.stream = new MemoryCacheImageOutputStream(out);
     }

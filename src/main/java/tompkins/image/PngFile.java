@@ -52,7 +52,7 @@ final class PngFile {
     private PngFile() {}
 
     static void write(OutputStream out, BufferedImage image, PhotographInfo info) throws IOException {
-        ImageWriter writer = ImageProviders.pngWriter();
+        ImageWriter writer = ImageProviders.writer(PictureEncoding.PNG);
         try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
             IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(image), null);
             describe(metadata, info, image);

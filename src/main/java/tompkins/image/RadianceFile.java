@@ -19,20 +19,15 @@ final class RadianceFile {
     /** Some readers keep a header line in a small buffer. */
     private static final int LONGEST_PIECE = 200;
 
-    /** The widths for which the format has run lengths; other rows are written as they are. */
-    static final int NARROWEST_PACKED = 8;
-
-    static final int WIDEST_PACKED = 0x7fff;
-
     private static final int LONGEST_RUN = 127;
     private static final int SHORTEST_RUN = 4;
     private static final int LONGEST_LITERAL = 128;
 
     private RadianceFile() {}
 
-    /** Whether the rows of a picture of this width are packed into runs. */
+    /** Whether the format has run lengths for pictures of this width; other rows are written as they are. */
     static boolean isPacked(int width) {
-        return width >= NARROWEST_PACKED && width <= WIDEST_PACKED;
+        return width >= 8 && width <= 0x7fff;
     }
 
     static void write(OutputStream out, LinearImage image, PhotographInfo info) throws IOException {

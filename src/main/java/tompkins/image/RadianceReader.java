@@ -188,11 +188,7 @@ final class RadianceReader {
     private void readRow() throws IOException {
         int columns = row.length / 4;
         in.readFully(row, 0, 4);
-        boolean planes = columns >= RadianceFile.NARROWEST_PACKED
-                && columns <= RadianceFile.WIDEST_PACKED
-                && row[0] == 2
-                && row[1] == 2
-                && row[2] >= 0;
+        boolean planes = RadianceFile.isPacked(columns) && row[0] == 2 && row[1] == 2 && row[2] >= 0;
         if (!planes) {
             in.readFully(row, 4, row.length - 4);
             requireUnpacked();

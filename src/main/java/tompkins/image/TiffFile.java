@@ -22,7 +22,7 @@ final class TiffFile {
     private TiffFile() {}
 
     static void write(OutputStream out, BufferedImage image, PhotographInfo info) throws IOException {
-        ImageWriter writer = ImageProviders.tiffWriter();
+        ImageWriter writer = ImageProviders.writer(PictureEncoding.TIFF);
         try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
             ImageWriteParam compression = writer.getDefaultWriteParam();
             compression.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);

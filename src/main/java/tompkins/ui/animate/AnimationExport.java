@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.function.BiFunction;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import javax.swing.JFileChooser;
@@ -17,7 +18,7 @@ import tompkins.file.OutputFolder;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
 import tompkins.image.FrameFolder;
-import tompkins.image.PictureDecoration;
+import tompkins.image.FramePicture;
 import tompkins.measure.OverlayKind;
 import tompkins.render.Progress;
 import tompkins.studio.Studio;
@@ -83,8 +84,8 @@ public final class AnimationExport {
     private void save(
             FrameSequence film, FrameSequence.Caption caption, Path file, AnimationFormat format, boolean replace) {
         Set<OverlayKind> drawn = overlays.ofScene();
-        Function<Studio, PictureDecoration> decorations =
-                moment -> picture -> SceneOverlay.paint(picture, moment, drawn);
+        Function<Studio, Consumer<FramePicture>> decorations =
+                moment -> picture -> SceneOverlay.paint(picture.image(), moment, drawn);
         int threads = Runtime.getRuntime().availableProcessors();
         AnimationRecorder recorder = new AnimationRecorder(film, caption, decorations, threads);
         dialogs.save(

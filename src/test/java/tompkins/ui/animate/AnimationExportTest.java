@@ -67,7 +67,7 @@ class AnimationExportTest {
         AnimationRecorder recorder = new AnimationRecorder(
                 FASTER.sequence(studio),
                 Captions.ofPictures(studio, FASTER.number(), captioned),
-                moment -> picture -> SceneOverlay.paint(picture, moment, overlays),
+                moment -> picture -> SceneOverlay.paint(picture.image(), moment, overlays),
                 1);
         AnimationExport.write(recorder, file, format, true, progress);
     }
