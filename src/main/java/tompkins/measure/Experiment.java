@@ -138,7 +138,7 @@ public final class Experiment {
         }
         if (measurement instanceof StarCount count) {
             double angle = Math.toRadians(count.withinDegrees());
-            lines.addAll(Outline.ahead(plan, angle));
+            lines.addAll(LookCone.around(studio().velocity().direction(), angle).lines(Projection.of(studio())));
             return studio().background() instanceof StarSky sky ? StarSighting.count(sky, studio(), angle) : Double.NaN;
         }
         LensSpread spread = (LensSpread) measurement;

@@ -193,7 +193,7 @@ public final class Measurements {
                     toMotion.applyAsDouble(fit.circle()),
                     changes.uncertainty(toMotion));
         }
-        return new Measured(facts, null, lines(fit.circle()));
+        return new Measured(facts, null, fit.circle().lines(projection));
     }
 
     /** The circles with one point moved by half a pixel, to all sides; none if it tells no circle then. */
@@ -226,11 +226,7 @@ public final class Measurements {
         double length = Angles.between(directions.get(0), directions.get(directions.size() - 1));
         addAngle("length", "length", length, HALF * Math.sqrt(2) * pixel);
         addDirection("normal", "normal of the plane", fit.normal());
-        return new Measured(facts, null, lines(LookCone.across(fit.normal())));
-    }
-
-    private List<List<Vector2dc>> lines(LookCone circle) {
-        return CurveTracer.lines(projection, 0, 2 * Math.PI, azimuth -> projection.position(circle.direction(azimuth)));
+        return new Measured(facts, null, LookCone.across(fit.normal()).lines(projection));
     }
 
     private List<Vector3dc> directions(List<Vector2dc> points) {

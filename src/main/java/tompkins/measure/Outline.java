@@ -4,9 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
-import org.joml.Vector3d;
-import org.joml.Vector3dc;
-import tompkins.math.Vectors;
 import tompkins.property.InvalidPropertyException;
 import tompkins.trace.RenderPlan;
 
@@ -45,26 +42,6 @@ final class Outline {
             outline.add(found.get(0));
         }
         return outline;
-    }
-
-    /** Those parts of a circle of directions around where the camera flies that are in the picture, in pixels. */
-    static List<List<Vector2dc>> ahead(RenderPlan plan, double radius) {
-        Projection projection = Projection.of(plan.studio());
-        Vector3dc axis = plan.studio().velocity().direction();
-        Vector3d direction = new Vector3d(axis).mul(Math.cos(radius)).fma(Math.sin(radius), Vectors.firstAxis(axis));
-        double longest = 4.0 * plan.width() / WAYS;
-        List<List<Vector2dc>> parts = new ArrayList<>();
-        Vector2dc before = projection.position(direction);
-        for (int i = 0; i < WAYS; i++) {
-            direction.rotateAxis(2 * Math.PI / WAYS, axis.x(), axis.y(), axis.z());
-            Vector2dc now = projection.position(direction);
-            // a panorama tears the circle apart at its sides and poles
-            if (projection.shows(before) && projection.shows(now) && before.distance(now) < longest) {
-                parts.add(List.of(before, now));
-            }
-            before = now;
-        }
-        return parts;
     }
 
     /** Where the way from a point in a direction leaves the picture. */
