@@ -6,6 +6,7 @@ import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import tompkins.file.FileException;
 import tompkins.image.AnimationWriter;
 import tompkins.image.FrameFolder;
@@ -58,7 +59,7 @@ public record AnimationRecorder(
      */
     public List<String> record(AnimationWriter writer, Progress progress) throws FileException, InterruptedException {
         Store file = (frame, picture, info) -> writer.add(picture.image());
-        return record(FrameSelection.all(film.frames()), frame -> false, file, progress);
+        return record(allFrames(), frame -> false, file, progress);
     }
 
     /**
@@ -67,9 +68,14 @@ public record AnimationRecorder(
      *
      * @param skips whether frames are left out that another process has meanwhile taken
      */
-    public List<String> record(FrameSelection frames, FrameFolder folder, boolean skips, Progress progress)
+    public List<String> record(List<Integer> frames, FrameFolder folder, boolean skips, Progress progress)
             throws FileException, InterruptedException {
         return record(frames, frame -> skips && found(folder, frame) == Found.SAME, folder::write, progress);
+    }
+
+    /** The numbers of all photographs. */
+    public List<Integer> allFrames() {
+        return IntStream.range(0, film.frames()).boxed().toList();
     }
 
     /** What is in a folder under the name of a frame. */
@@ -88,14 +94,14 @@ public record AnimationRecorder(
         }
     }
 
-    private List<String> record(FrameSelection frames, IntPredicate isThere, Store store, Progress progress)
+    private List<String> record(List<Integer> frames, IntPredicate isThere, Store store, Progress progress)
             throws FileException, InterruptedException {
         List<String> warnings = new ArrayList<>();
         int warned = 0;
-        int count = frames.frames().size();
+        int count = frames.size();
         try (PhotographTaker taker = new PhotographTaker(threads)) {
             for (int i = 0; i < count; i++) {
-                int frame = frames.frames().get(i);
+                int frame = frames.get(i);
                 if (isThere.test(frame)) {
                     continue;
                 }

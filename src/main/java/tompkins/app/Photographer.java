@@ -100,7 +100,7 @@ final class Photographer implements AutoCloseable {
     void take(Order order, BooleanSupplier mayReplace) throws IOException, InterruptedException {
         Studio studio = order.studio;
         Path target = order.target;
-        boolean isPiped = target.equals(OutputOption.PIPE);
+        boolean isPiped = target.equals(StudioReader.PIPE);
         if (isPiped) {
             Renderer.requireMemory(studio.settings(), order.quality);
         } else {
@@ -227,7 +227,7 @@ final class Photographer implements AutoCloseable {
 
     private void report(Path target, RenderReport report, View view) throws IOException {
         double seconds = report.time().toNanos() / 1e9;
-        boolean isPiped = target.equals(OutputOption.PIPE);
+        boolean isPiped = target.equals(StudioReader.PIPE);
         (isPiped ? err : out)
                 .println(String.format(
                         Locale.ROOT,
@@ -250,7 +250,7 @@ final class Photographer implements AutoCloseable {
      * file's name allows it; or the usual one for the name.
      */
     static PictureFormat formatFor(Path file, PictureFormat wish, Path scene) {
-        if (file.equals(OutputOption.PIPE)) {
+        if (file.equals(StudioReader.PIPE)) {
             return wish == null ? PictureFormat.PNG : wish;
         }
         return NamedFile.used(() -> {

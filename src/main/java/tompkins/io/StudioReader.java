@@ -15,7 +15,7 @@ import tompkins.studio.StudioPath;
 /** Reads studios from scene files and from saved photographs. */
 public final class StudioReader {
 
-    /** The name of the standard input, which may hold a scene or a PNG photograph, once. */
+    /** The name of the standard input, which may hold a scene or a photograph, once; and of the standard output. */
     public static final Path PIPE = Path.of("-");
 
     /** The version of the format. */

@@ -47,11 +47,7 @@ class ForeignPicturesTest {
     }
 
     @ParameterizedTest
-    @CsvSource({
-        "png-grey8-trns-level85.png, false",
-        "silhouette-yellow.png, false",
-        "silhouette-darkblue.png, true"
-    })
+    @CsvSource({"png-grey8-trns-level85.png, false", "silhouette-yellow.png, false", "silhouette-darkblue.png, true"})
     void aSilhouetteIsWhereItIsDarkAndOpaque(String name, boolean dark) throws IOException {
         assertThat(PictureFile.read(file(name)).isDark(0.5, 0.5)).isEqualTo(dark);
     }

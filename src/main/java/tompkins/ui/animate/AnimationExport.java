@@ -11,7 +11,6 @@ import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
-import tompkins.animation.FrameSelection;
 import tompkins.animation.FrameSequence;
 import tompkins.animation.RideFilm;
 import tompkins.file.OutputFolder;
@@ -105,8 +104,7 @@ public final class AnimationExport {
         if (format == AnimationFormat.NUMBERED_PNG) {
             try (OutputFolder folder = OutputFolder.emptyAt(file)) {
                 return new Exported(
-                        file,
-                        recorder.record(FrameSelection.all(film.frames()), new FrameFolder(file), false, progress));
+                        file, recorder.record(recorder.allFrames(), new FrameFolder(file), false, progress));
             }
         }
         try (AnimationWriter writer = format.open(file, film.frameRate(), replace)) {
