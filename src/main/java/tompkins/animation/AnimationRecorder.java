@@ -12,6 +12,7 @@ import tompkins.image.AnimationWriter;
 import tompkins.image.FrameFolder;
 import tompkins.image.FramePicture;
 import tompkins.image.PhotographInfo;
+import tompkins.image.PictureLabel;
 import tompkins.io.SelfDescription;
 import tompkins.property.OneLine;
 import tompkins.render.PhotographTaker;
@@ -131,11 +132,14 @@ public record AnimationRecorder(
     }
 
     private FramePicture painted(RenderJob photograph, Studio moment, int frame) {
-        return FramePicture.of(
-                photograph.image(),
-                moment.settings().toneCurve(),
-                decorations.apply(moment),
-                caption.of(moment, frame));
+        FramePicture picture =
+                FramePicture.of(photograph.image(), moment.settings().toneCurve());
+        decorations.apply(moment).accept(picture);
+        String words = caption.of(moment, frame);
+        if (!words.isEmpty()) {
+            PictureLabel.paint(picture.image(), words);
+        }
+        return picture;
     }
 
     private PhotographInfo info(int frame, Studio moment) {

@@ -10,14 +10,6 @@ import tompkins.file.PendingFile;
 /**
  * An animation that is being saved frame by frame; only one frame is held in memory. It appears under its name with
  * {@link #finish}; if it is closed without that, it leaves no trace. For one thread at a time.
- *
- * <pre>{@code
- * try (AnimationWriter animation = AnimationFormat.GIF.open(file, 25, true)) {
- *     animation.add(frame);
- *     ...
- *     animation.finish();
- * }
- * }</pre>
  */
 public abstract sealed class AnimationWriter implements Closeable permits GifWriter, Mp4Writer {
 

@@ -20,10 +20,7 @@ record PngChunk(String type, byte[] data) {
     private static final int FRAME = 12;
 
     /** The bytes before the first chunk. */
-    private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-
-    /** Where the first chunk begins. */
-    static final int SIGNATURE_LENGTH = SIGNATURE.length;
+    static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
     /**
      * The chunk that begins at a place of a PNG file.
@@ -62,11 +59,6 @@ record PngChunk(String type, byte[] data) {
     /** Whether it ends the file; what lies behind it is not of the picture. */
     boolean isLast() {
         return type.equals("IEND");
-    }
-
-    /** Begins a PNG file. */
-    static void writeSignature(OutputStream out) throws IOException {
-        out.write(SIGNATURE);
     }
 
     void write(OutputStream out) throws IOException {

@@ -29,10 +29,7 @@ final class PngFile {
 
     static final String SCENE_KEYWORD = "tompkins.scene";
 
-    /**
-     * The byte of a file that holds the bits of a channel: after signature, length and name of the header, width and
-     * height.
-     */
+    /** The byte of a file that holds the bits of a channel, behind width and height. */
     static final int BIT_DEPTH_AT = 24;
 
     private static final String TITLE_KEYWORD = "Title";
@@ -140,7 +137,7 @@ final class PngFile {
      */
     private static Map<String, String> readTexts(byte[] png, Set<String> keywords, String lastType) throws IOException {
         Map<String, String> texts = new HashMap<>();
-        int place = PngChunk.SIGNATURE_LENGTH;
+        int place = PngChunk.SIGNATURE.length;
         while (!texts.keySet().equals(keywords)) {
             PngChunk chunk = PngChunk.at(png, place);
             if (chunk.type().equals(lastType)) {

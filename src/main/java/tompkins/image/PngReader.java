@@ -23,7 +23,7 @@ final class PngReader {
     private static final String APPLE = "CgBI";
 
     /** After the signature and the length of the first chunk. */
-    private static final int FIRST_TYPE_AT = PngChunk.SIGNATURE_LENGTH + 4;
+    private static final int FIRST_TYPE_AT = PngChunk.SIGNATURE.length + 4;
 
     private PngReader() {}
 
@@ -45,11 +45,11 @@ final class PngReader {
         int bitDepth = header.get();
         int colourType = header.get();
         ByteArrayOutputStream plain = new ByteArrayOutputStream(file.length);
-        PngChunk.writeSignature(plain);
+        plain.writeBytes(PngChunk.SIGNATURE);
         int colours = colourType == PALETTE ? 0 : 1 << bitDepth;
         Orientation orientation = Orientation.TOP_LEFT;
         PngChunk chunk;
-        int place = PngChunk.SIGNATURE_LENGTH;
+        int place = PngChunk.SIGNATURE.length;
         do {
             chunk = PngChunk.at(file, place);
             place += chunk.size();

@@ -138,11 +138,7 @@ public final class Projection {
 
     /** The event, in the camera frame, at which light for the middle of the picture crosses the centre of the lens. */
     public Event lensEvent() {
-        return lensAt(Double.isNaN(middleTime) ? 0 : middleTime);
-    }
-
-    private Event lensAt(double time) {
-        return at(lens, time);
+        return at(lens, Double.isNaN(middleTime) ? 0 : middleTime);
     }
 
     private static Event at(Vector3dc place, double time) {

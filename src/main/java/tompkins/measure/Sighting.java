@@ -55,15 +55,10 @@ public record Sighting(Studio studio, double x, double y, SampleHistory life) {
     }
 
     /**
-     * Follows the ray of a point through the centre of the lens.
+     * Follows the ray of a point through a point on the lens, in units of its radius.
      *
      * @throws InvalidPropertyException if it never crosses the shutter
      */
-    static Sighting required(RenderPlan plan, Vector2dc point) {
-        return required(plan, point, 0, 0);
-    }
-
-    /** As above, through a point on the lens in units of its radius. */
     static Sighting required(RenderPlan plan, Vector2dc point, double lensX, double lensY) {
         SampleHistory life = SampleHistory.of(plan, point.x(), point.y(), lensX, lensY);
         if (life == null) {

@@ -216,7 +216,7 @@ class PngReaderTest {
     @Test
     void aHeaderThatIsNotTheFirstChunkIsTheReason() throws IOException {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
-        PngChunk.writeSignature(file);
+        file.writeBytes(PngChunk.SIGNATURE);
         chunk(file, "tEXt", new byte[] {'a', 0, 'b'});
         chunk(file, "IHDR", new byte[] {0, 0, 0, 1, 0, 0, 0, 1, 8, 0, 0, 0, 0});
         assertThatThrownBy(() -> PictureFile.read(file.toByteArray(), "p.png"))

@@ -74,11 +74,6 @@ public final class PixelPin implements PictureTool {
     }
 
     @Override
-    public String hint() {
-        return "";
-    }
-
-    @Override
     public void click(Point2D clicked, Picture seen) {
         set(clicked, seen != canvas.shown().now());
     }
