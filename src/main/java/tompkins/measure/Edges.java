@@ -26,10 +26,7 @@ final class Edges {
     /** The least difference of colours at an edge; see {@link #difference}. */
     private static final double JUMP = 0.1;
 
-    /**
-     * Added to the brightness with which a difference is compared, so that noise in the dark is not an edge; white is
-     * 1.
-     */
+    /** Added to the brightness with which a difference is compared, so that noise in the dark is no edge. */
     private static final double DARK = 0.02;
 
     /** The difference between different objects, whatever their colours: more than between any colours. */

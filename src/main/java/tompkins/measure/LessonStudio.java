@@ -44,10 +44,7 @@ public record LessonStudio(Studio studio, Lesson lesson, StudioNumber number) {
         return Optional.of(new LessonStudio(studio, lesson, number));
     }
 
-    /**
-     * A studio with the number that its lesson moves set back to its value in an earlier studio; unchanged if not both
-     * have such a number.
-     */
+    /** A studio with the number of its lesson as in an earlier studio; unchanged if not both have it. */
     public static Studio unmoved(Studio studio, Studio earlier) {
         try {
             return of(studio)

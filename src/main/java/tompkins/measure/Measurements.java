@@ -212,10 +212,7 @@ public final class Measurements {
         return circles;
     }
 
-    /**
-     * The straight line through some points: by how much they miss the great circle that a lens shows as a straight
-     * line, and how long it is.
-     */
+    /** What a lens shows as a straight line through points: by how much they miss it, and how long it is. */
     private Measured line(List<Vector2dc> points) {
         List<Vector3dc> directions = directions(points);
         LineFit fit = LineFit.of(directions);

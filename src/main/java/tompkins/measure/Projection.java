@@ -188,10 +188,7 @@ public final class Projection {
         return null;
     }
 
-    /**
-     * The time at which the shutter opens at the position where the object is seen at that time, found by the secant
-     * method; NaN if there is none.
-     */
+    /** The time at which the shutter opens where the object is seen then, by the secant method; or NaN. */
     private double settledTime(Function<Event, ? extends Vector3dc> look, double start) {
         double before = Double.NaN;
         double errorBefore = Double.NaN;
