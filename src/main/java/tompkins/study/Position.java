@@ -9,13 +9,11 @@ final class Position {
     /** Position in the pixel, from 0 to 1. */
     double x = 0.5;
 
-    /** Position in the pixel, from 0 to 1. */
     double y = 0.5;
 
     /** Position on the lens, in units of its radius. */
     double lensX;
 
-    /** Position on the lens, in units of its radius. */
     double lensY;
 
     /** The part of the exposure time that has passed, from 0 to 1. */
@@ -28,15 +26,6 @@ final class Position {
         lensX = positions.lensX[number];
         lensY = positions.lensY[number];
         moment = positions.moments[number];
-    }
-
-    /** Puts a sample there. */
-    void give(SamplePositions positions, int number) {
-        positions.x[number] = positions.columns[number] + x;
-        positions.y[number] = positions.rows[number] + y;
-        positions.lensX[number] = lensX;
-        positions.lensY[number] = lensY;
-        positions.moments[number] = moment;
     }
 
     /** Goes to the point of the lens to which a point of the unit square is mapped. */

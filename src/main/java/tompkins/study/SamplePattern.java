@@ -45,7 +45,11 @@ final class SamplePattern implements Sampler {
                 block[i] = pixels.apply(randomFor(positions.columns[i], positions.rows[i]));
             }
             block[i].go(sample, position);
-            position.give(positions, i);
+            positions.x[i] = positions.columns[i] + position.x;
+            positions.y[i] = positions.rows[i] + position.y;
+            positions.lensX[i] = position.lensX;
+            positions.lensY[i] = position.lensY;
+            positions.moments[i] = position.moment;
         }
     }
 

@@ -40,7 +40,7 @@ class ApertureStudyTest {
         Map<String, SamplingMethod.Factory> broken = randomAlone();
         broken.put(PROGRAM, (seed, samples, space) -> (positions, sample) -> {
             for (int i = 0; i < positions.count(); i++) {
-                new Position().give(positions, i);
+                put(new Position(), positions, i);
             }
         });
         SamplingStudy study = study(256, broken);
@@ -91,7 +91,7 @@ class ApertureStudyTest {
             right.choose(other, sample);
             for (int i = 0; i < positions.count(); i++) {
                 position.goTo(other, i);
-                position.give(positions, i);
+                put(position, positions, i);
             }
         };
     }
@@ -131,5 +131,13 @@ class ApertureStudyTest {
                                 .toList(),
                         StudyPoint::setting)
                 .slope();
+    }
+
+    private static void put(Position position, SamplePositions positions, int index) {
+        positions.x[index] = positions.columns[index] + position.x;
+        positions.y[index] = positions.rows[index] + position.y;
+        positions.lensX[index] = position.lensX;
+        positions.lensY[index] = position.lensY;
+        positions.moments[index] = position.moment;
     }
 }
