@@ -10,10 +10,7 @@ import tompkins.camera.SamplePositions;
 import tompkins.camera.Sampler;
 import tompkins.ray.RayPacket;
 
-/**
- * A way to choose positions, at random or from a table that is shifted in each pixel, at work on the blocks of pixels
- * that the renderer follows. Like the program's own sampler, a pattern depends on the seed and the pixel.
- */
+/** A pattern of positions, random or from a table shifted in each pixel; it depends on seed and pixel alone. */
 final class SamplePattern implements Sampler {
 
     /** The generating vector of a lattice rule (Cools, Kuo and Nuyens 2006): lens, time (its last number), pixel. */
