@@ -127,7 +127,7 @@ final class AdaptiveSchedule implements Schedule {
         if (roughness.rootMeanSquare() <= targetError) {
             return;
         }
-        Allocation allocation = new Allocation(film, roughness, MOST_SAMPLES, stopped);
+        Allocation allocation = new Allocation(film, roughness, stopped);
         double threshold = targetError > 0
                 ? allocation.thresholdForVariance(roughness.sampled() * AIM * AIM * targetError * targetError)
                 : allocation.thresholdForSamples(work * roughness.sampled() * (1 + time.left() / time.spent()));
