@@ -63,12 +63,4 @@ class EndlessRaysTest {
         assertThat(way.hits().size() + way.hitsLeftOut()).isLessThan(1001 + 200);
         assertThat(all.hits().size() + all.hitsLeftOut()).isGreaterThan(500_000);
     }
-
-    @Test
-    void thePlainPlanHasNoTree() {
-        RenderPlan plan = RenderPlan.plain(
-                StudioReader.read("{\"scene\": [{\"type\": \"CylinderLattice\"}]}", "lattice", Path.of(".")));
-        assertThat(plan.world().objects(0).size()).isGreaterThan(50);
-        assertThat(plan.world().objects(0).hasTree()).isFalse();
-    }
 }
