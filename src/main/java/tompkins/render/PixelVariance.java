@@ -16,7 +16,8 @@ import tompkins.trace.RenderPlan;
  * of them. If it has only the one in its centre, the second differences over its neighbours give its roughness: an edge
  * of height h raises those of two pixels by h, and is wrong by h/sqrt(12) in one of them.
  *
- * <p>No neighbour tells of small lights; {@link #expect} counts those that samples may have missed.
+ * <p>No neighbour tells of light that stands alone, such as far lamps, glints, a short flash: where some was met, as
+ * much may have been missed.
  */
 final class PixelVariance {
 
@@ -25,8 +26,11 @@ final class PixelVariance {
 
     private static final double WEIGHT_OF_SECOND_DIFFERENCE = 1.0 / 24;
 
-    /** Rows that one thread takes at a time, so that each region of specks is asked by one thread alone. */
-    private static final int BAND = IsolatedHighlights.SIDE;
+    /** Rows that one thread takes at a time. */
+    private static final int BAND = 8;
+
+    /** Width and height of the smallest squares in which light may have been missed, in pixels. */
+    private static final int SMALLEST_SQUARE = 8;
 
     /** Counts are taken to be those of chance within this factor. */
     private static final double CHANCE = 0.5;
@@ -38,10 +42,7 @@ final class PixelVariance {
     /** The roughness that each pixel's own samples show, in a picture with a border; NaN where there are no samples. */
     private final float[] own;
 
-    /** The largest mean square of the second differences of each pixel, in a picture with a border, as {@link #own}. */
-    private final float[] differences;
-
-    private float[] shared;
+    private final float[] shared;
     private final BooleanSupplier stopped;
     private final int sampled;
     private final Power falling = new Power(-POWER);
@@ -69,11 +70,7 @@ final class PixelVariance {
             return Double.NaN;
         }
         try {
-            PixelVariance variance = new PixelVariance(film, stopped);
-            if (film.comparesSamples()) {
-                variance.expect(new IsolatedHighlights(film, variance, stopped));
-            }
-            return variance.rootMeanSquare();
+            return new PixelVariance(film, true, stopped).rootMeanSquare();
         } catch (CancellationException unwanted) {
             return Double.NaN;
         }
@@ -82,20 +79,23 @@ final class PixelVariance {
     /**
      * The roughness of the pixels that have samples.
      *
+     * @param expectsUnseen whether samples are taken to have missed light that stands alone
      * @param stopped whether it is no longer wanted
      * @throws CancellationException if it is not
      */
-    PixelVariance(Film film, BooleanSupplier stopped) {
+    PixelVariance(Film film, boolean expectsUnseen, BooleanSupplier stopped) {
         this.film = film;
         this.stopped = stopped;
         width = film.width();
         height = film.height();
         sampled = film.sampledPixels();
         own = new float[(width + 2) * (height + 2)];
-        differences = new float[own.length];
         measure();
         shared = withNeighbours(own);
         fillGaps();
+        if (expectsUnseen && film.comparesSamples()) {
+            new IsolatedHighlights(film, withoutBorder(), stopped).expect(shared);
+        }
     }
 
     /**
@@ -103,7 +103,7 @@ final class PixelVariance {
      * a short flash or a thin bar: such a pixel takes the mean of the smallest square in which this is likely.
      */
     private void fillGaps() {
-        for (int side = IsolatedHighlights.SIDE; side / 2 < Math.max(width, height); side *= 2) {
+        for (int side = SMALLEST_SQUARE; side / 2 < Math.max(width, height); side *= 2) {
             Cancellation.stopIf(stopped);
             int part = side;
             IntStream.range(0, (height + side - 1) / side).parallel().forEach(band -> {
@@ -157,7 +157,6 @@ final class PixelVariance {
     /** Finds what each pixel's own samples and the differences from its neighbours show. */
     private void measure() {
         Arrays.fill(own, Float.NaN);
-        Arrays.fill(differences, Float.NaN);
         bands().forEach(this::measureBand);
     }
 
@@ -173,11 +172,9 @@ final class PixelVariance {
                 int pixel = film.pixel(column, row);
                 int samples = film.samples(pixel);
                 if (samples > 0) {
-                    double difference = secondDifferences(above, here, below, 3 * column);
                     double roughness = samples > 1
                             ? film.halvesVariance(pixel) * growing.of(samples)
-                            : difference * WEIGHT_OF_SECOND_DIFFERENCE;
-                    differences[bordered(row, column)] = (float) Math.min(Float.MAX_VALUE, difference);
+                            : secondDifferences(above, here, below, 3 * column) * WEIGHT_OF_SECOND_DIFFERENCE;
                     own[bordered(row, column)] = (float) Math.min(Float.MAX_VALUE, roughness);
                 }
             }
@@ -203,52 +200,12 @@ final class PixelVariance {
         return into;
     }
 
-    /**
-     * Counts the light that samples may have missed, too: what specks add to the pixels in which they were found is
-     * shared with those in which they may have been missed.
-     *
-     * @throws CancellationException if it is no longer wanted
-     */
-    void expect(IsolatedHighlights specks) {
-        if (specks.isEmpty()) {
-            return;
-        }
-        Power growing = new Power(POWER);
+    private float[] withoutBorder() {
+        float[] inside = new float[width * height];
         for (int row = 0; row < height; row++) {
-            Cancellation.stopIf(stopped);
-            for (int column = 0; column < width; column++) {
-                if (specks.isAt(column, row)) {
-                    int index = bordered(row, column);
-                    double growth = growing.of(film.samples(film.pixel(column, row)));
-                    double roughness = Math.max(own[index], specks.varianceOfMean(column, row) * growth);
-                    own[index] = (float) (roughness * (1 - specks.missed(column, row)));
-                }
-            }
+            System.arraycopy(own, bordered(row, 0), inside, film.pixel(0, row), width);
         }
-        shared = withNeighbours(own);
-        bands().forEach(first -> addUnseen(specks, first));
-    }
-
-    private void addUnseen(IsolatedHighlights specks, int first) {
-        Power growing = new Power(POWER);
-        for (int row = first; row < Math.min(height, first + BAND); row++) {
-            Cancellation.stopIf(stopped);
-            for (int column = 0; column < width; column++) {
-                int pixel = film.pixel(column, row);
-                int samples = film.samples(pixel);
-                if (samples > 0) {
-                    shared[pixel] = (float) (shared[pixel] + specks.unseen(column, row) * growing.of(samples));
-                }
-            }
-        }
-    }
-
-    /**
-     * The square of the height by which a pixel stands out, along the line through it on which this is largest; NaN
-     * outside of the picture and where there are no samples.
-     */
-    double contrast(int column, int row) {
-        return differences[bordered(row, column)] / 4;
+        return inside;
     }
 
     /** A row with a border, whose values are all unknown. */
