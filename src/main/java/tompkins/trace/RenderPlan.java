@@ -269,27 +269,23 @@ public final class RenderPlan {
 
     /** A tracer for one thread, which adds to the given counts. */
     public SampleTracer tracer(RayCounts counts) {
-        return tracer(counts, sampler(), null);
+        return tracer(counts, sampler(), null, true);
     }
 
     /** As {@link #tracer(RayCounts)}, with samples at other places. */
     public SampleTracer tracer(RayCounts counts, Sampler sampler) {
-        return tracer(counts, sampler, null);
+        return tracer(counts, sampler, null, true);
     }
 
     /** As {@link #tracer(RayCounts)}, watched by an observer. */
     SampleTracer tracer(RayCounts counts, PathObserver observer) {
-        return tracer(counts, sampler(), observer);
+        return tracer(counts, sampler(), observer, true);
     }
 
-    private SampleTracer tracer(RayCounts counts, Sampler sampler, PathObserver observer) {
-        StarTracer starTracer = stars == null
-                ? null
-                : new StarTracer(stars, watcher -> tracer(new RayCounts(), sampler(), watcher, null));
-        return tracer(counts, sampler, observer, starTracer);
-    }
-
-    private SampleTracer tracer(RayCounts counts, Sampler sampler, PathObserver observer, StarTracer starTracer) {
+    private SampleTracer tracer(RayCounts counts, Sampler sampler, PathObserver observer, boolean withStars) {
+        StarTracer starTracer = withStars && stars != null
+                ? new StarTracer(stars, watcher -> tracer(new RayCounts(), sampler(), watcher, false))
+                : null;
         int depth = studio.settings().maximumDepth();
         LightShift shiftAtHits = needsFrames() ? shift : null;
         RayTracer sceneTracer = new RayTracer(
