@@ -67,9 +67,8 @@ public final class Renderer implements AutoCloseable {
 
     /**
      * Starts a picture that is seen for a moment: the first samples of a part of the pixels, and what lies between
-     * them. It ends as soon as most of it is right, or after about so many seconds, in which the listener has also
-     * taken it: how many samples that allows is learned from picture to picture. A picture with stars gets one sample
-     * of each pixel, or the stars would twinkle from one picture to the next. Returns at once.
+     * them. It ends as soon as most of it is right, or after about so many seconds, with the time of the listener. A
+     * picture with stars gets one sample of each pixel, or they would twinkle. Returns at once.
      */
     public RenderJob startGlimpse(RenderPlan plan, double seconds, RenderListener listener) {
         int width = plan.width();

@@ -229,10 +229,7 @@ public final class RenderPlan {
         return studio.camera().hasWideAperture() || blursInTime();
     }
 
-    /**
-     * The unit direction, in the camera frame, of the ray through the centre of the lens for a point of the picture in
-     * pixels.
-     */
+    /** The unit direction in the camera frame of the ray through the centre of the lens for a point in pixels. */
     public Vector3dc chiefDirection(double x, double y) {
         return pictureRays.chiefDirection(x, y);
     }
