@@ -84,15 +84,18 @@ final class Convergence {
         // the window does not compare
         AtomicLong comparing = new AtomicLong();
         long start = System.nanoTime();
-        RenderListener looks = RenderListener.afterEachPass(job -> {
-            LinearImage preview = job.preview(aim);
-            long now = System.nanoTime();
-            if (seen.get() == 0 && PictureDifference.ofLight(preview, whole) <= FIRST_LOOK) {
-                seen.set(now - start - comparing.get());
-                job.cancel();
+        RenderListener looks = new RenderListener() {
+            @Override
+            public void passDone(RenderJob job) {
+                LinearImage preview = job.preview(aim);
+                long now = System.nanoTime();
+                if (seen.get() == 0 && PictureDifference.ofLight(preview, whole) <= FIRST_LOOK) {
+                    seen.set(now - start - comparing.get());
+                    job.cancel();
+                }
+                comparing.addAndGet(System.nanoTime() - now);
             }
-            comparing.addAndGet(System.nanoTime() - now);
-        });
+        };
         renderer.startCoarse(plan, aim, looks).await();
         return seen.get() == 0 ? Double.POSITIVE_INFINITY : seen.get() / 1e6;
     }

@@ -62,16 +62,6 @@ public interface CameraRays {
         return position == null ? List.of() : List.of(position);
     }
 
-    /**
-     * The same for what is infinitely far away, and seen through a point of the lens.
-     *
-     * @param lensX place on the lens in units of its radius, to the right
-     * @param lensY place on the lens in units of its radius, up
-     */
-    default List<Vector2dc> positions(Vector3dc direction, double lensX, double lensY) {
-        return positions(direction);
-    }
-
     /** The solid angle of a pixel, in steradians. */
     double solidAngle(int column, int row);
 }

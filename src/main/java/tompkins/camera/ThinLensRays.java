@@ -1,7 +1,6 @@
 package tompkins.camera;
 
 import java.util.Arrays;
-import java.util.List;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
@@ -15,12 +14,6 @@ import tompkins.spacetime.SpaceTimeTransformation;
 
 /** A {@link ThinLensCamera}, ready for one picture. */
 final class ThinLensRays implements CameraRays {
-
-    /** The most steps in which a chief ray is sought; with a plane in focus a few are enough. */
-    private static final int FOCUS_STEPS = 30;
-
-    /** The last step, in radians: far below a pixel. */
-    private static final double FOCUS_ERROR = 1e-9;
 
     private final Vector3d right;
     private final Vector3d up;
@@ -78,22 +71,6 @@ final class ThinLensRays implements CameraRays {
                 : new Vector2d(
                         middleX + direction.dot(right) / ahead / slopePerColumn,
                         middleY - direction.dot(up) / ahead / slopePerRow);
-    }
-
-    @Override
-    public List<Vector2dc> positions(Vector3dc direction, double lensX, double lensY) {
-        Vector3d toLens = offset(lensX, lensY);
-        Vector3dc chief = direction;
-        double change = apertureRadius > 0 ? 1 : 0;
-        for (int i = 0; i < FOCUS_STEPS && change > FOCUS_ERROR; i++) {
-            // what is traced in the direction has its chief ray so much aside
-            Vector3d aside = toLens.mul(inverseFocusDistance(chief, new RayCounts()), new Vector3d());
-            double along = aside.dot(direction);
-            Vector3d next = aside.fma(Math.sqrt(along * along + 1 - aside.lengthSquared()) - along, direction);
-            change = next.distance(chief);
-            chief = next;
-        }
-        return positions(chief);
     }
 
     @Override

@@ -258,7 +258,7 @@ public final class Explanation {
         if (!plan.blursInTime()) {
             return Optional.empty();
         }
-        double length = new MotionBlur(plan).inTheMiddle();
+        double length = MotionBlur.length(plan, plan.middle().x(), plan.middle().y());
         return Optional.of(format(
                 "The shutter stays open for %s: what the middle of the picture shows moves by %s meanwhile. This is free;"
                         + " smooth blur needs more samples.",
@@ -279,7 +279,7 @@ public final class Explanation {
                         + " visible ahead.";
         return Optional.of(format(
                 "The sky holds %d stars, to magnitude %s at rest; each is a spot of a few pixels with all its light,"
-                        + " whatever the size of the picture and the number of samples. %s",
+                        + " whatever the size of the picture. %s",
                 StarCatalogue.upTo(sky.limit()).size(), NumberText.of(sky.limit()), change));
     }
 

@@ -33,10 +33,7 @@ public final class Descriptions {
 
     private Descriptions() {}
 
-    /**
-     * What is asked of a type once and then kept: each question to a class takes microseconds, many more in a program
-     * that has just been started, and scenes have many objects.
-     */
+    /** What is asked of a type once and then kept. */
     public static <T> ClassValue<T> cachedPerClass(Function<Class<?>, T> answer) {
         return new ClassValue<>() {
             @Override
@@ -105,8 +102,7 @@ public final class Descriptions {
 
     /**
      * Whether two values of a component are equal; records are compared component by component. Java's own comparison
-     * makes code for each type of records when it is first used, which makes the start of the program longer. So would
-     * a second call of this method by itself, of which Java's compiler makes one large piece of code.
+     * makes code for each type of records when it is first used, which makes the start of the program longer.
      */
     public static boolean areEqual(Object first, Object second) {
         if (first == second) {

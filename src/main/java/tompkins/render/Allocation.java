@@ -1,15 +1,14 @@
 package tompkins.render;
 
 import java.util.function.BooleanSupplier;
+import java.util.function.IntPredicate;
 import tompkins.trace.Cancellation;
 
 /**
  * Shares samples among pixels so that their number is least for a given variance. With the variance {@code r n^-p} of a
  * pixel of roughness r, one more sample gains {@code r n^-(p + 1)} (times p); the best is to raise all pixels until
- * that gain is the same threshold everywhere, to {@code n = (r/threshold)^(1/(p + 1))}.
- *
- * <p>Sums over pixels are kept for steps of the gain, an eighth of an octave wide, so that the result of any threshold
- * is known at once.
+ * that gain is the same threshold everywhere, to {@code n = (r/threshold)^(1/(p + 1))}. Thresholds go in steps of an
+ * eighth of an octave.
  */
 final class Allocation {
 
@@ -18,61 +17,44 @@ final class Allocation {
     private static final int OCTAVES = 160;
     private static final int STEPS = OCTAVES * STEPS_PER_OCTAVE;
 
+    private final Film film;
+    private final BooleanSupplier stopped;
     private final float[] gains;
 
+    /** Of each pixel, {@code r^(1/(p + 1))}. */
+    private final float[] wishes;
+
     /** The largest gain; the steps lie below it. */
-    private final double largest;
+    private double largest;
 
-    private final double[] variances = new double[STEPS];
-    private final double[] samples = new double[STEPS];
-    private final double[] wishes = new double[STEPS];
-
-    /** The most samples that the pixels of each step may get in all. */
-    private final double[] most = new double[STEPS];
+    /** The variance of the pixels that get no more, added up. */
+    private double varianceOfFull;
 
     /**
-     * The allocation for what a picture has so far.
+     * The allocation for what a picture has so far; pixels with {@link AdaptiveSchedule#MOST_SAMPLES} get no more.
      *
-     * @param mostSamples pixels with this many get no more
-     * @param stopped whether the allocation is no longer wanted
-     * @throws java.util.concurrent.CancellationException if it is not
+     * @param stopped whether the allocation is no longer wanted; all methods throw a
+     *     {@link java.util.concurrent.CancellationException} if it is not
      */
-    Allocation(Film film, PixelVariance roughness, int mostSamples, BooleanSupplier stopped) {
-        gains = new float[film.width() * film.height()];
-        double highest = 0;
+    Allocation(Film film, PixelVariance roughness, BooleanSupplier stopped) {
+        this.film = film;
+        this.stopped = stopped;
+        gains = new float[film.pixels()];
+        wishes = new float[film.pixels()];
         for (int row = 0; row < film.height(); row++) {
             Cancellation.stopIf(stopped);
             for (int pixel = film.pixel(0, row); pixel < film.pixel(0, row + 1); pixel++) {
                 int count = Math.max(1, film.samples(pixel));
-                gains[pixel] = count >= mostSamples ? 0 : (float) (roughness.variance(pixel) / count);
-                highest = Math.max(highest, gains[pixel]);
-            }
-        }
-        largest = highest;
-        for (int row = 0; row < film.height(); row++) {
-            Cancellation.stopIf(stopped);
-            for (int pixel = film.pixel(0, row); pixel < film.pixel(0, row + 1); pixel++) {
-                int step = step(gains[pixel]);
-                variances[step] += roughness.variance(pixel);
-                samples[step] += film.samples(pixel);
-                if (gains[pixel] > 0) {
-                    wishes[step] += Math.pow(roughness.of(pixel), 1 / (POWER + 1));
-                    most[step] += mostSamples;
+                double variance = roughness.variance(pixel);
+                if (count < AdaptiveSchedule.MOST_SAMPLES) {
+                    gains[pixel] = (float) (variance / count);
+                    wishes[pixel] = (float) Math.pow(roughness.of(pixel), 1 / (POWER + 1));
+                    largest = Math.max(largest, gains[pixel]);
+                } else {
+                    varianceOfFull += variance;
                 }
             }
         }
-    }
-
-    private int step(double gain) {
-        if (!(gain > 0)) {
-            return 0;
-        }
-        double octaves = Math.log(gain / largest) / Math.log(2) + OCTAVES;
-        return (int) Math.max(0, Math.min(STEPS - 1, octaves * STEPS_PER_OCTAVE));
-    }
-
-    private double threshold(int step) {
-        return largest * Math.pow(2, (double) step / STEPS_PER_OCTAVE - OCTAVES);
     }
 
     /** What one more sample of a pixel gains. */
@@ -82,19 +64,8 @@ final class Allocation {
 
     /** The highest threshold that leaves at most a sum of variances; 0, the lowest of all, if there is none. */
     double thresholdForVariance(double limit) {
-        double below = 0;
-        for (double variance : variances) {
-            below += variance;
-        }
-        double wish = 0;
-        for (int step = STEPS - 1; step > 0; step--) {
-            below -= variances[step];
-            wish += wishes[step];
-            if (below + wish * Math.pow(threshold(step), POWER / (POWER + 1)) <= limit) {
-                return threshold(step);
-            }
-        }
-        return 0;
+        int step = highest(each -> variance(threshold(each)) <= limit);
+        return step == 0 ? 0 : threshold(step);
     }
 
     /**
@@ -102,20 +73,48 @@ final class Allocation {
      * there is none.
      */
     double thresholdForSamples(double limit) {
-        int step = 1;
-        while (step < STEPS - 1 && samples(threshold(step)) > limit) {
-            step++;
+        return threshold(Math.min(STEPS - 1, 1 + highest(step -> samples(threshold(step)) > limit)));
+    }
+
+    /** The highest step for which something holds that holds for all below it; 0 if there is none. */
+    private static int highest(IntPredicate holds) {
+        int low = 0;
+        int high = STEPS;
+        while (high - low > 1) {
+            int middle = (low + high) / 2;
+            if (holds.test(middle)) {
+                low = middle;
+            } else {
+                high = middle;
+            }
         }
-        return threshold(step);
+        return low;
+    }
+
+    private double threshold(int step) {
+        return largest * Math.pow(2, (double) step / STEPS_PER_OCTAVE - OCTAVES);
+    }
+
+    private double variance(double threshold) {
+        Cancellation.stopIf(stopped);
+        double growth = Math.pow(threshold, POWER / (POWER + 1));
+        double sum = varianceOfFull;
+        for (int pixel = 0; pixel < gains.length; pixel++) {
+            double count = Math.max(1, film.samples(pixel));
+            sum += gains[pixel] >= threshold ? wishes[pixel] * growth : gains[pixel] * count;
+        }
+        return sum;
     }
 
     /** The number of samples at a threshold, including those taken before. */
     double samples(double threshold) {
+        Cancellation.stopIf(stopped);
+        double growth = Math.pow(threshold, -1 / (POWER + 1));
         double sum = 0;
-        for (int step = 0; step < STEPS; step++) {
-            sum += threshold(step) >= threshold && wishes[step] > 0
-                    ? Math.min(most[step], wishes[step] * Math.pow(threshold, -1 / (POWER + 1)))
-                    : samples[step];
+        for (int pixel = 0; pixel < gains.length; pixel++) {
+            sum += gains[pixel] > 0 && gains[pixel] >= threshold
+                    ? Math.min(AdaptiveSchedule.MOST_SAMPLES, wishes[pixel] * growth)
+                    : film.samples(pixel);
         }
         return sum;
     }

@@ -8,8 +8,8 @@ import tompkins.ray.RayPacket;
 import tompkins.trace.RenderPlan;
 
 /**
- * What a picture will cost on this machine, estimated by rendering blocks of it for about three seconds. Times are
- * those that the program would need without others that share the processors now.
+ * What a picture will cost on this machine, as busy as it is now, estimated by rendering blocks of it for about three
+ * seconds.
  *
  * @param samplesPerPixel mean number of samples of a pixel
  * @param seconds time of the render
@@ -18,9 +18,6 @@ public record CostForecast(double samplesPerPixel, double seconds) {
 
     /** Seconds in which the program has warmed up. */
     private static final double PATIENCE = 3;
-
-    /** So many times longer the wait may be where others keep the processors. */
-    private static final double BUSY = 2;
 
     /** The time of blocks may be so many times that of the picture, which is warm and keeps all threads at work. */
     private static final double MOST_TOO_LONG = 2;
@@ -31,6 +28,7 @@ public record CostForecast(double samplesPerPixel, double seconds) {
     private static final double PART = 1;
 
     private static final double LONGEST_PART = 4;
+
     /** Number of blocks that are needed for their mean to be within some tens of percent of the mean of all. */
     private static final int FIRST_BLOCKS = 32;
 
@@ -58,14 +56,14 @@ public record CostForecast(double samplesPerPixel, double seconds) {
         Quality wish = quality instanceof Quality.TimeLimit ? Quality.TargetError.DEFAULT : quality;
         List<Tile> blocks = spread(plan);
         ForecastSamples costs = new ForecastSamples();
-        TimeBudget time = new TimeBudget(BUSY * patience);
+        long start = System.nanoTime();
         int taken = take(blocks.subList(0, Math.min(blocks.size(), FIRST_BLOCKS)), plan, wish, renderer, costs);
-        double seconds = costs.tracing();
-        while (taken < blocks.size() && seconds < patience && !time.isOver()) {
-            double possible = taken * Math.min(PART, patience - seconds) / seconds;
+        for (double spent = secondsSince(start);
+                taken < blocks.size() && spent < patience;
+                spent = secondsSince(start)) {
+            double possible = taken * Math.min(PART, patience - spent) / spent;
             int next = (int) Math.min(blocks.size(), taken + Math.ceil(possible));
             taken += take(blocks.subList(taken, next), plan, wish, renderer, costs);
-            seconds = costs.tracing();
         }
         if (costs.isEmpty()) {
             return Optional.empty();
@@ -90,29 +88,23 @@ public record CostForecast(double samplesPerPixel, double seconds) {
     private static int take(
             List<Tile> blocks, RenderPlan plan, Quality quality, Renderer renderer, ForecastSamples costs)
             throws InterruptedException {
-        TimeBudget time = new TimeBudget(Double.POSITIVE_INFINITY);
-        double before = renderer.processorSeconds();
-        RenderListener notes = RenderListener.afterEachPass(part -> {
-            double planning = part.planningSeconds();
-            double wait = time.spent();
-            double fraction = renderer.fraction(renderer.processorSeconds() - before, wait, planning);
-            costs.note(part.samples(), fraction * (wait - planning));
-        });
-        RenderJob job = renderer.start(plan, quality, false, blocks, notes);
+        long start = System.nanoTime();
+        RenderJob job = renderer.start(plan, quality, false, blocks, RenderListener.NONE);
         job.await(LONGEST_PART);
         job.cancel();
         job.await();
-        double planning = job.planningSeconds();
-        double wait = time.spent();
-        double fraction = renderer.fraction(renderer.processorSeconds() - before, wait, planning);
-        RenderReport report = job.report();
+        double seconds = secondsSince(start);
         costs.add(
                 blocks.stream().mapToInt(Tile::pixels).sum(),
-                report.counts().samples,
+                job.report().counts().samples,
                 job.progress(),
-                fraction * wait,
-                fraction * planning);
+                seconds,
+                job.planningSeconds());
         return blocks.size();
+    }
+
+    private static double secondsSince(long start) {
+        return (System.nanoTime() - start) / 1e9;
     }
 
     /** The blocks of a picture in an order in which the first n, for any n, are spread all over it. */

@@ -3,33 +3,12 @@ package tompkins.render;
 /** What the rendered parts of a picture have cost, and what the whole picture will therefore cost. */
 final class ForecastSamples {
 
-    /** A time, in seconds, long enough that a pause of the machine hardly matters. */
-    private static final double LONG_ENOUGH = 0.2;
-
     private double pixels;
     private double samples;
     private double expectedSamples;
     private double tracing;
     private double planning;
     private double rate;
-    private double notedSamples;
-    private double notedTracing;
-
-    /**
-     * Notes the progress of the part being rendered. The speed since the previous note counts, unless that was a moment
-     * ago: the program may get several times faster within one part.
-     *
-     * @param partSamples samples of the part so far
-     * @param tracingSeconds how long they took
-     */
-    void note(double partSamples, double tracingSeconds) {
-        double since = tracingSeconds - notedTracing;
-        if (since >= LONG_ENOUGH) {
-            rate = Math.max(rate, (partSamples - notedSamples) / since);
-            notedSamples = partSamples;
-            notedTracing = tracingSeconds;
-        }
-    }
 
     /**
      * Adds a part that has ended.
@@ -49,13 +28,6 @@ final class ForecastSamples {
         tracing += seconds - planningSeconds;
         planning = planningSeconds;
         rate = Math.max(rate, partSamples / (seconds - planningSeconds));
-        notedSamples = 0;
-        notedTracing = 0;
-    }
-
-    /** Seconds of tracing so far. */
-    double tracing() {
-        return tracing;
     }
 
     /** Whether no sample has been taken yet, so that there is nothing to estimate from. */

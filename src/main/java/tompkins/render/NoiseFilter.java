@@ -9,8 +9,7 @@ import tompkins.image.LinearImage;
  * in which others count as far as the squares of three by three pixels around both differ by no more than their samples
  * do by chance: non-local means, A. Buades, B. Coll and J.-M. Morel 2005, with variances as F. Rousselle, C. Knaus and
  * M. Zwicker 2012 take them. What differs more, such as the edges of what is sharp, stays. A coarse picture is filtered
- * before the rest of its pixels is interpolated. In Fig. 3(a) the error of one sample falls from 0.18 to 0.05, that of
- * four from 0.061 to 0.02, which takes 18 without the filter.
+ * before the rest of its pixels is interpolated.
  */
 final class NoiseFilter {
 

@@ -33,7 +33,7 @@ public final class PhotographTaker implements AutoCloseable {
      */
     public RenderJob take(Studio studio, Progress progress, double done, double fraction) throws InterruptedException {
         // the scene often stays the same from moment to moment of an animation
-        plan = RenderPlan.of(studio, plan, progress::isCancelled);
+        plan = RenderPlan.of(studio, plan);
         RenderJob job = renderer.start(plan, Quality.of(studio), RenderListener.NONE);
         while (!job.isComplete() && job.failure() == null) {
             if (progress.isCancelled()) {

@@ -1,10 +1,9 @@
 package tompkins.render;
 
 /**
- * How many samples a preview may have: as many as let pictures follow each other in the wanted time. That time includes
- * all that a picture needs of the processors, such as painting the previous one. So each picture reports how long it
- * took, and the next ones get more samples or fewer. A busy machine shows fewer pictures rather than blurred ones: they
- * get the samples that the greatest recent speed would allow, until they are good enough.
+ * How many samples a preview may have: as many as let pictures follow each other in the wanted time, with all that a
+ * picture needs of the processors, such as painting the previous one. A busy machine shows fewer pictures rather than
+ * blurred ones: they get the samples that the greatest recent speed would allow, until they are good enough.
  */
 final class PreviewBudget {
 

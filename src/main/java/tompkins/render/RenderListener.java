@@ -1,7 +1,5 @@
 package tompkins.render;
 
-import java.util.function.Consumer;
-
 /**
  * Is told how a render goes on. Called by the threads of the renderer, and by the thread that closes it for jobs that
  * had not begun; must return quickly.
@@ -10,16 +8,6 @@ public interface RenderListener {
 
     /** Nobody. */
     RenderListener NONE = new RenderListener() {};
-
-    /** A listener that looks at the job after each pass. */
-    static RenderListener afterEachPass(Consumer<RenderJob> look) {
-        return new RenderListener() {
-            @Override
-            public void passDone(RenderJob job) {
-                look.accept(job);
-            }
-        };
-    }
 
     /** A part of a pass is done; {@link RenderJob#progress()} has grown. */
     default void tileDone(RenderJob job) {}

@@ -67,26 +67,16 @@ public record RenderReport(
                             + " samples, or a shorter exposureTime");
         }
         if (sampledPixels < pixels) {
-            warnings.add(String.format(
-                    Locale.ROOT,
-                    "%d of %d pixels got no sample and are interpolated between the others",
-                    pixels - sampledPixels,
-                    pixels));
+            warnings.add(pixels - sampledPixels + " of " + pixels
+                    + " pixels got no sample and are interpolated between the others");
         }
         if (blackPixels > MOST_BLACK * pixels) {
-            warnings.add(String.format(
-                    Locale.ROOT,
-                    "%d of %d pixels are black: light becomes too faint away from the middle; a higher exposure shows"
-                            + " more of it",
-                    blackPixels,
-                    pixels));
+            warnings.add(blackPixels + " of " + pixels + " pixels are black: light becomes too faint away from the"
+                    + " middle; a higher exposure shows more of it");
         }
         if (isBurnt()) {
-            warnings.add(String.format(
-                    Locale.ROOT,
-                    "%d of %d pixels are brighter than white: a lower exposure shows more of them",
-                    whitePixels,
-                    pixels));
+            warnings.add(whitePixels + " of " + pixels
+                    + " pixels are brighter than white: a lower exposure shows more of them");
         }
         if (wantedError > 0 && error > wantedError) {
             warnings.add("the estimated error did not come down to " + NumberText.of(wantedError)
@@ -96,10 +86,7 @@ public record RenderReport(
         warn(warnings, counts.withoutShutter, "never crossed the shutter and stayed black");
         warn(warnings, counts.notFinite, "had no colour that a picture can hold and stayed black");
         if (counts.tooDeep > 0) {
-            warnings.add(String.format(
-                    Locale.ROOT,
-                    "%d rays met more surfaces than maximumDepth allows; their light is missing",
-                    counts.tooDeep));
+            warnings.add(counts.tooDeep + " rays met more surfaces than maximumDepth allows; their light is missing");
         }
         if (counts.lostLight() > MOST_LOST * counts.samples) {
             warnings.add(String.format(
@@ -113,7 +100,7 @@ public record RenderReport(
 
     private void warn(List<String> warnings, long count, String what) {
         if (count > 0) {
-            warnings.add(String.format(Locale.ROOT, "%d of %d samples %s", count, counts.samples, what));
+            warnings.add(count + " of " + counts.samples + " samples " + what);
         }
     }
 }

@@ -1,13 +1,9 @@
 package tompkins.render;
 
-import java.lang.management.ManagementFactory;
-import java.lang.management.ThreadMXBean;
 import java.util.List;
 import java.util.Locale;
-import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
@@ -30,7 +26,6 @@ public final class Renderer implements AutoCloseable {
 
     private final int threads;
     private final ExecutorService pool;
-    private final Queue<Thread> workers = new ConcurrentLinkedQueue<>();
     private final Set<RenderJob> jobs = ConcurrentHashMap.newKeySet();
     private final PreviewBudget previewBudget = new PreviewBudget();
 
@@ -52,7 +47,6 @@ public final class Renderer implements AutoCloseable {
         ThreadFactory factory = task -> {
             Thread thread = new Thread(null, task, "tompkins-render", STACK_BYTES);
             thread.setDaemon(true);
-            workers.add(thread);
             return thread;
         };
         pool = Executors.newFixedThreadPool(threads, factory);
@@ -73,9 +67,8 @@ public final class Renderer implements AutoCloseable {
 
     /**
      * Starts a picture that is seen for a moment: the first samples of a part of the pixels, and what lies between
-     * them. It ends as soon as most of it is right, or after about so many seconds, in which the listener has also
-     * taken it: how many samples that allows is learned from picture to picture. A picture with stars gets one sample
-     * of each pixel, or the stars would twinkle from one picture to the next. Returns at once.
+     * them. It ends as soon as most of it is right, or after about so many seconds, with the time of the listener. A
+     * picture with stars gets one sample of each pixel, or they would twinkle. Returns at once.
      */
     public RenderJob startGlimpse(RenderPlan plan, double seconds, RenderListener listener) {
         int width = plan.width();
@@ -182,24 +175,6 @@ public final class Renderer implements AutoCloseable {
         }
         double error = ((Quality.TargetError) quality).rootMeanSquare();
         return new AdaptiveSchedule(film, severalFirst, coarseFirst, error, new TimeBudget(Double.POSITIVE_INFINITY));
-    }
-
-    /** Seconds that the processors have worked for the threads so far, in all. */
-    double processorSeconds() {
-        ThreadMXBean times = ManagementFactory.getThreadMXBean();
-        return workers.stream()
-                        .mapToLong(worker -> Math.max(0, times.getThreadCpuTime(worker.getId())))
-                        .sum()
-                / 1e9;
-    }
-
-    /**
-     * The part of some time in which a processor was there for each thread: one that plans, or all that trace.
-     *
-     * @param processorSeconds how much they got
-     */
-    double fraction(double processorSeconds, double seconds, double planningSeconds) {
-        return Math.min(1, processorSeconds / (threads * (seconds - planningSeconds) + planningSeconds));
     }
 
     /** Renders a picture, with as many samples as its scene says, and waits for it. */

@@ -18,11 +18,6 @@ public record IdentityTransformation() implements SpaceTimeTransformation {
     }
 
     @Override
-    public Ray transform(Ray ray) {
-        return ray;
-    }
-
-    @Override
     public Ray transform(Ray ray, Ray memory) {
         return memory == ray ? ray : memory.set(ray);
     }

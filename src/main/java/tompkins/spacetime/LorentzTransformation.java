@@ -136,10 +136,7 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
                 length);
     }
 
-    /**
-     * The formulas of {@link #transform(Ray, Ray)} again, without making a ray for a moment. From several short loops
-     * without branches the compiler makes instructions for several rays at once.
-     */
+    /** The formulas of {@link #transform(Ray, Ray)} again, in short loops without branches, which are fast. */
     @Override
     public void transform(RayPacket rays) {
         if (!rays.isInVacuum()) {

@@ -29,6 +29,7 @@ import tompkins.search.ObjectTree;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameTree;
 import tompkins.spacetime.TransformationLaw;
+import tompkins.studio.LensEvent;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
 import tompkins.trace.RenderPlan;
@@ -102,7 +103,7 @@ record ChordStudy(long seed) implements Study {
                 if (!turning.isEmpty()) {
                     Event lens = FrameTree.described(studio.transformation())
                             .route(null, frame.motion())
-                            .transform(plan.lensInScene())
+                            .transform(LensEvent.inScene(plan.studio()))
                             .minus(frame.origin());
                     Bounds box = turning.stream()
                             .map(Primitive::allBounds)

@@ -51,7 +51,7 @@ final class ScenePixels {
      * @param cancelled asked now and then whether to stop
      */
     ScenePixels(Studio studio, int most, int referenceSamples, double wantedError, BooleanSupplier cancelled) {
-        plan = RenderPlan.of(studio, null, cancelled);
+        plan = RenderPlan.of(studio);
         this.referenceSamples = referenceSamples;
         this.wantedError = wantedError;
         this.cancelled = cancelled;
@@ -95,7 +95,7 @@ final class ScenePixels {
         for (long run = seed; run < seed + runs; run++) {
             Cancellation.stopIf(cancelled);
             Studio seeded = studio.withSettings(studio.settings().withSeed(run));
-            RenderJob job = Photographs.taken(RenderPlan.of(seeded, null, cancelled), quality, cancelled);
+            RenderJob job = Photographs.taken(RenderPlan.of(seeded), quality, cancelled);
             RenderReport report = job.report();
             double[] errors = difference(light(blocks.stream(), block -> light(block, job.image())), right);
             figures.add(Figures.of(report.counts().samples, report.time().toNanos() / 1e9, errors, floor));

@@ -13,11 +13,17 @@ import tompkins.ray.RayCounts;
  * When the light that reaches what a picture shows left the flash lamps: the wave front of a flash is where that is its
  * start. With lamp and camera at rest these places lie on an ellipsoid whose foci are both. For one thread.
  */
-public final class EmissionTimes {
+public final class EmissionTimes implements PathObserver {
 
     private final List<Pulse> flashes;
     private final double[] emissions;
+    private final FlashWatch watch;
     private final SampleTracer tracer;
+
+    /**
+     * How many weaker branches of the ray are being followed, one from the other: the times are those of the main one.
+     */
+    private int branch;
 
     /** The times in the picture that is planned. */
     public EmissionTimes(RenderPlan plan) {
@@ -27,7 +33,8 @@ public final class EmissionTimes {
                 .map(Pulse.class::cast)
                 .toList();
         emissions = new double[flashes.size()];
-        tracer = plan.tracer(new RayCounts(), new Watcher(plan.flashWatch()));
+        watch = plan.flashWatch();
+        tracer = plan.tracer(new RayCounts(), this);
     }
 
     /** The flashes of the lamps that flash. */
@@ -49,43 +56,27 @@ public final class EmissionTimes {
         return emissions.clone();
     }
 
-    /** Keeps the times at the last hit of the main branch, if the ray ends there. */
-    private final class Watcher implements PathObserver {
+    @Override
+    public void branches() {
+        branch++;
+    }
 
-        private final FlashWatch watch;
-        private int branch;
+    @Override
+    public void returns() {
+        branch--;
+    }
 
-        Watcher(FlashWatch watch) {
-            this.watch = watch;
+    @Override
+    public void hits(Hit hit) {
+        if (branch == 0 && watch != null) {
+            watch.findEmissions(hit, emissions);
         }
+    }
 
-        @Override
-        public void branches() {
-            branch++;
-        }
-
-        @Override
-        public void returns() {
-            branch--;
-        }
-
-        @Override
-        public void starts(Ray ray) {
-            branch = 0;
-        }
-
-        @Override
-        public void hits(Hit hit) {
-            if (branch == 0 && watch != null) {
-                watch.findEmissions(hit, emissions);
-            }
-        }
-
-        @Override
-        public void leaves(Ray ray) {
-            if (branch == 0) {
-                Arrays.fill(emissions, Double.NaN);
-            }
+    @Override
+    public void leaves(Ray ray) {
+        if (branch == 0) {
+            Arrays.fill(emissions, Double.NaN);
         }
     }
 }

@@ -1,7 +1,6 @@
 package tompkins.trace;
 
 import java.util.List;
-import java.util.Locale;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.property.NumberText;
@@ -105,18 +104,13 @@ final class MovingMedium {
         if (light == null || light.isAtRest()) {
             return List.of();
         }
-        String moves = format(
-                "The camera moves through a medium of index %s: a direction of the picture is that of a ray there, not of"
-                        + " the normal of its waves; the frequency is that of the waves.",
-                NumberText.plain(medium.index(), 4));
-        String outruns = format(
-                "The camera is faster than light in the medium (1/n = %s): it shows the light that it meets; the light"
-                        + " that it overtakes, from behind, is left out. Beside a cone around its motion it sees nothing.",
-                NumberText.plain(1 / medium.index(), 4));
+        String moves = "The camera moves through a medium of index " + NumberText.plain(medium.index(), 4)
+                + ": a direction of the picture is that of a ray there, not of the normal of its waves; the frequency is"
+                + " that of the waves.";
+        String outruns = "The camera is faster than light in the medium (1/n = "
+                + NumberText.plain(1 / medium.index(), 4)
+                + "): it shows the light that it meets; the light that it overtakes, from behind, is left out. Beside a"
+                + " cone around its motion it sees nothing.";
         return light.isOutrun() ? List.of(moves, outruns) : List.of(moves);
-    }
-
-    private static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
     }
 }

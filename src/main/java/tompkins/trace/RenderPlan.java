@@ -1,7 +1,6 @@
 package tompkins.trace;
 
 import java.util.List;
-import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
@@ -33,6 +32,7 @@ import tompkins.spacetime.IdentityTransformation;
 import tompkins.spacetime.LightInMedium;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.spacetime.TransformationLaw;
+import tompkins.studio.LensEvent;
 import tompkins.studio.StarSky;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
@@ -74,20 +74,21 @@ public final class RenderPlan {
     /** As if the lamps stood at the coordinates in the camera frame that they have at time 0. */
     private final List<RestingLight> cameraLights;
 
-    private RenderPlan(Studio studio, RenderPlan previous, boolean plain, BooleanSupplier unwanted) {
+    private RenderPlan(Studio studio, RenderPlan previous) {
         this.studio = studio;
         sceneFromCamera = studio.sceneFromCamera();
         pictureRays = new PictureRays(
                 studio.camera(), studio.settings().width(), studio.settings().height(), sceneFromCamera);
-        frames = FrameTree.near(lensEvent(), studio.transformation(), studio.velocity());
+        Event lens = LensEvent.inCamera(studio);
+        frames = FrameTree.near(lens, studio.transformation(), studio.velocity());
         world = previous != null && previous.world.isOf(studio, frames)
                 ? previous.world
-                : new World(studio, frames, this::imagePoint, plain);
+                : new World(studio, frames, this::imagePoint);
         routes = world.routes(frames);
         PrimitiveCollector collector = new PrimitiveCollector();
         collector.add("cameraFrame", studio.cameraFrame(), Placement.NONE);
-        cameraFrame = new ObjectTree(collector.primitives(), plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE);
-        Medium around = LensMedium.around(lensEvent(), cameraFrame, world, routes);
+        cameraFrame = new ObjectTree(collector.primitives());
+        Medium around = LensMedium.around(lens, cameraFrame, world, routes);
         TransformationLaw law = studio.transformation();
         boolean moves = (world.moves() || !isAtRest()) && law != TransformationLaw.NONE;
         keepsMedia = moves && law == TransformationLaw.LORENTZ;
@@ -99,7 +100,12 @@ public final class RenderPlan {
         // last, because it follows a ray by this plan
         shift = studio.shiftsColours() ? metered() : null;
         stars = studio.background() instanceof StarSky sky
-                ? new StarField(sky, studio, pictureRays, around == null, shift, unwanted)
+                ? new StarField(
+                        sky,
+                        studio,
+                        pictureRays,
+                        around == null && !studio.camera().hasWideAperture(),
+                        shift)
                 : null;
     }
 
@@ -113,38 +119,12 @@ public final class RenderPlan {
     }
 
     /**
-     * The plan for the same picture by the simplest search, every primitive for every ray, which other plans must
-     * equal; quickly made, but slow for more than a few rays.
-     */
-    public static RenderPlan plain(Studio studio) {
-        return new RenderPlan(studio, null, true, () -> false);
-    }
-
-    /**
-     * The plan for a studio's picture, as {@link #of(Studio)}, which takes over the scene of an earlier plan if it is
-     * the same.
+     * As above; takes over the scene of an earlier plan if it is the same.
      *
      * @param previous the earlier plan, or null
      */
     public static RenderPlan of(Studio studio, RenderPlan previous) {
-        return of(studio, previous, () -> false);
-    }
-
-    /**
-     * The plan for a studio's picture, as {@link #of(Studio, RenderPlan)}, for somebody who may change his mind.
-     *
-     * @param unwanted whether the plan is no longer wanted; asked by what may take seconds, the stars out of focus
-     * @throws java.util.concurrent.CancellationException if {@code unwanted} says so
-     */
-    public static RenderPlan of(Studio studio, RenderPlan previous, BooleanSupplier unwanted) {
-        return new RenderPlan(studio, previous, false, unwanted);
-    }
-
-    /** The event at which light for the middle of the picture crosses the centre of the lens; time 0 if none does. */
-    private Event lensEvent() {
-        Vector3dc place = studio.camera().position();
-        Ray axis = pictureRays.between().ray(middle().x(), middle().y(), 0, 0, new RayCounts());
-        return new Event(place.x(), place.y(), place.z(), axis == null ? 0 : axis.time);
+        return new RenderPlan(studio, previous);
     }
 
     /**
@@ -154,7 +134,7 @@ public final class RenderPlan {
     private Event imagePoint(Vector3dc point) {
         Vector3d fromLens = point.sub(studio.camera().position(), new Vector3d());
         if (fromLens.length() == 0) {
-            return lensInScene();
+            return LensEvent.inScene(studio);
         }
         LensRay ray = pictureRays.between().chiefRay(Vectors.unit(fromLens));
         Camera camera = studio.camera();
@@ -226,7 +206,7 @@ public final class RenderPlan {
 
     /** Boxes around the first bounded objects, where they are in the scene when the picture is taken. */
     public List<Bounds> sceneBounds(int most) {
-        return world.bounds(lensInScene().time(), most);
+        return world.bounds(LensEvent.inScene(studio).time(), most);
     }
 
     /** Whether the camera and the scene share one frame. */
@@ -249,10 +229,7 @@ public final class RenderPlan {
         return studio.camera().hasWideAperture() || blursInTime();
     }
 
-    /**
-     * The unit direction, in the camera frame, of the ray through the centre of the lens for a point of the picture in
-     * pixels.
-     */
+    /** The unit direction in the camera frame of the ray through the centre of the lens for a point in pixels. */
     public Vector3dc chiefDirection(double x, double y) {
         return pictureRays.chiefDirection(x, y);
     }
@@ -266,11 +243,6 @@ public final class RenderPlan {
     /** The history of the sample in the middle of the picture; null if it never crosses the shutter. */
     public SampleHistory middleHistory() {
         return SampleHistory.way(this, middle().x(), middle().y(), 0, 0, SamplePositions.MIDDLE);
-    }
-
-    /** Where the lens is in the scene frame at the time of the picture. */
-    public Event lensInScene() {
-        return sceneFromCamera.transform(lensEvent());
     }
 
     /**
@@ -294,27 +266,23 @@ public final class RenderPlan {
 
     /** A tracer for one thread, which adds to the given counts. */
     public SampleTracer tracer(RayCounts counts) {
-        return tracer(counts, sampler(), null);
+        return tracer(counts, sampler(), null, true);
     }
 
     /** As {@link #tracer(RayCounts)}, with samples at other places. */
     public SampleTracer tracer(RayCounts counts, Sampler sampler) {
-        return tracer(counts, sampler, null);
+        return tracer(counts, sampler, null, true);
     }
 
     /** As {@link #tracer(RayCounts)}, watched by an observer. */
     SampleTracer tracer(RayCounts counts, PathObserver observer) {
-        return tracer(counts, sampler(), observer);
+        return tracer(counts, sampler(), observer, true);
     }
 
-    private SampleTracer tracer(RayCounts counts, Sampler sampler, PathObserver observer) {
-        StarTracer starTracer = stars == null
-                ? null
-                : new StarTracer(stars, watcher -> tracer(new RayCounts(), sampler(), watcher, null));
-        return tracer(counts, sampler, observer, starTracer);
-    }
-
-    private SampleTracer tracer(RayCounts counts, Sampler sampler, PathObserver observer, StarTracer starTracer) {
+    private SampleTracer tracer(RayCounts counts, Sampler sampler, PathObserver observer, boolean withStars) {
+        StarTracer starTracer = withStars && stars != null
+                ? new StarTracer(stars, watcher -> tracer(new RayCounts(), sampler(), watcher, false))
+                : null;
         int depth = studio.settings().maximumDepth();
         LightShift shiftAtHits = needsFrames() ? shift : null;
         RayTracer sceneTracer = new RayTracer(

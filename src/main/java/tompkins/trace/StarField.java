@@ -2,7 +2,6 @@ package tompkins.trace;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.BooleanSupplier;
 import org.joml.Vector3d;
 import tompkins.camera.EyeView;
 import tompkins.camera.PictureRays;
@@ -39,18 +38,11 @@ final class StarField {
     /**
      * The stars of a picture.
      *
-     * @param isDirect whether rays that meet nothing come straight from the sky: in vacuum
+     * @param isDirect whether rays that meet nothing come straight from the sky, through one point of the lens, and in
+     *     vacuum
      * @param shift what becomes of the light, or null if it stays as it is
-     * @param unwanted whether the picture is no longer wanted
-     * @throws java.util.concurrent.CancellationException if {@code unwanted} says so
      */
-    StarField(
-            StarSky sky,
-            Studio studio,
-            PictureRays pictures,
-            boolean isDirect,
-            LightShift shift,
-            BooleanSupplier unwanted) {
+    StarField(StarSky sky, Studio studio, PictureRays pictures, boolean isDirect, LightShift shift) {
         this.sky = sky;
         this.pictures = pictures;
         this.shift = shift;
@@ -62,10 +54,10 @@ final class StarField {
                 .toArray(Colour[]::new);
         List<Vector3d> directions = stars.stream().map(sky::direction).toList();
         map = new StarMap(directions);
-        points = isDirect ? points(studio, directions, unwanted) : null;
+        points = isDirect ? points(studio, directions) : null;
     }
 
-    private List<StarPoints> points(Studio studio, List<Vector3d> directions, BooleanSupplier unwanted) {
+    private List<StarPoints> points(Studio studio, List<Vector3d> directions) {
         FrameAppearance scene = new FrameAppearance(studio, null);
         List<Vector3d> looks = new ArrayList<>();
         List<Colour> lights = new ArrayList<>();
@@ -77,14 +69,7 @@ final class StarField {
                     .times(solidAngles[star] / (dopplerFactor * dopplerFactor)));
         }
         return pictures.views().stream()
-                .map(eye -> new StarPoints(
-                        pictures.of(eye),
-                        eye.width(),
-                        eye.height(),
-                        studio.camera().hasWideAperture(),
-                        looks,
-                        lights,
-                        unwanted))
+                .map(eye -> new StarPoints(pictures.of(eye), eye.width(), eye.height(), looks, lights))
                 .toList();
     }
 

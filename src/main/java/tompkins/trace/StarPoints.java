@@ -2,13 +2,10 @@ package tompkins.trace;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
-import java.util.stream.IntStream;
 import org.joml.Vector2dc;
 import org.joml.Vector3dc;
 import tompkins.camera.CameraRays;
-import tompkins.camera.ConcentricMap;
 import tompkins.ray.Colour;
 
 /**
@@ -16,8 +13,7 @@ import tompkins.ray.Colour;
  * shared by all threads.
  *
  * <p>A star is a spot of fixed width in pixels: a bell curve of the distance between star and centre of a pixel, whose
- * sum over all pixels is 1. So its light does not depend on the samples, nor on where in a pixel it stands. Out of
- * focus it is many such spots, one for each of some points spread evenly over the lens.
+ * sum over all pixels is 1. So its light does not depend on the samples, nor on where in a pixel it stands.
  */
 final class StarPoints {
 
@@ -32,9 +28,6 @@ final class StarPoints {
 
     /** So far, in pixels, a spot reaches from its middle. */
     static final double RADIUS = EDGE * DEVIATION;
-
-    /** The most spots of all stars together, so that their places need little memory. */
-    private static final int MOST_SPOTS = 2_000_000;
 
     private final CameraRays camera;
     private final int width;
@@ -53,20 +46,10 @@ final class StarPoints {
     /**
      * The stars of one picture.
      *
-     * @param wideAperture whether what is out of focus is blurred
      * @param directions unit vectors in the camera frame; null for a star that is not seen
      * @param lights for each star, its light: radiance of white times solid angle
-     * @param unwanted whether the picture is no longer wanted; asked for each spot, whose place may take microseconds
-     * @throws java.util.concurrent.CancellationException if {@code unwanted} says so
      */
-    StarPoints(
-            CameraRays camera,
-            int width,
-            int height,
-            boolean wideAperture,
-            List<? extends Vector3dc> directions,
-            List<Colour> lights,
-            BooleanSupplier unwanted) {
+    StarPoints(CameraRays camera, int width, int height, List<? extends Vector3dc> directions, List<Colour> lights) {
         this.camera = camera;
         this.width = width;
         this.height = height;
@@ -74,29 +57,12 @@ final class StarPoints {
         cellsDown = (height + CELL - 1) / CELL;
         List<Vector2dc> places = new ArrayList<>();
         List<Colour> colours = new ArrayList<>();
-        int[] sides = directions.stream()
-                .mapToInt(direction -> direction == null ? 0 : wideAperture ? lensSide(direction, unwanted) : 1)
-                .toArray();
-        double spots =
-                IntStream.of(sides).mapToDouble(side -> (double) side * side).sum();
-        double fewer = Math.min(1, Math.sqrt(MOST_SPOTS / spots));
         for (int star = 0; star < directions.size(); star++) {
             Vector3dc direction = directions.get(star);
-            if (sides[star] == 0) {
-                continue;
-            }
-            int side = Math.max(1, (int) (fewer * sides[star]));
-            Colour colour = lights.get(star).times(1.0 / (side * side));
-            for (int i = 0; i < side * side; i++) {
-                Cancellation.stopIf(unwanted);
-                double radius = ConcentricMap.radius((i % side + 0.5) / side, (i / side + 0.5) / side);
-                double angle = ConcentricMap.angle((i % side + 0.5) / side, (i / side + 0.5) / side);
-                for (Vector2dc place :
-                        camera.positions(direction, radius * Math.cos(angle), radius * Math.sin(angle))) {
-                    if (isNear(place, RADIUS)) {
-                        places.add(place);
-                        colours.add(colour);
-                    }
+            for (Vector2dc place : direction == null ? List.<Vector2dc>of() : camera.positions(direction)) {
+                if (isNear(place)) {
+                    places.add(place);
+                    colours.add(lights.get(star));
                 }
             }
         }
@@ -106,28 +72,10 @@ final class StarPoints {
         near = new CellLists(cellsAcross * cellsDown, x.length, this::forEachCell);
     }
 
-    /**
-     * So many spots in a row, across the disc of a star out of focus, look smooth: they are half a pixel apart in a
-     * small disc, and a pixel in a large one. 0 if the disc is not in the picture.
-     */
-    private int lensSide(Vector3dc direction, BooleanSupplier unwanted) {
-        Cancellation.stopIf(unwanted);
-        List<Vector2dc> left = camera.positions(direction, -1, 0);
-        List<Vector2dc> right = camera.positions(direction, 1, 0);
-        double blur = left.size() == 1 && right.size() == 1 ? left.get(0).distance(right.get(0)) : Double.NaN;
-        if (!(blur < MOST_SPOTS)) {
-            return 1;
-        }
-        // from its left edge; with the surface in focus aslant it may be higher than wide
-        return isNear(left.get(0), RADIUS + 2 * blur)
-                ? (int) Math.min(1 + Math.ceil(2 * blur), 4 + Math.ceil(blur))
-                : 0;
-    }
-
-    /** Whether a place lies in the picture, or not farther from it than a distance in pixels. */
-    private boolean isNear(Vector2dc place, double distance) {
-        return Math.abs(place.x() - width / 2.0) < width / 2.0 + distance
-                && Math.abs(place.y() - height / 2.0) < height / 2.0 + distance;
+    /** Whether a spot at a place lies in the picture, or reaches into it. */
+    private boolean isNear(Vector2dc place) {
+        return Math.abs(place.x() - width / 2.0) < width / 2.0 + RADIUS
+                && Math.abs(place.y() - height / 2.0) < height / 2.0 + RADIUS;
     }
 
     private void forEachCell(int spot, IntConsumer user) {

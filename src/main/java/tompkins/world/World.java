@@ -61,10 +61,9 @@ public final class World {
      *
      * @param tree says where the coordinates of each frame begin
      * @param imagePoints where the camera photographs the points that move with it
-     * @param plain whether to leave out everything that only saves time: trees, and light buffers
      * @throws tompkins.property.InvalidPropertyException if an object is too large, too small or too fast to work with
      */
-    public World(Studio studio, FrameTree tree, Function<Vector3dc, Event> imagePoints, boolean plain) {
+    public World(Studio studio, FrameTree tree, Function<Vector3dc, Event> imagePoints) {
         described = studio.scene();
         describedLights = studio.lights();
         law = studio.transformation();
@@ -87,15 +86,14 @@ public final class World {
                 throw new InvalidPropertyException("lights[" + i + "]", tooFast);
             }
         }
-        int smallestTree = plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE;
         // trees hold copies, so that what was collected can be forgotten
         frames = IntStream.range(0, collector.motions().size())
                 .mapToObj(frame -> new InertialFrame(
                         collector.motions().get(frame),
                         tree.origin(collector.motions().get(frame)),
-                        new ObjectTree(collector.primitives(frame), smallestTree)))
+                        new ObjectTree(collector.primitives(frame))))
                 .toList();
-        lamps = plain ? List.copyOf(unprepared) : prepared(unprepared, routes(tree));
+        lamps = prepared(unprepared, routes(tree));
         lights = lamps.stream().map(Lamp::light).toList();
     }
 

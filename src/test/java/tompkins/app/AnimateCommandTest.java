@@ -106,7 +106,7 @@ class AnimateCommandTest {
         assertThat(run.out()).contains("6 pictures");
         List<Studio> moments = moments("frames");
         for (int i = 0; i < moments.size(); i++) {
-            Event lens = RenderPlan.of(moments.get(i)).lensInScene();
+            Event lens = RenderPlan.of(moments.get(i)).middleHistory().sceneStart();
             assertThat(lens.z()).isCloseTo(Math.cosh(0.2 * i) - 1, within(1e-9));
             assertThat(lens.time()).isCloseTo(Math.sinh(0.2 * i), within(1e-9));
             assertThat(moments.get(i).ride()).isEmpty();
@@ -131,7 +131,7 @@ class AnimateCommandTest {
         assertThat(animate("frames", "--ride", "Full thrust").err()).isEmpty();
         List<Studio> moments = moments("frames");
         for (int i = 0; i < moments.size(); i++) {
-            Event lens = RenderPlan.of(moments.get(i)).lensInScene();
+            Event lens = RenderPlan.of(moments.get(i)).middleHistory().sceneStart();
             assertThat(lens.z()).isCloseTo(1 + Math.cosh(0.4 * i), within(1e-9));
         }
         String rides = "; its rides with legs are: Full thrust";

@@ -188,11 +188,6 @@ class ExplanationTest {
                         aside,
                         "The shutter rolls right: each of 64 lines opens 0.0938 after the one before it, which is free."),
                 says(
-                        "unknown blur",
-                        exposed.withSettings(exposed.settings().withSize(1, 48)),
-                        "The shutter stays open for 0.5: what the middle of the picture shows moves by an unknown length"
-                                + " meanwhile. This is free; smooth blur needs more samples."),
-                says(
                         "nothing",
                         REST.withScene(List.of()),
                         "The scene holds no objects: rays that reach it see the background."),

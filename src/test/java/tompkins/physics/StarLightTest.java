@@ -398,20 +398,10 @@ class StarLightTest {
 
     /**
      * A camera with a wide aperture of radius r gets no more light of a star; focused at the distance f it shows it as
-     * a disc whose slopes go to r/f, with half the square of that as the mean square.
+     * a disc whose slopes go to r/f, with half the square of that as the mean square. Samples take points of the lens.
      */
     @ParameterizedTest
-    @CsvSource({
-        "0, 16, 1000",
-        "0.9, 16, 1000",
-        "0, 1, 1",
-        "0, 2, 1",
-        "0, 4, 2",
-        "0.9, 1, 1",
-        "0.9, 3, 0.7",
-        "0, 1, 0.4",
-        "0, 4, -1"
-    })
+    @CsvSource({"0, 16, 1000", "0.9, 16, 1000", "0, 256, 2", "0, 256, 0.7", "0.9, 256, 0.7", "0, 256, -1"})
     void aWideApertureKeepsTheLight(double beta, int samples, double focus) {
         double radius = 0.05;
         Studio studio = studio(look(30.3, 23.8, 64, 60), beta, 64, samples, 60);
@@ -439,7 +429,7 @@ class StarLightTest {
     /** What covers half of the picture, and is in focus itself, hides half of the disc of a star. */
     @Test
     void whatIsInFocusCutsTheDiscOfAStar() {
-        Studio studio = studio(look(32.001, 24.001, 64, 60), 0, 64, 2, 60);
+        Studio studio = studio(look(32.001, 24.001, 64, 60), 0, 64, 256, 60);
         Camera open = Descriptions.with(
                 Descriptions.with(studio.camera(), "apertureRadius", 0.5),
                 "focus",

@@ -106,7 +106,7 @@ class AdaptiveRenderTest {
     /** Of 64 x 48 pixels the first pass takes every 8th in both directions: 8 x 6. */
     @Test
     void pixelsWithoutSamplesAreToldOf() throws InterruptedException {
-        RenderListener impatient = RenderListener.afterEachPass(RenderJob::cancel);
+        RenderListener impatient = Looks.afterEachPass(RenderJob::cancel);
         RenderJob job = RENDERER.start(RenderPlan.of(studio(spheres(), 0)), new Quality.TimeLimit(100), impatient);
         job.await();
 
@@ -265,7 +265,7 @@ class AdaptiveRenderTest {
     void anErrorThatCannotBeReachedIsToldOf() throws InterruptedException {
         Studio studio = studio(spheres(), 0.2).withSettings(SMALL.withSize(2, 2));
         List<Double> progress = new ArrayList<>();
-        RenderListener afterEachPass = RenderListener.afterEachPass(job -> progress.add(job.progress()));
+        RenderListener afterEachPass = Looks.afterEachPass(job -> progress.add(job.progress()));
         RenderJob job = RENDERER.start(RenderPlan.of(studio), new Quality.TargetError(1e-6), afterEachPass);
         job.await();
 

@@ -92,22 +92,6 @@ class CostForecastTest {
     }
 
     /**
-     * A part that goes at 1000 samples in a second first and at 5000 then; the tenth of a second at 9000 tells nothing.
-     */
-    @Test
-    void aPartThatGetsFasterTellsTheSpeedOfItsEnd() {
-        ForecastSamples costs = new ForecastSamples();
-        costs.note(1000, 1);
-        costs.note(1900, 1.1);
-        costs.note(6000, 2);
-        costs.add(10, 6000, 1, 2, 0);
-
-        assertThat(costs.rate()).isEqualTo(5000);
-        costs.note(2000, 1);
-        assertThat(costs.rate()).as("the next part begins at 0").isEqualTo(5000);
-    }
-
-    /**
      * One of a part's 2560 samples took 4 s; a tenth of the next part's 1000 took 1 s; another part got none in 2 s.
      */
     @Test

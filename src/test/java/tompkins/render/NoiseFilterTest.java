@@ -50,7 +50,7 @@ class NoiseFilterTest {
             LinearImage many = renderer.render(plan, new Quality.Samples(128)).image();
             List<Double> gains = new ArrayList<>();
             Quality aim = new Quality.Samples(16);
-            RenderListener looks = RenderListener.afterEachPass(job -> gains.add(
+            RenderListener looks = Looks.afterEachPass(job -> gains.add(
                     PictureDifference.ofLight(job.preview(aim), many) / PictureDifference.ofLight(job.image(), many)));
             renderer.startCoarse(plan, aim, looks).await();
             assertThat(gains.get(2)).as("every second pixel").isLessThan(0.7);

@@ -80,7 +80,7 @@ class RendererTest {
         RenderPlan plan = RenderPlan.of(size(PaperStudios.fig1b(), 203, 149, 1));
         List<Boolean> told = Collections.synchronizedList(new ArrayList<>());
         RenderListener listener =
-                RenderListener.afterEachPass(job -> told.add(job.report().error() > 0));
+                Looks.afterEachPass(job -> told.add(job.report().error() > 0));
 
         try (Renderer renderer = new Renderer(2)) {
             renderer.startCoarse(plan, Quality.of(plan.studio()), listener).await();
@@ -97,7 +97,7 @@ class RendererTest {
         Studio figure = name.equals("fig1a") ? PaperStudios.fig1a() : PaperStudios.fig1b();
         RenderPlan plan = RenderPlan.of(size(figure, 320, 240, 1));
         List<LinearImage> pictures = Collections.synchronizedList(new ArrayList<>());
-        RenderListener listener = RenderListener.afterEachPass(job -> pictures.add(job.image()));
+        RenderListener listener = Looks.afterEachPass(job -> pictures.add(job.image()));
 
         try (Renderer renderer = new Renderer(2)) {
             renderer.startCoarse(plan, Quality.of(plan.studio()), listener).await();
@@ -129,7 +129,7 @@ class RendererTest {
     void coarsePassesEndInTheSamePicture() throws InterruptedException {
         RenderPlan plan = RenderPlan.of(size(PaperStudios.fig3a(), 203, 149, 3));
         List<Integer> progress = Collections.synchronizedList(new ArrayList<>());
-        RenderListener listener = RenderListener.afterEachPass(job -> progress.add((int) (100 * job.progress())));
+        RenderListener listener = Looks.afterEachPass(job -> progress.add((int) (100 * job.progress())));
 
         try (Renderer renderer = new Renderer(2)) {
             RenderJob coarse = renderer.startCoarse(plan, Quality.of(plan.studio()), listener);

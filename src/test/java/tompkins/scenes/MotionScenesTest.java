@@ -12,9 +12,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.explain.Explanation;
 import tompkins.property.Descriptions;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Event;
+import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.trace.RenderPlan;
@@ -184,5 +186,36 @@ class MotionScenesTest {
         // its front is seen as it was up to ten times as much later as it is nearer
         assertThat(life.end().event().position().distance(place)).isLessThan(1.6);
         return place;
+    }
+
+    /**
+     * Through water of the index n at the speed v: what lies at the angle a from the way is seen at tan a' = sin
+     * a/(gamma (cos a + n v)), with the Doppler factor gamma (1 + n v cos a).
+     */
+    @ParameterizedTest
+    @CsvSource({"0.6, 90", "0.6, 45", "0.6, 110", "0.3, 70", "0.72, 120"})
+    void aCameraInWaterSeesByTheLightOfTheWater(double speed, double degrees) throws Exception {
+        Studio scene = SceneFiles.read("camera-in-water").withVelocity(Velocity.of(0, 0, speed));
+        double index = 4.0 / 3;
+        double gamma = 1 / Math.sqrt(1 - speed * speed);
+        double a = Math.toRadians(degrees);
+        double tangent = Math.sin(a) / (gamma * (Math.cos(a) + index * speed));
+        double perRadian = 320 / Math.tan(Math.toRadians(57.5));
+        SampleHistory life = SampleHistory.of(RenderPlan.of(scene), 320 + perRadian * tangent, 240, 0, 0);
+        assertThat(life.sceneDirection().distance(new Vector3d(Math.sin(a), 0, Math.cos(a))))
+                .isLessThan(1e-12);
+        assertThat(life.sceneDopplerFactor()).isCloseTo(gamma * (1 + index * speed * Math.cos(a)), within(1e-12));
+    }
+
+    /** The hoop around the camera, at 45 degrees; it is 0.8 away, and its light came with 0.75. */
+    @Test
+    void theHoopAroundTheCameraIsSeenAhead() throws Exception {
+        RenderPlan plan = RenderPlan.of(SceneFiles.read("camera-in-water"));
+        SampleHistory.Encounter seen = SampleHistory.of(plan, 320 + 320 / Math.tan(Math.toRadians(57.5)), 240, 0, 0)
+                .end();
+        assertThat(seen.object().description()).isEqualTo("hoop around the camera");
+        assertThat(seen.event().time()).isCloseTo(-0.8 / 0.75, within(1e-12));
+        assertThat(new Explanation(plan).sentences())
+                .anyMatch(sentence -> sentence.startsWith("The camera moves through a medium of index 1.333: "));
     }
 }

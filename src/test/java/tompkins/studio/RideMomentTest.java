@@ -57,12 +57,12 @@ class RideMomentTest {
     @ParameterizedTest
     @MethodSource({"studios", "shutters"})
     void photographsAreTakenOnTheWorldLine(Studio studio) {
-        Event begin = RenderPlan.of(studio).lensInScene();
+        Event begin = RenderPlan.of(studio).middleHistory().sceneStart();
         RideMoment moment = RideMoment.start(studio);
         assertThat(distance(moment.rider().event(), begin)).isLessThan(1e-9);
         for (int i = 0; i < 20; i++) {
             moment = moment.after(new Vector3d(Math.sin(i), 0.3, 1), 0.1);
-            Event lens = RenderPlan.of(moment.studio()).lensInScene();
+            Event lens = RenderPlan.of(moment.studio()).middleHistory().sceneStart();
             assertThat(distance(lens, moment.rider().event())).isLessThan(1e-8);
             assertThat(moment.studio()
                             .velocity()
@@ -83,7 +83,7 @@ class RideMomentTest {
     void thrustIsAlongTheView() {
         Studio studio = Studios.sphere();
         Studio end = RideMoment.start(studio).after(FORWARDS, 1.5).studio();
-        Event lens = RenderPlan.of(end).lensInScene();
+        Event lens = RenderPlan.of(end).middleHistory().sceneStart();
         assertThat(lens.z()).isCloseTo(Math.cosh(1.5) - 1, within(1e-12));
         assertThat(lens.time()).isCloseTo(Math.sinh(1.5), within(1e-12));
         assertThat(end.velocity().speed()).isCloseTo(Math.tanh(1.5), within(1e-12));
@@ -183,7 +183,7 @@ class RideMomentTest {
             moment = moment.after(FORWARDS, 0.1);
             double gamma = Math.cosh(0.1 * i);
             double allowed = gamma * gamma * 0x1p-53 * 2 * gamma;
-            Event lens = RenderPlan.of(moment.studio()).lensInScene();
+            Event lens = RenderPlan.of(moment.studio()).middleHistory().sceneStart();
             assertThat(distance(lens, moment.rider().event())).isLessThan(4 * allowed);
             worst = Math.max(worst, distance(lens, moment.rider().event()));
             assertThat(moment.rider().event().time()).isCloseTo(Math.sinh(0.1 * i), within(1e-12 * gamma));

@@ -28,10 +28,10 @@ class RideStartTest {
         Studio photograph = Studios.lattice()
                 .withVelocity(Velocity.of(0.3, 0, 0.8))
                 .withCamera(Studio.DEFAULT.camera().withShutter(FixedPointSurfaceShutter.DEFAULT));
-        double time = RenderPlan.of(photograph).lensInScene().time();
+        double time = RenderPlan.of(photograph).middleHistory().sceneStart().time();
         for (Velocity velocity : List.of(Velocity.REST, Velocity.of(0, 0.6, 0))) {
             Studio start = ride(velocity, List.of()).start(photograph);
-            Event lens = RenderPlan.of(start).lensInScene();
+            Event lens = RenderPlan.of(start).middleHistory().sceneStart();
             assertThat(lens.position().distance(PLACE)).isLessThan(1e-9);
             assertThat(lens.time()).isCloseTo(time, within(1e-9));
             assertThat(start.velocity()).isEqualTo(velocity);

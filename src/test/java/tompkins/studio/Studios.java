@@ -1,14 +1,11 @@
 package tompkins.studio;
 
 import java.util.List;
-import org.joml.Vector3d;
-import tompkins.camera.Cameras;
 import tompkins.camera.ThinLensCamera;
 import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Sphere;
-import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Velocity;
 
 /** Studios for tests. */
@@ -39,22 +36,5 @@ public final class Studios {
         Studio lattice = lattice();
         return lattice.withCamera(Descriptions.with(ThinLensCamera.DEFAULT, "apertureRadius", 0.1))
                 .withSettings(lattice.settings().withSize(1600, 1200).withSamples(4096));
-    }
-
-    /** Stars behind a ball in focus, near the lens: for a large picture the places of their spots take seconds. */
-    public static Studio blurredStars() {
-        Vector3d ahead = new Vector3d(0, 0, 1);
-        Sphere focus = new Sphere("focus", ahead, 0.6, Sphere.DEFAULT.surface());
-        return Descriptions.with(Studio.DEFAULT, "background", StarSky.DEFAULT)
-                .withCamera(Cameras.lens(
-                        new Vector3d(),
-                        ahead,
-                        new Vector3d(0, 1, 0),
-                        90,
-                        0,
-                        0.5,
-                        focus,
-                        0,
-                        AperturePlaneShutter.DEFAULT));
     }
 }

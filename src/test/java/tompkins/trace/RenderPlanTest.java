@@ -1,12 +1,9 @@
 package tompkins.trace;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
-import java.util.concurrent.CancellationException;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.joml.Vector2i;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -25,8 +22,8 @@ import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.RollingShutter;
 import tompkins.shutter.SweepDirection;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.LensEvent;
 import tompkins.studio.Studio;
-import tompkins.studio.Studios;
 import tompkins.surface.ColouredSurface;
 
 /** What a plan takes from its studio, and what it takes over from another plan. */
@@ -51,16 +48,6 @@ class RenderPlanTest {
                         .world()
                         .frames())
                 .isNotSameAs(before.world().frames());
-    }
-
-    /** Each place of a star out of focus may take microseconds, and there are up to two million. */
-    @Test
-    void planOfBlurredStarsCanBeStopped() {
-        Studio stars = Studios.blurredStars();
-        AtomicInteger asked = new AtomicInteger();
-        assertThatExceptionOfType(CancellationException.class)
-                .isThrownBy(() -> RenderPlan.of(stars, null, () -> asked.incrementAndGet() == 20_000));
-        assertThat(asked).hasValue(20_000);
     }
 
     /**
@@ -99,8 +86,8 @@ class RenderPlanTest {
     void lensIsWhereTheMiddleOfThePictureIsTaken() {
         Studio studio = MOVING.withCamera(MOVING.camera().withShutter(new DetectorPlaneShutter(5, 1)));
 
-        assertThat(RenderPlan.of(studio).lensInScene().time()).isCloseTo(1.25 * 4, within(1e-12));
-        assertThat(RenderPlan.of(studio).lensInScene().position().z()).isCloseTo(0.75 * 4, within(1e-12));
+        assertThat(LensEvent.inScene(studio).time()).isCloseTo(1.25 * 4, within(1e-12));
+        assertThat(LensEvent.inScene(studio).position().z()).isCloseTo(0.75 * 4, within(1e-12));
     }
 
     /** What stands before the lens hides the light that is metered, and does not change the exposure: D is 2 ahead. */

@@ -133,12 +133,11 @@ class SampleTracerTest {
                 Stream.of(Named.of("missed focus", missed), Named.of("motion", motion)));
     }
 
-    /** The search of one plan is the simplest; that of the other is the fastest. */
     @ParameterizedTest
     @MethodSource("studios")
     void blockHasTheColoursOfSingleSamples(Studio studio) {
         Studio small = studio.withSettings(studio.settings().withSize(60, 45));
-        SampleTracer simple = RenderPlan.plain(small).tracer(new RayCounts());
+        SampleTracer simple = RenderPlan.of(small).tracer(new RayCounts());
         RayCounts counts = new RayCounts();
         SampleTracer tracer = RenderPlan.of(small).tracer(counts);
         int[] taken = new int[1];

@@ -52,6 +52,7 @@ import tompkins.shutter.Shutter;
 import tompkins.shutter.SweepDirection;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.LensEvent;
 import tompkins.studio.Lighting;
 import tompkins.studio.PaperStudios;
 import tompkins.studio.SkyBackground;
@@ -230,7 +231,7 @@ public final class VariedStudios {
     private static Stream<Named<Studio>> velocities() {
         Studio studio = moving(crowd());
         Studio late = studio.withCamera(PaperStudios.camera(0, new AperturePlaneShutter(1e7)));
-        Vector3dc farAway = RenderPlan.of(late).lensInScene().position();
+        Vector3dc farAway = LensEvent.inScene(late).position();
         Placed nearTheCamera = new Placed("placed", new Group("crowd", crowd()), 1, new Vector3d(0, 1, 0), 0, farAway);
         return Stream.of(
                 Named.of("rest", studio.withVelocity(Velocity.REST)),

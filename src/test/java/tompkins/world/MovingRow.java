@@ -42,7 +42,7 @@ final class MovingRow {
                 .withVelocity(Velocity.of(beta))
                 .withTransformation(law);
         frames = FrameTree.near(lens, law, studio.velocity());
-        world = new World(studio, frames, point -> Event.ORIGIN, true);
+        world = new World(studio, frames, point -> Event.ORIGIN);
         routes = world.routes(frames);
     }
 

@@ -100,7 +100,7 @@ class SurroundingsTest {
         Found(List<SceneObject> scene) {
             Studio studio = Studio.DEFAULT.withScene(scene);
             FrameTree frames = FrameTree.near(Event.ORIGIN, studio.transformation(), studio.velocity());
-            world = new World(studio, frames, point -> Event.ORIGIN, false);
+            world = new World(studio, frames, point -> Event.ORIGIN);
             routes = world.routes(frames);
             search = world.surroundings(routes, studio.transformation(), new RayCounts());
         }

@@ -53,7 +53,7 @@ class WorldTest {
     }
 
     private static World world(Studio studio) {
-        return new World(studio, frames(studio, AT_THE_ORIGIN), point -> Event.ORIGIN, false);
+        return new World(studio, frames(studio, AT_THE_ORIGIN), point -> Event.ORIGIN);
     }
 
     private static boolean serves(Studio before, Studio after, Event lens) {
@@ -156,7 +156,7 @@ class WorldTest {
     void boxesAreInCoordinatesOfTheScene() {
         Studio studio =
                 studio(new Sphere("far", new Vector3d(1e7, 0, 0), 1, COLOUR)).withVelocity(Velocity.of(0, 0.3, 0));
-        World world = new World(studio, frames(studio, FAR_AWAY), point -> Event.ORIGIN, false);
+        World world = new World(studio, frames(studio, FAR_AWAY), point -> Event.ORIGIN);
 
         assertThat(world.objects(0).primitives().get(0).bounds().centre().length())
                 .isLessThan(1e-6);
@@ -181,16 +181,6 @@ class WorldTest {
         assertThat(IntStream.rangeClosed(1, 16))
                 .allMatch(i -> world.lamps().get(i).shadows() != null);
         assertThat(world.lamps().get(17).shadows()).isNull();
-    }
-
-    @Test
-    void plainWorldSavesNoTime() {
-        Studio studio = Lighting.of(crowd(), List.of(lamp(50)));
-
-        World plain = new World(studio, frames(studio, AT_THE_ORIGIN), point -> Event.ORIGIN, true);
-
-        assertThat(plain.lamps().get(0).shadows()).isNull();
-        assertThat(plain.lamps().get(0).track(1)).isNull();
     }
 
     /** A lamp passes what moves; beside what rests with it it has a buffer. */

@@ -2,6 +2,7 @@ package tompkins.ui.editor;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.joml.Matrix3d;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
@@ -14,9 +15,9 @@ import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
-import tompkins.studio.ObjectShift;
+import tompkins.spacetime.FrameRoute;
+import tompkins.spacetime.FrameTree;
 import tompkins.studio.Studio;
-import tompkins.studio.StudioPath;
 import tompkins.studio.View;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.widget.Numbers;
@@ -42,8 +43,6 @@ final class InPicture {
 
     /** Where objects are brought, one after the other: shares of the width, from the middle. */
     private static final double[] PLACES = {0, 0.2, -0.2, 0.35, -0.35};
-
-    private static final StudioPath FIRST = StudioPath.ROOT.then("scene").then(0);
 
     private InPicture() {}
 
@@ -146,9 +145,17 @@ final class InPicture {
         }
         FrameMotion motion = parts.get(0).motion();
         Vector3d middle = parts.get(0).middle();
-        Event wanted = new FrameAppearance(studio, motion).fromCamera(ahead(studio, aside));
-        Vector3d shift = ObjectShift.of(studio.withScene(List.of(object)), FIRST, FIRST, motion)
-                .bringing(new Event(middle.x, middle.y, middle.z, wanted.time()), null, 0, wanted);
+        Vector3d wanted = new FrameAppearance(studio, motion)
+                .fromCamera(ahead(studio, aside))
+                .position();
+        // a shift in the scene moves what rests in another frame by another way, linearly
+        FrameRoute fromScene = FrameTree.described(studio.transformation()).route(null, motion);
+        Vector3d shift = new Matrix3d(
+                        fromScene.difference(new Event(1, 0, 0, 0)).position(),
+                        fromScene.difference(new Event(0, 1, 0, 0)).position(),
+                        fromScene.difference(new Event(0, 0, 1, 0)).position())
+                .invert()
+                .transform(wanted.sub(middle));
         return object.shifted(Numbers.rounded(shift, 3));
     }
 

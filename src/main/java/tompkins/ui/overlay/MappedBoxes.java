@@ -37,7 +37,7 @@ final class MappedBoxes {
         this.plan = plan;
         this.axis = axis;
         lensInCamera = LensEvent.inCamera(plan.studio());
-        lens = plan.lensInScene();
+        lens = LensEvent.inScene(plan.studio());
         Vector3d place = lens.position();
         around = new Rectangle2D.Double(axis.right(place), axis.up(place), 0, 0);
         plan.world().frames().forEach(this::add);

@@ -21,6 +21,7 @@ import org.joml.Vector3dc;
 import tompkins.property.NumberText;
 import tompkins.ray.Ray;
 import tompkins.spacetime.TransformationLaw;
+import tompkins.studio.LensEvent;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.trace.RenderPlan;
@@ -114,7 +115,7 @@ public final class SceneMap implements Overlay {
             this.plan = plan;
             this.axis = axis;
             boxes = new MappedBoxes(plan, axis);
-            lens = plan.lensInScene().position();
+            lens = LensEvent.inScene(plan.studio()).position();
             toMap = toMap();
         }
 

@@ -135,7 +135,7 @@ public final class RenderController implements AutoCloseable {
         }
         long begun = System.nanoTime();
         // while only the camera changes, the prepared scene is used again
-        RenderPlan plan = RenderPlan.of(request.inSize(), lastPlan, () -> isGivenUp(request, begun));
+        RenderPlan plan = RenderPlan.of(request.inSize(), lastPlan);
         lastPlan = plan;
         if (isGivenUp(request, begun)) {
             return;

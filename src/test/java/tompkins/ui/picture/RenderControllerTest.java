@@ -15,7 +15,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import tompkins.ProcessorTime;
 import tompkins.Waiting;
 import tompkins.image.ToneCurve;
 import tompkins.render.Renderer;
@@ -210,31 +209,6 @@ class RenderControllerTest {
         await(() -> !pictures.isEmpty() && last().complete());
     }
 
-    /**
-     * The processor time of a plan with the places of a million spots of stars behind a ball in focus, near the lens:
-     * for a small picture. For {@link #LARGE} ones it is far more than 20 times as long.
-     */
-    private static double secondsOfASmallPlan() {
-        Studio stars = Studios.blurredStars();
-        return ProcessorTime.ofProcess(
-                () -> RenderPlan.of(stars.withSettings(stars.settings().withSize(160, 120))));
-    }
-
-    @Test
-    void aSlowPlanEndsSoonWhenItIsStopped() throws InterruptedException {
-        double small = secondsOfASmallPlan();
-        controller.show(Studios.blurredStars(), LARGE, Pace.HAND);
-        await(RenderControllerTest::isPlanning);
-        Thread.sleep(200);
-        assertThat(isPlanning()).isTrue();
-        double left = ProcessorTime.ofProcess(() -> {
-            controller.stop();
-            await(() -> !isPlanning());
-        });
-        assertThat(left).isLessThan(small);
-        assertThat(failures).isEmpty();
-    }
-
     /** A hand moves one of many balls: each move comes before the one before it has been planned. */
     @Test
     void aHandSeesPicturesThatTakeLongToPlan() throws InterruptedException {
@@ -244,20 +218,6 @@ class RenderControllerTest {
             show(controller, Studios.sphere().withScene(List.copyOf(balls)), Pace.HAND);
             Thread.sleep(5);
         }
-    }
-
-    /** It is given up after a second. */
-    @Test
-    void aPlanThatTakesTooLongGivesWay() throws InterruptedException {
-        double small = secondsOfASmallPlan();
-        controller.show(Studios.blurredStars(), LARGE, Pace.HAND);
-        await(RenderControllerTest::isPlanning);
-        double taken = ProcessorTime.ofProcess(() -> {
-            show(controller, Studios.sphere(), Pace.HAND);
-            await(() -> !pictures.isEmpty());
-        });
-        assertThat(taken).isLessThan(20 * small);
-        assertThat(last().studio()).isEqualTo(Studios.sphere());
     }
 
     private static boolean isPlanning() {
