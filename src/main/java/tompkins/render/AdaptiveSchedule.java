@@ -117,11 +117,18 @@ final class AdaptiveSchedule implements Schedule {
     }
 
     private void plan(BooleanSupplier stopped) {
-        PixelVariance roughness = new PixelVariance(film, expectsUnseen, stopped);
-        if (!expectsUnseen && roughness.rootMeanSquare() <= targetError) {
-            // by now lines and edges have been followed, and what still stands alone does
-            expectsUnseen = true;
-            roughness = new PixelVariance(film, true, stopped);
+        PixelVariance roughness = new PixelVariance(film, stopped);
+        // only at the end: by then lines and edges have been followed, and what still stands alone does
+        expectsUnseen |= roughness.rootMeanSquare() <= targetError;
+        if (expectsUnseen) {
+            IsolatedHighlights specks = new IsolatedHighlights(film, roughness, stopped);
+            BitSet untested = specks.untested();
+            if (!untested.isEmpty()) {
+                untested.stream().forEach(film::restart);
+                waiting.add(Pass.refining(0, firstSamples, untested, film.sampledPixels()));
+                return;
+            }
+            roughness.expect(specks);
         }
         if (roughness.rootMeanSquare() <= targetError) {
             return;
@@ -142,11 +149,13 @@ final class AdaptiveSchedule implements Schedule {
                         .set(pixel);
             }
         }
-        int sampled = roughness.sampled();
-        chosen.forEach((samples, mask) -> waiting.add(
-                samples == 1
-                        ? Pass.refining(0, firstSamples, mask, sampled)
-                        : Pass.refining(samples, samples, mask, sampled)));
+        chosen.forEach((samples, mask) -> {
+            if (samples == 1) {
+                waiting.add(Pass.refining(0, firstSamples, mask, roughness.sampled()));
+            } else {
+                waiting.add(Pass.refining(samples, samples, mask, roughness.sampled()));
+            }
+        });
     }
 
     @Override

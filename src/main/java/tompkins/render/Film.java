@@ -130,23 +130,6 @@ final class Film extends PixelBuffer {
     }
 
     /**
-     * The square of the difference between the means of two pixels, averaged over the channels; 0 if the other one has
-     * no samples.
-     */
-    double contrast(int pixel, int other) {
-        if (samples(other) == 0) {
-            return 0;
-        }
-        double sum = 0;
-        for (int channel = 0; channel < 3; channel++) {
-            double mean = (double) sums[3 * pixel + channel] / samples(pixel);
-            double difference = mean - (double) sums[3 * other + channel] / samples(other);
-            sum += difference * difference;
-        }
-        return exposure() * exposure() * sum / 3;
-    }
-
-    /**
      * The mean of the samples of each pixel. Between coarse pixels it is interpolated, which costs little and takes a
      * third of the error away (see the charts of previews in docs/speed-and-accuracy.md).
      */

@@ -16,8 +16,7 @@ import tompkins.trace.RenderPlan;
  * of them. If it has only the one in its centre, the second differences over its neighbours give its roughness: an edge
  * of height h raises those of two pixels by h, and is wrong by h/sqrt(12) in one of them.
  *
- * <p>No neighbour tells of light that stands alone, such as far lamps, glints, a short flash: where some was met, as
- * much may have been missed.
+ * <p>No neighbour tells of small lights; {@link #expect} counts those that samples may have missed.
  */
 final class PixelVariance {
 
@@ -26,11 +25,8 @@ final class PixelVariance {
 
     private static final double WEIGHT_OF_SECOND_DIFFERENCE = 1.0 / 24;
 
-    /** Rows that one thread takes at a time. */
-    private static final int BAND = 8;
-
-    /** Width and height of the smallest squares in which light may have been missed, in pixels. */
-    private static final int SIDE = 8;
+    /** Rows that one thread takes at a time, so that each region of specks is asked by one thread alone. */
+    private static final int BAND = IsolatedHighlights.SIDE;
 
     /** Counts are taken to be those of chance within this factor. */
     private static final double CHANCE = 0.5;
@@ -42,7 +38,7 @@ final class PixelVariance {
     /** The roughness that each pixel's own samples show, in a picture with a border; NaN where there are no samples. */
     private final float[] own;
 
-    private final float[] shared;
+    private float[] shared;
     private final BooleanSupplier stopped;
     private final int sampled;
     private final Power falling = new Power(-POWER);
@@ -70,7 +66,11 @@ final class PixelVariance {
             return Double.NaN;
         }
         try {
-            return new PixelVariance(film, true, stopped).rootMeanSquare();
+            PixelVariance variance = new PixelVariance(film, stopped);
+            if (film.comparesSamples()) {
+                variance.expect(new IsolatedHighlights(film, variance, stopped));
+            }
+            return variance.rootMeanSquare();
         } catch (CancellationException unwanted) {
             return Double.NaN;
         }
@@ -79,11 +79,10 @@ final class PixelVariance {
     /**
      * The roughness of the pixels that have samples.
      *
-     * @param expectsUnseen whether samples are taken to have missed light that stands alone
      * @param stopped whether it is no longer wanted
      * @throws CancellationException if it is not
      */
-    PixelVariance(Film film, boolean expectsUnseen, BooleanSupplier stopped) {
+    PixelVariance(Film film, BooleanSupplier stopped) {
         this.film = film;
         this.stopped = stopped;
         width = film.width();
@@ -93,9 +92,6 @@ final class PixelVariance {
         measure();
         shared = withNeighbours(own);
         fillGaps();
-        if (expectsUnseen && film.comparesSamples()) {
-            new IsolatedHighlights(film, withoutBorder(), stopped).expect(shared);
-        }
     }
 
     /**
@@ -103,11 +99,11 @@ final class PixelVariance {
      * a short flash or a thin bar: such a pixel takes the mean of the smallest square in which this is likely.
      */
     private void fillGaps() {
-        int columns = (width + SIDE - 1) / SIDE;
-        int rows = (height + SIDE - 1) / SIDE;
+        int columns = (width + IsolatedHighlights.SIDE - 1) / IsolatedHighlights.SIDE;
+        int rows = (height + IsolatedHighlights.SIDE - 1) / IsolatedHighlights.SIDE;
         Square[] squares = IntStream.range(0, columns * rows)
                 .parallel()
-                .mapToObj(i -> new Square(i % columns * SIDE, i / columns * SIDE))
+                .mapToObj(i -> new Square(i % columns * IsolatedHighlights.SIDE, i / columns * IsolatedHighlights.SIDE))
                 .toArray(Square[]::new);
         fillGaps(squares, columns);
     }
@@ -160,12 +156,48 @@ final class PixelVariance {
         return IntStream.range(0, (height + BAND - 1) / BAND).parallel().map(band -> band * BAND);
     }
 
-    private float[] withoutBorder() {
-        float[] inside = new float[width * height];
-        for (int row = 0; row < height; row++) {
-            System.arraycopy(own, bordered(row, 0), inside, film.pixel(0, row), width);
+    /**
+     * Counts the light that samples may have missed, too: what specks add to the pixels in which they were found is
+     * shared with those in which they may have been missed.
+     *
+     * @throws CancellationException if it is no longer wanted
+     */
+    void expect(IsolatedHighlights specks) {
+        if (specks.isEmpty()) {
+            return;
         }
-        return inside;
+        Power growing = new Power(POWER);
+        specks.found().forEach(pixel -> {
+            int column = pixel % width;
+            int row = pixel / width;
+            int index = bordered(row, column);
+            double variance = specks.varianceOfMean(column, row) * growing.of(film.samples(pixel));
+            own[index] = (float) (Math.max(own[index], variance) * (1 - specks.missed(column, row)));
+        });
+        shared = withNeighbours(own);
+        bands().forEach(first -> addUnseen(specks, first));
+    }
+
+    private void addUnseen(IsolatedHighlights specks, int first) {
+        Power growing = new Power(POWER);
+        for (int row = first; row < Math.min(height, first + BAND); row++) {
+            Cancellation.stopIf(stopped);
+            for (int column = 0; column < width; column++) {
+                int pixel = film.pixel(column, row);
+                int samples = film.samples(pixel);
+                if (samples > 0) {
+                    shared[pixel] = (float) (shared[pixel] + specks.unseen(column, row) * growing.of(samples));
+                }
+            }
+        }
+    }
+
+    /**
+     * The square of the height by which a pixel stands out, along the line through it on which this is largest; NaN
+     * outside of the picture and where there are no samples.
+     */
+    double contrast(int column, int row) {
+        return secondDifferences(column, row) / 4;
     }
 
     /** The index of a pixel in a picture with a border of one pixel. */
@@ -291,8 +323,8 @@ final class PixelVariance {
             Cancellation.stopIf(stopped);
             this.left = left;
             this.top = top;
-            right = Math.min(width, left + SIDE);
-            bottom = Math.min(height, top + SIDE);
+            right = Math.min(width, left + IsolatedHighlights.SIDE);
+            bottom = Math.min(height, top + IsolatedHighlights.SIDE);
             for (int row = top; row < bottom; row++) {
                 for (int column = left; column < right; column++) {
                     int pixel = film.pixel(column, row);

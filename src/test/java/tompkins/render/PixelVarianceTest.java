@@ -21,7 +21,7 @@ class PixelVarianceTest {
             Films.add(film, pixel, light, light, light, 1);
         }
 
-        double error = new PixelVariance(film, false, () -> false).rootMeanSquare();
+        double error = new PixelVariance(film, () -> false).rootMeanSquare();
 
         assertThat(error).isCloseTo(Math.sqrt(1.0 / 12 / HEIGHT), within(1e-7));
     }
