@@ -16,7 +16,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.OnLinux;
 
@@ -214,37 +213,6 @@ class FilmPartsTest {
         assertThat(run.code()).isEqualTo(2);
         assertThat(run.err().strip())
                 .isEqualTo(last + ": is a frame of a film of 1000000000 frames; a film has at most 216001");
-    }
-
-    @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "--frames=10 | --frames must be numbers from 0 to 9 or ranges of them",
-                "--part=3/3 | --part must be I/N: the part I of N, counted from 0 and below N, such as 0/4, was 3/3",
-                "--part=1 | --part must be I/N",
-                "--threads=0 --part=0/2 | --threads must be a whole number from 1 to 1024, was 0",
-                "--assemble=x | --assemble takes frames as they are; leave out",
-            })
-    void mistakesAreFoundAtOnce(String options, String message) {
-        ProgramRun run = animate("frames", (Object[]) options.split(" "));
-        assertThat(run.err()).contains(message);
-        assertThat(run.code()).isEqualTo(2);
-        assertThat(folder.resolve("frames")).doesNotExist();
-    }
-
-    @Test
-    void otherMistakesAreFoundAtOnce() {
-        assertThat(animate("film.gif", "--part=0/2").err()).contains("give -o a name without an ending, was");
-        assertThat(assemble("nowhere", "film.gif").err()).contains("nowhere: cannot be read: there is no such file");
-        assertThat(assemble(scene.getFileName().toString(), "film.gif").err())
-                .contains(scene + ": cannot be read: it is a file, not a folder");
-        assertThat(assemble("", "film.gif").err()).contains("holds no frames of a film");
-        ProgramRun noScene = ProgramRun.of("animate", "-o", folder.resolve("film.gif"));
-        assertThat(noScene.code()).isEqualTo(2);
-        assertThat(noScene.err()).contains("tompkins animate: needs SCENE: scene file");
-        assertThat(ProgramRun.of("animate", scene, "--from=0", "--to=0.9").err())
-                .contains("tompkins animate: needs --output=FILE");
     }
 
     /** Killed at some moment, it leaves whole frames alone, and the next process takes the rest. */

@@ -13,8 +13,6 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 
 /** Measures before a wall in the distance 10, which a camera of 0.8 c meets straight ahead: D is 3 there. */
 class MeasureCommandTest {
@@ -144,34 +142,6 @@ class MeasureCommandTest {
         ProgramRun forced = ProgramRun.of("trace", scene, "--pixel", "1,1..2,3", "--csv", "-o", file, "--force");
         assertThat(forced.code()).isZero();
         assertThat(Files.readAllLines(file)).hasSize(7);
-    }
-
-    @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "trace S --pixel 1,1..0,3 | --pixel must name the upper left corner of a rectangle first, was 1,1..0,3",
-                "trace S --pixel 1,1..3 | --pixel must be two whole numbers inside the picture with a comma between them, or",
-                "trace S --pixel 1,1..3,101 | --pixel must be from 0,0 to 100,100, was 3,101",
-                "trace S --pixel all --every 0 | --every must be 1 or more, was 0",
-                "measure angle S --pixel 1,1 | WHAT must be one of between, profile, circle, line, lesson; was angle",
-                "measure between S --pixel 1,1 | between needs 2 --pixel, was 1",
-                "measure circle S --pixel 1,1 --pixel 2,2 | circle needs 3 or more --pixel, was 2",
-                "measure circle S --pixel 1,1 --pixel 1,1 --pixel 1,1 | --pixel: the points of a circle must not coincide",
-                "measure line S --pixel 1,1 --pixel 101,2 | --pixel must lie in the picture, from -0.5,-0.5 to 100.5,100.5, was 101,2",
-                "measure lesson S | wall.json: the scene must have a lesson",
-                "measure lesson S --pixel 1,1 | --pixel is for what is measured between pixels; leave it out of lesson",
-                "measure line S | line needs 2 or more --pixel, was 0"
-            })
-    void whatCannotBeMeasuredIsNamed(String line, String said) {
-        Object[] words = Arrays.stream(line.trim().split(" "))
-                .map(word -> word.equals("S") ? scene : word)
-                .toArray();
-        ProgramRun run = ProgramRun.of(words);
-
-        assertThat(run.code()).isEqualTo(2);
-        assertThat(run.out()).isEmpty();
-        assertThat(run.err()).contains(said.trim());
     }
 
     /** sqrt(1.9/0.1) = 4.358899 straight ahead at 0.9 c; the second formula is wrong. */

@@ -9,7 +9,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
@@ -189,21 +188,6 @@ class PicturePlacesTest {
     }
 
     @Test
-    void anExistingFileIsKept() throws IOException {
-        Path picture = Files.writeString(folder.resolve("mine.png"), "mine");
-
-        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", picture, "--size", "8x6");
-
-        assertThat(run.code()).isEqualTo(2);
-        assertThat(run.err()).contains("mine.png").contains("--force");
-        assertThat(Files.readString(picture)).isEqualTo("mine");
-        assertThat(ProgramRun.of("render", FIG1B, "-o", picture, "--size", "8x6", "--force")
-                        .code())
-                .isZero();
-        assertThat(Files.size(picture)).isGreaterThan(100);
-    }
-
-    @Test
     void twoScenesOfOneNameDoNotReplaceEachOther() throws IOException {
         Path other = Files.copy(Path.of("scenes/fig1a.json"), folder.resolve("fig1b.json"));
         Path pictures = Files.createDirectory(folder.resolve("pictures"));
@@ -215,33 +199,6 @@ class PicturePlacesTest {
                 .isEqualTo(other + ": its picture would be " + pictures.resolve("fig1b.png") + ", as that of " + FIG1B
                         + "; render one of them alone, with another name after -o");
         assertThat(pictures).isEmptyDirectory();
-    }
-
-    @Test
-    void endingsOfNamesAreChecked() {
-        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", folder.resolve("picture.bmp"));
-
-        assertThat(run.code()).isEqualTo(2);
-        assertThat(run.err()).contains("picture.bmp").contains(".png or .tif or .tiff or .hdr or .pic");
-    }
-
-    @Test
-    void anEndingAloneIsNoName() {
-        Path photograph = folder.resolve("photograph.png");
-        ProgramRun.of("render", FIG1B, "-o", photograph, "--size", "8x6");
-        Path nameless = folder.resolve(".png");
-        Object[][] ways = {{FIG1B}, {photograph}, {FIG1B, "--format", "png16"}};
-        for (Object[] way : ways) {
-            List<Object> words = new ArrayList<>(List.of("render", "-o", nameless, "--size", "8x6"));
-            words.addAll(List.of(way));
-
-            ProgramRun run = ProgramRun.of(words.toArray());
-
-            assertThat(run.code()).isEqualTo(2);
-            assertThat(run.out()).isEmpty();
-            assertThat(run.err()).startsWith(nameless + ": the name of a").contains(" is missing before the ending");
-            assertThat(folder).isDirectoryNotContaining(file -> !file.equals(photograph));
-        }
     }
 
     @Test

@@ -150,14 +150,4 @@ class StudyCommandTest {
         assertThat(run.err().strip()).isEqualTo(chart + ": cannot be written: it is a folder; name a file in it");
         assertThat(chart).isEmptyDirectory();
     }
-
-    @Test
-    void unknownStudyIsAMistake() {
-        ProgramRun run = ProgramRun.of("study", "speed", "-o", folder);
-
-        assertThat(run.code()).isEqualTo(Failures.MISTAKE);
-        assertThat(run.err().strip())
-                .isEqualTo("NAME must be one of aperture, antialiasing, precision, tree, depth, all; was speed");
-        assertThat(folder).isEmptyDirectory();
-    }
 }

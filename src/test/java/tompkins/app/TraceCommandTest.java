@@ -175,39 +175,6 @@ class TraceCommandTest {
     }
 
     @Test
-    void refusesPlacesOutsidePictureOrLens() {
-        ProgramRun outside = ProgramRun.of("trace", "scenes/fig1b.json", "--pixel", "640,0");
-        assertThat(outside.code()).isEqualTo(2);
-        assertThat(outside.err()).contains("639,479");
-        assertThat(ProgramRun.of("trace", "scenes/fig1b.json", "--pixel", "1").code())
-                .isEqualTo(2);
-        assertThat(ProgramRun.of("trace", "scenes/fig1b.json").code()).isEqualTo(2);
-        ProgramRun beside = ProgramRun.of("trace", "scenes/fig3a.json", "--pixel", "1,1", "--pupil", "1,1");
-        assertThat(beside.code()).isEqualTo(2);
-        assertThat(beside.err().strip()).isEqualTo("--pupil must lie in the unit disc, such as --pupil=0.5,0, was 1,1");
-        ProgramRun single = ProgramRun.of("trace", "scenes/fig3a.json", "--pixel", "1,1", "--pupil", "1");
-        assertThat(single.code()).isEqualTo(2);
-        assertThat(single.err().strip())
-                .isEqualTo("--pupil must be numbers with commas between them, such as --pupil=0.5,0, was 1");
-    }
-
-    @Test
-    void pixelsAreWholeAndTheirPlacesHaveNoSamples() {
-        for (String pixel : new String[] {"1.5,2", "1,2,3", "1", "one,two", "1e1,2", "99999999999,1"}) {
-            ProgramRun run = ProgramRun.of("trace", "scenes/fig1b.json", "--pixel", pixel);
-            assertThat(run.code()).isEqualTo(2);
-            assertThat(run.err().strip())
-                    .isEqualTo("--pixel must be two whole numbers inside the picture with a comma between them, was "
-                            + pixel);
-        }
-        for (String option : new String[] {"--samples", "--seed"}) {
-            ProgramRun run = ProgramRun.of("trace", "scenes/fig1b.json", "--pixel", "1,2", option, 3);
-            assertThat(run.code()).isEqualTo(2);
-            assertThat(run.err()).contains(option);
-        }
-    }
-
-    @Test
     void aRayThatNeverCrossesTheShutterHasNoLife() throws IOException {
         Path scene = Files.writeString(folder.resolve("parallel.json"), """
                 {
