@@ -21,10 +21,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import tompkins.light.ColourLaw;
 import tompkins.render.Quality;
 import tompkins.spacetime.SpeedScale;
-import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studios;
 import tompkins.ui.compare.ComparePanel;
@@ -41,7 +39,6 @@ import tompkins.ui.ray.PixelReading;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
-/** The photograph and what it is compared with, without a display. */
 @Timeout(120)
 class PhotographViewTest {
 
@@ -95,7 +92,7 @@ class PhotographViewTest {
     }
 
     @Test
-    void aKeptPictureIsCalledByItsSpeedAndItsColours() {
+    void aKeptPictureIsCalledByItsSpeed() {
         Velocity fast = Velocity.of(SpeedScale.ONE_MINUS_BETA, 5e-15, new Vector3d(0, 0, 1));
         WindowDriver.onEventThread(() -> model.set(model.studio().withVelocity(fast)));
         WindowDriver.await(
@@ -103,18 +100,6 @@ class PhotographViewTest {
                 () -> view.canvas().shown().now() != null
                         && view.canvas().shown().now().complete());
         assertThat(WindowDriver.onEventThread(view::keepPicture)).endsWith("\u03b2 = 1-5e-15, \u03b3 = 10000000");
-        WindowDriver.onEventThread(() -> model.set(model.studio().withColours(ColourLaw.SEARCHLIGHT)));
-        WindowDriver.await(
-                "the picture with other colours",
-                () -> view.canvas().shown().now().studio().colours() == ColourLaw.SEARCHLIGHT);
-        assertThat(WindowDriver.onEventThread(view::keepPicture))
-                .endsWith("\u03b2 = 1-5e-15, \u03b3 = 10000000, Searchlight effect");
-        WindowDriver.onEventThread(() -> model.set(
-                model.studio().withColours(ColourLaw.UNCHANGED).withTransformation(TransformationLaw.GALILEAN)));
-        WindowDriver.await(
-                "the picture of Newton's world",
-                () -> view.canvas().shown().now().studio().transformation() == TransformationLaw.GALILEAN);
-        assertThat(WindowDriver.onEventThread(view::keepPicture)).endsWith("\u03b2 = 1-5e-15, Galilean");
     }
 
     @Test

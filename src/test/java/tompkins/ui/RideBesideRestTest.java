@@ -25,7 +25,6 @@ import tompkins.ui.picture.Comparison;
 import tompkins.ui.picture.ScreenPicture;
 import tompkins.ui.widget.Look;
 
-/** What is seen on a ride beside the picture of a camera at rest, without a display. */
 @Timeout(120)
 class RideBesideRestTest {
 

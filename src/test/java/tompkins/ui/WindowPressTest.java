@@ -7,7 +7,6 @@ import java.awt.Point;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
-import java.nio.file.Path;
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -15,11 +14,8 @@ import javax.swing.JLabel;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
@@ -27,15 +23,7 @@ import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.Texts;
 
 /** What a press of the mouse does while something is half typed, or to what has the focus, in a real window. */
-@Timeout(300)
-@NeedsDisplay
-class WindowPressTest {
-
-    @TempDir
-    private Path folder;
-
-    @AutoClose
-    private WindowDriver driver;
+class WindowPressTest extends WindowFixture {
 
     private JTextField speed;
 
@@ -55,11 +43,11 @@ class WindowPressTest {
 
     /** The focus moves only after such a click. */
     private void clickWithoutTimeBetween(JComponent button) {
-        WindowDriver.onEventThread(() -> {
+        onEventThread(() -> {
             dispatch(button, MouseEvent.MOUSE_PRESSED);
             dispatch(button, MouseEvent.MOUSE_RELEASED);
         });
-        WindowDriver.await("the focus", button::isFocusOwner);
+        await("the focus", button::isFocusOwner);
     }
 
     private boolean complains() {
@@ -80,26 +68,26 @@ class WindowPressTest {
     void whatIsPressedDoesNotMoveAway() {
         JTextField below = driver.find(JTextField.class, "Aperture");
         driver.typeWithoutEnter(speed, "1.2");
-        Point before = WindowDriver.onEventThread(below::getLocationOnScreen);
-        WindowDriver.onEventThread(() -> dispatch(below, MouseEvent.MOUSE_PRESSED));
-        WindowDriver.await("the focus", below::isFocusOwner);
-        WindowDriver.await("the mark", () -> Components.isMarked(speed));
-        WindowDriver.onEventThread(driver.window().frame()::validate);
-        assertThat(WindowDriver.onEventThread(below::getLocationOnScreen)).isEqualTo(before);
-        WindowDriver.onEventThread(() -> dispatch(below, MouseEvent.MOUSE_RELEASED));
-        WindowDriver.await("the message", this::complains);
+        Point before = onEventThread(below::getLocationOnScreen);
+        onEventThread(() -> dispatch(below, MouseEvent.MOUSE_PRESSED));
+        await("the focus", below::isFocusOwner);
+        await("the mark", () -> Components.isMarked(speed));
+        onEventThread(driver.window().frame()::validate);
+        assertThat(onEventThread(below::getLocationOnScreen)).isEqualTo(before);
+        onEventThread(() -> dispatch(below, MouseEvent.MOUSE_RELEASED));
+        await("the message", this::complains);
         assertThat(driver.studio().velocity().components()).isEqualTo(new Vector3d(0, 0, 0.3));
 
         // nor when the message goes
         driver.typeWithoutEnter(speed, "0.4");
-        Point after = WindowDriver.onEventThread(below::getLocationOnScreen);
+        Point after = onEventThread(below::getLocationOnScreen);
         assertThat(after).as("there was room for the message").isEqualTo(before);
-        WindowDriver.onEventThread(() -> dispatch(below, MouseEvent.MOUSE_PRESSED));
-        WindowDriver.await("the focus", below::isFocusOwner);
-        WindowDriver.onEventThread(driver.window().frame()::validate);
-        assertThat(WindowDriver.onEventThread(below::getLocationOnScreen)).isEqualTo(after);
-        WindowDriver.onEventThread(() -> dispatch(below, MouseEvent.MOUSE_RELEASED));
-        WindowDriver.await("no message", () -> !complains());
+        onEventThread(() -> dispatch(below, MouseEvent.MOUSE_PRESSED));
+        await("the focus", below::isFocusOwner);
+        onEventThread(driver.window().frame()::validate);
+        assertThat(onEventThread(below::getLocationOnScreen)).isEqualTo(after);
+        onEventThread(() -> dispatch(below, MouseEvent.MOUSE_RELEASED));
+        await("no message", () -> !complains());
     }
 
     @Test
@@ -108,13 +96,13 @@ class WindowPressTest {
         JLabel what = driver.find(JLabel.class, "status.where");
         driver.click(canvas);
         JButton unpin = driver.find(JButton.class, "Unpin");
-        WindowDriver.await("the pinned pixel", unpin::isShowing);
+        await("the pinned pixel", unpin::isShowing);
         driver.move(driver.centre(speed));
-        WindowDriver.await("no reading", () -> what.getText().isBlank());
+        await("no reading", () -> what.getText().isBlank());
         driver.click(unpin);
-        WindowDriver.await("the focus", canvas::isFocusOwner);
-        WindowDriver.onEventThread(() -> assertThat(what.getText()).isBlank());
+        await("the focus", canvas::isFocusOwner);
+        onEventThread(() -> assertThat(what.getText()).isBlank());
         driver.key(KeyEvent.VK_RIGHT);
-        WindowDriver.await("a reading", () -> !what.getText().isBlank());
+        await("a reading", () -> !what.getText().isBlank());
     }
 }

@@ -13,17 +13,13 @@ import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
-import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.animation.Animation;
 import tompkins.image.AnimationFormat;
-import tompkins.image.PhotographFile;
-import tompkins.io.StudioReader;
 import tompkins.measure.OverlayKind;
 import tompkins.render.Progress;
 import tompkins.spacetime.SpeedScale;
-import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
 import tompkins.studio.Studios;
@@ -37,18 +33,6 @@ class AnimationExportTest {
 
     @TempDir
     private Path folder;
-
-    @Test
-    void framesHoldTheirOwnScenes() throws Exception {
-        Path frames = folder.resolve("frames");
-        write(Studios.sphere(), frames, AnimationFormat.NUMBERED_PNG, false, progress());
-        try (Stream<Path> files = Files.list(frames)) {
-            assertThat(files).hasSize(10);
-        }
-        String last = PhotographFile.readScene(frames.resolve("frame0009.png")).orElseThrow();
-        assertThat(StudioReader.read(last, "last", folder).velocity())
-                .isEqualTo(Velocity.of(SpeedScale.BETA, 0.8, new Vector3d(0, 0, 1)));
-    }
 
     private static void write(Studio studio, Path file, AnimationFormat format, boolean captioned, Progress progress)
             throws Exception {

@@ -11,7 +11,6 @@ import tompkins.studio.Studios;
 import tompkins.ui.Components;
 import tompkins.ui.widget.Look;
 
-/** What the export of an animation asks, without a display. */
 class AnimationOptionsTest {
 
     private final Studio studio =

@@ -51,7 +51,6 @@ import tompkins.ui.number.NumberProperty;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
-/** The panel that runs numbers, without a display. */
 class PlayPanelTest {
 
     private static final String SPEED = "Speed beta in units of c";
@@ -128,19 +127,6 @@ class PlayPanelTest {
             assertThat(play.isPlaying()).isFalse();
         });
         assertThat(exported).hasSize(1);
-    }
-
-    @Test
-    void whatIsScrubbedAfterSomethingElseIsAStepOfItsOwn() {
-        choose(SPEED);
-        scrub(200);
-        Studio larger = model.studio().withSettings(model.studio().settings().withSize(50, 40));
-        model.adjust(larger, "another slider");
-        scrub(800);
-
-        model.undo();
-
-        assertThat(model.studio()).isEqualTo(larger);
     }
 
     @Test
@@ -268,18 +254,6 @@ class PlayPanelTest {
 
         model.set(with(ball("ball"), ball("ball")));
         assertThat(chosen()).isEqualTo(SPEED);
-    }
-
-    @Test
-    void keysGoOnFromWhatWasTakenLast() {
-        JTextField to = Components.find(panel, JTextField.class, "To");
-        Components.press(to, "UP");
-        Components.press(to, "UP");
-        assertThat(to.getText()).isEqualTo("0.992");
-        Components.enter(panel, "To", "0.5");
-        Components.enter(panel, "To", "soon");
-        Components.press(to, "ESCAPE");
-        assertThat(to.getText()).isEqualTo("0.5");
     }
 
     @Test

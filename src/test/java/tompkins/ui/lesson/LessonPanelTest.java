@@ -205,6 +205,17 @@ class LessonPanelTest {
                 .isTrue();
     }
 
+    @Test
+    void openedAgainItBeginsWithTheQuestion() {
+        go("Nothing.", "lesson.sure");
+        model.open(model.opened(), null);
+        panel.begin();
+        assertThat(step("PREDICT").isSelected()).isTrue();
+        assertThat(Components.find(strip(), JRadioButton.class, Texts.get("lesson.sure"))
+                        .isSelected())
+                .isFalse();
+    }
+
     private void go(String prediction, String sureness) {
         choose(prediction);
         choose(Texts.get(sureness));

@@ -234,19 +234,6 @@ class OverlayTest {
         return overlay;
     }
 
-    /** At 0.8 c straight ahead tan(a'/2) is a third of tan(a/2). */
-    @Test
-    void outlineLiesAroundTheSphere() {
-        Rectangle outline = marked(painted(overlay(OverlayKind.OUTLINES), flying(0, 0, 0.8)));
-        double angle = 2 * Math.atan(Math.tan(Math.asin(0.1) / 2) / 3);
-        double radius = 320 * Math.tan(angle) / Math.tan(Math.toRadians(10));
-
-        assertThat(outline.getCenterX()).isCloseTo(320, within(1.0));
-        assertThat(outline.getCenterY()).isCloseTo(240, within(1.0));
-        assertThat(outline.width / 2.0).isBetween(radius + 1, radius + 4);
-        assertThat(marked(painted(overlay(), flying(0, 0, 0.8))).isEmpty()).isTrue();
-    }
-
     @Test
     void whatMayNotAgreeWithThePictureIsSaid() {
         Studio fine = flying(0, 0, 0.8);
@@ -271,32 +258,27 @@ class OverlayTest {
     /** A shutter that opens at many times is worked out by another thread; then the canvas is painted again. */
     @Test
     void slowOverlaysComeLater() throws InterruptedException {
-        CountDownLatch again = new CountDownLatch(1);
-        SceneOverlay overlay = new SceneOverlay(again::countDown, asker());
-        overlay.setShown(Set.of(OverlayKind.OUTLINES));
         Studio fine = flying(0, 0, 0.8);
-        Studio slow = fine.withCamera(fine.camera().withShutter(DetectorPlaneShutter.DEFAULT))
-                .withSettings(fine.settings().withSize(WIDTH, HEIGHT));
-        Picture picture = Pictures.black(slow);
-
-        assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isTrue();
-        assertThat(again.await(5, TimeUnit.MINUTES)).isTrue();
-        assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isFalse();
+        assertComesLater(
+                fine.withCamera(fine.camera().withShutter(DetectorPlaneShutter.DEFAULT)), OverlayKind.OUTLINES);
     }
 
     /** Only where a lamp flashes do wave fronts need rays, and another thread. */
     @Test
     void waveFrontsComeLater() throws InterruptedException {
+        Studio dark = Studios.sphere();
+        assertThat(marked(painted(overlay(OverlayKind.OUTLINES, OverlayKind.WAVE_FRONTS), dark))
+                        .isEmpty())
+                .isFalse();
+        PointLight lamp = new PointLight(new Vector3d(), Colour.WHITE, Colour.BLACK, 1, new Pulse(0, 1, 0));
+        assertComesLater(Lighting.of(dark, List.of(lamp)), OverlayKind.OUTLINES, OverlayKind.WAVE_FRONTS);
+    }
+
+    private static void assertComesLater(Studio studio, OverlayKind... kinds) throws InterruptedException {
         CountDownLatch again = new CountDownLatch(1);
         SceneOverlay overlay = new SceneOverlay(again::countDown, asker());
-        overlay.setShown(Set.of(OverlayKind.OUTLINES, OverlayKind.WAVE_FRONTS));
-        Studio dark = Studios.sphere();
-        PointLight lamp = new PointLight(new Vector3d(), Colour.WHITE, Colour.BLACK, 1, new Pulse(0, 1, 0));
-        Studio flash =
-                Lighting.of(dark, List.of(lamp)).withSettings(dark.settings().withSize(WIDTH, HEIGHT));
-
-        assertThat(marked(painted(overlay, dark)).isEmpty()).isFalse();
-        Picture picture = Pictures.black(flash);
+        overlay.setShown(Set.of(kinds));
+        Picture picture = Pictures.black(studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT)));
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isTrue();
         assertThat(again.await(5, TimeUnit.MINUTES)).isTrue();
         assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isFalse();

@@ -25,7 +25,6 @@ import tompkins.ui.picture.RenderController;
 import tompkins.ui.ray.PixelReading;
 import tompkins.ui.widget.Texts;
 
-/** The line under the photograph, without a display. */
 class StatusBarTest {
 
     private static final int SOON = 50;

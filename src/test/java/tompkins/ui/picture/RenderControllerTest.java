@@ -146,15 +146,6 @@ class RenderControllerTest {
                 .anyMatch(call -> call.getClassName().equals(worker.getName()));
     }
 
-    @Test
-    void aSlowPictureShowsSomethingAndGivesWay() throws InterruptedException {
-        show(controller, Studios.slow(), Pace.HAND);
-        await(() -> !pictures.isEmpty());
-        assertThat(last().complete()).isFalse();
-        show(controller, Studios.sphere(), Pace.HAND);
-        await(() -> last().studio().equals(Studios.sphere()) && last().complete());
-    }
-
     /** In a ball of perfect mirrors a ray goes on until it is given up: even the coarsest pass takes long. */
     @ParameterizedTest
     @EnumSource

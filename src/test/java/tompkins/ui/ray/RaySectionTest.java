@@ -26,7 +26,6 @@ import tompkins.ui.picture.Pictures;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
-/** The section of the pinned ray, without a display. */
 class RaySectionTest {
 
     private static final Studio STUDIO = Studios.sphere().withVelocity(Velocity.of(0, 0, 0.8));
