@@ -13,7 +13,6 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What {@code tompkins check} finds in scene files and saved photographs. */
 class CheckCommandTest {
 
     @TempDir

@@ -13,7 +13,6 @@ import tompkins.GeneratedDocument;
 import tompkins.image.PictureFormat;
 import tompkins.light.ColourLaw;
 
-/** The reference of the command line is up to date, and so is the help. */
 class CommandLineReferenceTest {
 
     /** Lines of help that fit on a screen. */

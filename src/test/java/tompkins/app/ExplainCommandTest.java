@@ -17,7 +17,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.Thorough;
 
-/** What {@code tompkins explain} says of a picture, what it warns of, and what it foretells. */
 class ExplainCommandTest {
 
     @TempDir

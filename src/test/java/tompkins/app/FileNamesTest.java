@@ -12,7 +12,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.OnLinux;
 
-/** Names of files that cannot be taken as they are. */
 @OnLinux
 class FileNamesTest {
 

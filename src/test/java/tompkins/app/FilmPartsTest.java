@@ -19,7 +19,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.OnLinux;
 
-/** Films that several processes take together. */
 class FilmPartsTest {
 
     private static final int FRAMES = 10;
@@ -182,19 +181,6 @@ class FilmPartsTest {
     }
 
     @Test
-    void missingFramesAtTheEndAreKnown() throws IOException {
-        requireDone(animate("frames"));
-        Files.delete(folder.resolve("frames/frame0009.png"));
-        Path half = folder.resolve("frames/frame0004.png");
-        Files.write(half, Arrays.copyOf(Files.readAllBytes(half), (int) Files.size(half) / 2));
-        ProgramRun run = assemble("frames", "film.gif");
-        assertThat(run.code()).isEqualTo(3);
-        assertThat(run.out().strip()).isEqualTo("4,9");
-        requireDone(animate("frames", "--frames=4,9", "--skip-existing"));
-        requireDone(assemble("frames", "film.gif"));
-    }
-
-    @Test
     void framesOfTwoFilmsAreNotAssembled() {
         requireDone(animate("frames", "--frames=0-8"));
         requireDone(animate("frames", "--frames=9", "--fps=30"));
@@ -220,9 +206,9 @@ class FilmPartsTest {
     @OnLinux
     void whatAKilledProcessLeavesIsCompleted() throws IOException, InterruptedException {
         String film = " animate ball.json --from 0 --to 0.9 --duration 0.4 --samples 150 -o frames --skip-existing";
-        ProgramRun killed = ProgramShell.run(
+        ProgramRun killed = ShellTest.run(
                 folder,
-                ProgramShell.PROGRAM + film + " & p=$!; while kill -0 $p 2> /dev/null"
+                ShellTest.PROGRAM + film + " & p=$!; while kill -0 $p 2> /dev/null"
                         + " && ! [ -e frames/frame0002.png ]; do sleep 0.01; done; kill -KILL $p; wait $p; echo $?");
         assertThat(killed.out()).endsWith("137\n");
         int left = (int) content("frames").keySet().stream()
@@ -237,16 +223,5 @@ class FilmPartsTest {
         frames.keySet().removeIf(name -> name.endsWith(".part"));
         assertThat(frames).isEqualTo(content("whole"));
         requireDone(assemble("frames", "film.gif"));
-    }
-
-    @Test
-    @OnLinux
-    void twoProcessesMayTakeTheSameFrames() throws IOException, InterruptedException {
-        String film = "tompkins animate ball.json --from 0 --to 0.9 --duration 0.4 --skip-existing -o frames";
-        ProgramRun both = ProgramShell.run(
-                folder, film + " & p=$!; " + film + " --part 0/2; a=$?; wait $p; echo $a $?; ls -A frames | wc -l");
-        assertThat(both.out().lines().toList()).contains("0 0").endsWith("10");
-        requireDone(animate("whole"));
-        assertThat(content("frames")).isEqualTo(content("whole"));
     }
 }

@@ -1,8 +1,6 @@
 package tompkins.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatCode;
-import static org.assertj.core.api.Assumptions.assumeThat;
 import static tompkins.app.ProgramRun.FIG1B;
 
 import java.io.IOException;
@@ -10,15 +8,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.OnLinux;
-import tompkins.image.PictureFormat;
 import tompkins.io.StudioReader;
-import tompkins.render.Quality;
-import tompkins.studio.Studio;
 
 /** Where pictures are saved, and the names and places at which none may be. */
 class PicturePlacesTest {
@@ -44,13 +38,6 @@ class PicturePlacesTest {
         assertThat(refusalOf(locked.resolve("picture.png"))).isEqualTo("there is no permission");
     }
 
-    @Test
-    @Timeout(600)
-    void namesTooLongForTheDiskAreRefusedFirst() {
-        assertThat(refusalOf(folder.resolve("x".repeat(300) + ".png"))).isEqualTo("File name too long");
-        assertThat(folder).isEmptyDirectory();
-    }
-
     /** Why no picture can be written there. */
     private static String refusalOf(Path picture) {
         // would take hours
@@ -70,35 +57,10 @@ class PicturePlacesTest {
         assertThat(made.resolve("fig1a.png")).exists();
         assertThat(made.resolve("fig1b.png")).exists();
 
-        Path deep = folder.resolve("no/deep");
-        ProgramRun tooDeep = ProgramRun.of("render", FIG1B, "-o", deep + "/");
-        assertThat(tooDeep.code()).isEqualTo(Failures.MISTAKE);
-        assertThat(tooDeep.err()).contains("there is no folder " + deep.getParent());
-
         Path unused = folder.resolve("unused");
         assertThat(ProgramRun.of("render", "nothing.json", "-o", unused + "/").code())
                 .isEqualTo(Failures.MISTAKE);
         assertThat(unused).doesNotExist();
-    }
-
-    @Test
-    @OnLinux
-    @Timeout(600)
-    void aPipeIsKeptByAllCommands() throws Exception {
-        for (String name : List.of("pipe.png", "pipe.gif")) {
-            Path pipe = folder.resolve(name);
-            assumeThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
-                    .isZero();
-            for (String force : List.of("--force", "--size=8x6")) {
-                ProgramRun run = name.endsWith("png")
-                        ? ProgramRun.of("render", FIG1B, "-o", pipe, force)
-                        : ProgramRun.of("animate", FIG1B, "--from", 0, "--to", 0.5, "-o", pipe, force);
-                assertThat(run.code()).isEqualTo(Failures.MISTAKE);
-                assertThat(run.err()).contains(pipe + ": cannot be written: it is a device or a pipe, not a file");
-            }
-            assertThat(Files.isRegularFile(pipe)).isFalse();
-        }
-        assertThat(folder).isDirectoryNotContaining(file -> !file.toString().contains("pipe"));
     }
 
     /** What happens without a display. */
@@ -130,27 +92,6 @@ class PicturePlacesTest {
         photographer.takeDefault(scene, folder);
         assertThat(beside).hasContent("no picture at all");
         assertThat(StudioReader.read(folder.resolve("mine-3.png"))).isEqualTo(StudioReader.read(scene));
-    }
-
-    /** As by another process that takes the picture of the same name. */
-    @Test
-    void aNameThatIsTakenMeanwhileIsLeftToTheOther() throws Exception {
-        Path scene = Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 8, \"height\": 6}}");
-        Path target = folder.resolve("sky.png");
-        Studio studio = StudioReader.read(scene);
-        AtomicInteger asked = new AtomicInteger();
-        try (Photographer photographer = new Photographer(TompkinsCommand.commandLine(() -> false), 1)) {
-            photographer.take(
-                    new Photographer.Order(scene, studio, Quality.of(studio), target, PictureFormat.PNG), () -> {
-                        if (asked.incrementAndGet() == 2) {
-                            assertThatCode(() -> Files.writeString(target, "of the other"))
-                                    .doesNotThrowAnyException();
-                        }
-                        return false;
-                    });
-        }
-        assertThat(target).hasContent("of the other");
-        assertThat(StudioReader.read(folder.resolve("sky-2.png"))).isEqualTo(studio);
     }
 
     /** A photograph is what is inside, whatever the name says: only of one the picture is another one. */
@@ -199,17 +140,5 @@ class PicturePlacesTest {
                 .isEqualTo(other + ": its picture would be " + pictures.resolve("fig1b.png") + ", as that of " + FIG1B
                         + "; render one of them alone, with another name after -o");
         assertThat(pictures).isEmptyDirectory();
-    }
-
-    @Test
-    void severalScenesGoIntoAFolder() {
-        assertThat(ProgramRun.of("render", FIG1B, "scenes/fig1a.json", "-o", folder, "--size", "8x6")
-                        .code())
-                .isZero();
-        assertThat(folder.resolve("fig1a.png")).exists();
-        assertThat(folder.resolve("fig1b.png")).exists();
-        ProgramRun run = ProgramRun.of("render", FIG1B, "scenes/fig1a.json", "-o", folder.resolve("one.png"));
-        assertThat(run.code()).isEqualTo(2);
-        assertThat(run.err()).contains("folder");
     }
 }

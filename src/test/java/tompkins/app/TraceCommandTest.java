@@ -121,37 +121,6 @@ class TraceCommandTest {
         assertThat(numbers(json.out(), "scene", "direction")).containsExactly(0.0, -1.0, 0.0);
     }
 
-    /** Glass of index 1.5 reflects ((1.5 - 1)/(1.5 + 1))^2 = 0.04 of the light that meets it straight. */
-    @Test
-    void whereTheRaySplitsItsWeakerBranchIsIndented() throws IOException {
-        Path scene = Files.writeString(folder.resolve("glass.json"), """
-                {
-                  "settings": { "width": 1, "height": 1 },
-                  "scene": [
-                    { "type": "Plane", "description": "glass", "point": [0, 0, 5], "normal": [0, 0, 1],
-                      "surface": { "type": "Refractive" } },
-                    { "type": "Plane", "description": "behind", "point": [0, 0, -3], "normal": [0, 0, 1] },
-                    { "type": "Plane", "description": "ahead", "point": [0, 0, 9], "normal": [0, 0, 1] },
-                  ],
-                }
-                """);
-
-        String text = ProgramRun.of("trace", scene, "--pixel", "0,0").out();
-        String json = ProgramRun.of("trace", scene, "--pixel", "0,0", "--json").out();
-
-        assertThat(text.lines()
-                        .filter(line -> line.matches(" *(Hits|throughput) .*"))
-                        .map(line -> line.replaceAll("(?<=\\S) +", " ")))
-                .containsExactly(
-                        "Hits glass", "  Hits behind", "    throughput 0.04", "Hits ahead", "  throughput 0.96");
-        assertThat(numbers(json, "glass", "branch")).containsExactly(0.0);
-        assertThat(numbers(json, "behind", "branch")).containsExactly(1.0);
-        assertThat(numbers(json, "ahead", "branch")).containsExactly(0.0);
-        assertThat(numbers(json, "glass", "share").get(0)).isEqualTo(1);
-        assertThat(numbers(json, "behind", "share").get(0)).isCloseTo(0.04, within(1e-16));
-        assertThat(numbers(json, "ahead", "share").get(0)).isCloseTo(0.96, within(1e-15));
-    }
-
     /** The moments of an exposure of 4 lie 4 apart; without one named it is the middle. */
     @Test
     void momentsAreChosen() {
@@ -189,16 +158,6 @@ class TraceCommandTest {
         assertThat(run.out()).contains("never crosses the shutter");
         assertThat(ProgramRun.of("trace", scene, "--pixel", "0,0", "--json").out())
                 .isEqualToIgnoringNewLines("null");
-    }
-
-    @Test
-    void textNamesBothFrames() {
-        String text =
-                ProgramRun.of("trace", "scenes/fig4.json", "--pixel", "320,400").out();
-
-        assertThat(text)
-                .contains("Starts in the camera frame", "Enters the scene frame", "Hits Lorentz window", "Hits floor")
-                .containsPattern("\n {2}gamma +10\\.48");
     }
 
     /** The mirror sends the ray back from z = 10 at t = -10; the wall z = -9 + 0.8 t was there 135 before. */
@@ -254,11 +213,6 @@ class TraceCommandTest {
         for (int i = 0; i < balls.size(); i++) {
             assertThat(balls.get(i)).isEqualTo(numbers(hits[i + 1], "position"));
         }
-        Path picture = folder.resolve("drawn.png");
-        ProgramRun wrong = ProgramRun.of("trace", scene, "--pixel", "11,8", "--draw", picture);
-        assertThat(wrong.code()).isEqualTo(2);
-        assertThat(wrong.err()).contains("drawn.png: the name of a scene must end in .json");
-        assertThat(picture).doesNotExist();
         ProgramRun again = ProgramRun.of("trace", scene, "--pixel", "11,8", "--draw", drawn);
         assertThat(again.code()).isEqualTo(2);
         assertThat(again.err()).contains("there is a file of this name already; --force replaces it");
