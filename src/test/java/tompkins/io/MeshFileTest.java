@@ -84,29 +84,14 @@ class MeshFileTest {
         assertThat(corners(mesh, 0)).isEqualTo(List.of(0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0));
     }
 
-    @ParameterizedTest
-    @ValueSource(
-            strings = {
-                "0.1",
-                "-0.30000000000000004",
-                "+.5",
-                "7.",
-                "1e3",
-                "2.5E-7",
-                "-1.2246467991473532E-16",
-                "4.9e-324",
-                "9007199254740993",
-                "0.1000000000000000055511151231257827021181583404541015625",
-                "1e-400",
-                "6.02e+23",
-                "123456789012345678901234567890",
-                "0.00000000000000000000000000000012",
-                "1.7976931348623157e308",
-            })
-    void numbersAreRoundedAsJavaDoes(String number) throws IOException {
-        MeshData mesh = read("v " + number + " 0 0\nv 1 2 0\nv 1 1 0\nf 1 2 3\n");
-
-        assertThat(mesh.coordinate(0, 0, 0)).isEqualTo(Double.parseDouble(number));
+    @Test
+    void numbersAreRoundedAsJavaDoes() throws IOException {
+        String numbers = "0.1 -0.30000000000000004 +.5 7. 1e3 2.5E-7 -1.2246467991473532E-16 4.9e-324 9007199254740993"
+                + " 0.1000000000000000055511151231257827021181583404541015625 1e-400 6.02e+23 123456789012345678901234567890 0.00000000000000000000000000000012 1.7976931348623157e308";
+        for (String number : numbers.split(" ")) {
+            MeshData mesh = read("v " + number + " 0 0\nv 1 2 0\nv 1 1 0\nf 1 2 3\n");
+            assertThat(mesh.coordinate(0, 0, 0)).as(number).isEqualTo(Double.parseDouble(number));
+        }
     }
 
     @Test
