@@ -111,13 +111,9 @@ class AccessibleNamesTest extends WindowFixture {
     }
 
     @Test
-    void inThePanel() {
+    void inThePanelTheBarsAndWithAPinnedRay() {
         assertNamed();
         assertReached();
-    }
-
-    @Test
-    void inTheBarsAndWithAPinnedRay() {
         driver.menu("menu.ride");
         driver.menu("menu.ride");
         assertReached();
@@ -164,17 +160,7 @@ class AccessibleNamesTest extends WindowFixture {
     }
 
     @Test
-    void inTheQuestionForAFileAndInTheChart() {
-        driver.menu("menu.savePhotograph");
-        JFileChooser chooser = driver.chooser();
-        assertNamed();
-        onEventThread(chooser::cancelSelection);
-        driver.menu("menu.quality");
-        assertNamed();
-    }
-
-    @Test
-    void inDocumentsAndMessages() {
+    void inDocumentsMessagesQuestionsAndTheChart() {
         driver.menu("menu.tour");
         await("the tour", () -> driver.showing(JEditorPane.class).findAny().isPresent());
         assertNamed();
@@ -184,5 +170,11 @@ class AccessibleNamesTest extends WindowFixture {
                 () -> Components.messages(driver.window().frame()).findAny().isPresent());
         assertNamed();
         driver.answer("Close");
+        driver.menu("menu.savePhotograph");
+        JFileChooser chooser = driver.chooser();
+        assertNamed();
+        onEventThread(chooser::cancelSelection);
+        driver.menu("menu.quality");
+        assertNamed();
     }
 }

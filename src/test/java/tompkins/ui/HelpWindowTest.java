@@ -58,8 +58,7 @@ class HelpWindowTest extends WindowFixture {
             Rectangle start = placeOf(link(address) + 1).getBounds();
             text.scrollRectToVisible(start);
             for (int event : List.of(MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED, MouseEvent.MOUSE_CLICKED)) {
-                text.dispatchEvent(new MouseEvent(
-                        text, event, 0, 0, start.x + 2, start.y + start.height / 2, 1, false, MouseEvent.BUTTON1));
+                Components.mouse(text, event, start.x + 2, start.y + start.height / 2);
             }
         });
     }

@@ -26,7 +26,6 @@ import javax.swing.KeyStroke;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -61,6 +60,7 @@ import tompkins.ui.widget.Texts;
 /**
  * Every component lies inside its parent and shows all of its text, at all sizes of type, in all looks, in long words.
  */
+@LightLook
 class LayoutTest {
 
     private static final Locale LONG_WORDS = new Locale("en", "XA");
@@ -69,11 +69,6 @@ class LayoutTest {
 
     private final StudioModel model = new StudioModel(FrontWindow.with(Studios.lattice(), LorentzWindow.DEFAULT), null);
     private PhotographView view;
-
-    @BeforeAll
-    static void warmUp() {
-        Look.LIGHT.install();
-    }
 
     @AfterAll
     static void restore() {

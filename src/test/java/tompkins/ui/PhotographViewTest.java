@@ -14,8 +14,7 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -36,30 +35,22 @@ import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.ScreenPicture;
 import tompkins.ui.ray.PixelReading;
-import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
+@LightLook
 @Timeout(120)
 class PhotographViewTest {
 
     private final StudioModel model =
             new StudioModel(Studios.lattice().withSettings(Studios.sphere().settings()), null);
+
+    @AutoClose
     private final PhotographView view =
             WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener()));
-
-    @BeforeAll
-    static void look() {
-        Look.LIGHT.install();
-    }
 
     @BeforeEach
     void size() {
         WindowDriver.onEventThread(() -> view.canvas().setSize(64, 48));
-    }
-
-    @AfterEach
-    void close() {
-        view.close();
     }
 
     @Test
@@ -128,13 +119,13 @@ class PhotographViewTest {
         };
         try (PhotographView watched = withPicture(listener)) {
             PictureCanvas canvas = watched.canvas();
-            mouse(canvas, MouseEvent.MOUSE_MOVED);
+            Components.mouse(canvas, MouseEvent.MOUSE_MOVED, 32, 24);
             WindowDriver.await("the reading", () -> !read.isEmpty());
             WindowDriver.onEventThread(() -> {
-                mouse(canvas, MouseEvent.MOUSE_MOVED);
+                Components.mouse(canvas, MouseEvent.MOUSE_MOVED, 32, 24);
                 // the answer is there, and waits until this is done
                 sleep(200);
-                mouse(canvas, MouseEvent.MOUSE_EXITED);
+                Components.mouse(canvas, MouseEvent.MOUSE_EXITED, 32, 24);
             });
             assertThat(WindowDriver.onEventThread(() -> read.get(read.size() - 1)))
                     .isNull();
@@ -221,14 +212,6 @@ class PhotographViewTest {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-    }
-
-    private static void mouse(PictureCanvas canvas, int event) {
-        mouse(canvas, event, 32, 24);
-    }
-
-    private static void mouse(PictureCanvas canvas, int event, int x, int y) {
-        canvas.dispatchEvent(new MouseEvent(canvas, event, 0, 0, x, y, 1, false, MouseEvent.BUTTON1));
     }
 
     /** Eight pixels lie between the two. */

@@ -2,9 +2,7 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.awt.Component;
 import java.awt.Point;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.util.List;
@@ -36,16 +34,11 @@ class WindowPressTest extends WindowFixture {
         speed = driver.find(JTextField.class, "Speed");
     }
 
-    private static void dispatch(Component component, int event) {
-        int down = event == MouseEvent.MOUSE_PRESSED ? InputEvent.BUTTON1_DOWN_MASK : 0;
-        component.dispatchEvent(new MouseEvent(component, event, 0, down, 5, 5, 1, false, MouseEvent.BUTTON1));
-    }
-
     /** The focus moves only after such a click. */
     private void clickWithoutTimeBetween(JComponent button) {
         onEventThread(() -> {
-            dispatch(button, MouseEvent.MOUSE_PRESSED);
-            dispatch(button, MouseEvent.MOUSE_RELEASED);
+            Components.mouse(button, MouseEvent.MOUSE_PRESSED, 5, 5);
+            Components.mouse(button, MouseEvent.MOUSE_RELEASED, 5, 5);
         });
         await("the focus", button::isFocusOwner);
     }
@@ -69,12 +62,12 @@ class WindowPressTest extends WindowFixture {
         JTextField below = driver.find(JTextField.class, "Aperture");
         driver.typeWithoutEnter(speed, "1.2");
         Point before = onEventThread(below::getLocationOnScreen);
-        onEventThread(() -> dispatch(below, MouseEvent.MOUSE_PRESSED));
+        onEventThread(() -> Components.mouse(below, MouseEvent.MOUSE_PRESSED, 5, 5));
         await("the focus", below::isFocusOwner);
         await("the mark", () -> Components.isMarked(speed));
         onEventThread(driver.window().frame()::validate);
         assertThat(onEventThread(below::getLocationOnScreen)).isEqualTo(before);
-        onEventThread(() -> dispatch(below, MouseEvent.MOUSE_RELEASED));
+        onEventThread(() -> Components.mouse(below, MouseEvent.MOUSE_RELEASED, 5, 5));
         await("the message", this::complains);
         assertThat(driver.studio().velocity().components()).isEqualTo(new Vector3d(0, 0, 0.3));
 
@@ -82,11 +75,11 @@ class WindowPressTest extends WindowFixture {
         driver.typeWithoutEnter(speed, "0.4");
         Point after = onEventThread(below::getLocationOnScreen);
         assertThat(after).as("there was room for the message").isEqualTo(before);
-        onEventThread(() -> dispatch(below, MouseEvent.MOUSE_PRESSED));
+        onEventThread(() -> Components.mouse(below, MouseEvent.MOUSE_PRESSED, 5, 5));
         await("the focus", below::isFocusOwner);
         onEventThread(driver.window().frame()::validate);
         assertThat(onEventThread(below::getLocationOnScreen)).isEqualTo(after);
-        onEventThread(() -> dispatch(below, MouseEvent.MOUSE_RELEASED));
+        onEventThread(() -> Components.mouse(below, MouseEvent.MOUSE_RELEASED, 5, 5));
         await("no message", () -> !complains());
     }
 

@@ -25,6 +25,7 @@ import tompkins.studio.StudioNumber;
 import tompkins.studio.Studios;
 import tompkins.ui.overlay.SceneOverlay;
 import tompkins.ui.photograph.Captions;
+import tompkins.ui.picture.Pictures;
 
 class AnimationExportTest {
 
@@ -95,15 +96,9 @@ class AnimationExportTest {
     private static Rectangle difference(Path one, Path other, String name) throws IOException {
         BufferedImage a = ImageIO.read(one.resolve(name).toFile());
         BufferedImage b = ImageIO.read(other.resolve(name).toFile());
-        Rectangle found = new Rectangle(-1, -1);
-        for (int y = 0; y < a.getHeight(); y++) {
-            for (int x = 0; x < a.getWidth(); x++) {
-                if (a.getRGB(x, y) != b.getRGB(x, y)) {
-                    found = found.union(new Rectangle(x, y, 1, 1));
-                }
-            }
-        }
-        return found;
+        int width = a.getWidth();
+        return Pictures.around(
+                width, a.getHeight(), i -> a.getRGB(i % width, i / width) != b.getRGB(i % width, i / width));
     }
 
     @Test

@@ -14,7 +14,6 @@ import javax.swing.JSlider;
 import javax.swing.JTextField;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -45,12 +44,13 @@ import tompkins.surface.ColouredSurface;
 import tompkins.surface.LorentzWindow;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.Components;
+import tompkins.ui.LightLook;
 import tompkins.ui.WindowDriver;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.number.NumberProperty;
-import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
+@LightLook
 class PlayPanelTest {
 
     private static final String SPEED = "Speed beta in units of c";
@@ -62,11 +62,6 @@ class PlayPanelTest {
     private final PlayPanel play = new PlayPanel(model, (studio, animation) -> exported.add(animation), told::add);
     private final Container panel = (Container) play.component();
     private final JComboBox<?> numbers = Components.find(panel, JComboBox.class, "Value to animate");
-
-    @BeforeAll
-    static void look() {
-        Look.LIGHT.install();
-    }
 
     @BeforeEach
     void show() {

@@ -11,7 +11,6 @@ import java.util.stream.Stream;
 import javax.swing.JComboBox;
 import javax.swing.JTextField;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -28,16 +27,12 @@ import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.surface.LuminousSurface;
 import tompkins.ui.Components;
-import tompkins.ui.widget.Look;
+import tompkins.ui.LightLook;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Wording;
 
+@LightLook
 class RecordFormTest {
-
-    @BeforeAll
-    static void look() {
-        Look.LIGHT.install();
-    }
 
     static Stream<Class<?>> allTypes() {
         return Stream.concat(Families.ALL.stream(), Stream.of(RenderSettings.class, Studio.class))

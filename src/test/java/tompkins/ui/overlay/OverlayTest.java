@@ -20,7 +20,6 @@ import java.util.stream.IntStream;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import tompkins.camera.Stereo;
 import tompkins.camera.StereoLayout;
@@ -43,7 +42,7 @@ import tompkins.studio.Studios;
 import tompkins.surface.LuminousSurface;
 import tompkins.surface.Mirror;
 import tompkins.trace.RenderPlan;
-import tompkins.ui.WindowDriver;
+import tompkins.ui.LightLook;
 import tompkins.ui.measure.MeasureMarks;
 import tompkins.ui.model.Settings;
 import tompkins.ui.model.StudioModel;
@@ -52,9 +51,9 @@ import tompkins.ui.picture.Overlay;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.Pictures;
-import tompkins.ui.widget.Look;
 
 /** What is drawn over pictures lies where it should. */
+@LightLook
 class OverlayTest {
 
     private static final int WIDTH = 640;
@@ -64,11 +63,6 @@ class OverlayTest {
     private static final Rectangle WHOLE = new Rectangle(WIDTH, HEIGHT);
 
     private static final Rectangle FREE = new Rectangle(0, 30, WIDTH, HEIGHT - 60);
-
-    @BeforeEach
-    void install() {
-        WindowDriver.onEventThread(() -> Look.LIGHT.install());
-    }
 
     private static BufferedImage painted(Overlay overlay, Studio studio) {
         return painted(overlay, studio, new Rectangle(WIDTH, HEIGHT));
@@ -91,15 +85,7 @@ class OverlayTest {
 
     /** The rectangle around what was painted. */
     private static Rectangle marked(BufferedImage canvas) {
-        Rectangle all = new Rectangle(-1, -1);
-        for (int y = 0; y < HEIGHT; y++) {
-            for (int x = 0; x < WIDTH; x++) {
-                if (canvas.getRGB(x, y) != Color.GRAY.getRGB()) {
-                    all = all.union(new Rectangle(x, y, 1, 1));
-                }
-            }
-        }
-        return all;
+        return Pictures.around(WIDTH, HEIGHT, i -> isMarked(canvas, i));
     }
 
     private static int brightPixels(Vector2dc point) {
@@ -109,11 +95,10 @@ class OverlayTest {
                 List.of());
         BufferedImage canvas = painted(marks, Studio.DEFAULT);
         return (int) IntStream.range(0, WIDTH * HEIGHT)
-                .filter(i -> canvas.getRGB(i % WIDTH, i / WIDTH) != Color.GRAY.getRGB())
+                .filter(i -> isMarked(canvas, i))
                 .count();
     }
 
-    /** Above its point a name would be cut off there. */
     /** The ball has a radius of 50 pixels in the middle, or fills much of the picture. */
     @Test
     void aNameStandsBesideASmallThing() {
@@ -140,11 +125,7 @@ class OverlayTest {
 
     /** Around all that is not black. */
     private static Rectangle box(BufferedImage image) {
-        Rectangle box = new Rectangle(-1, -1);
-        IntStream.range(0, WIDTH * HEIGHT)
-                .filter(i -> (image.getRGB(i % WIDTH, i / WIDTH) & 0xffffff) != 0)
-                .forEach(i -> box.add(new Rectangle(i % WIDTH, i / WIDTH, 1, 1)));
-        return box;
+        return Pictures.around(WIDTH, HEIGHT, i -> (image.getRGB(i % WIDTH, i / WIDTH) & 0xffffff) != 0);
     }
 
     @Test

@@ -13,7 +13,6 @@ import javax.swing.JComboBox;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -46,24 +45,20 @@ import tompkins.surface.LorentzWindow;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleHistory;
 import tompkins.ui.Components;
+import tompkins.ui.LightLook;
 import tompkins.ui.compare.ComparePanel;
 import tompkins.ui.compare.Compared;
 import tompkins.ui.model.Shutters;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.number.SceneSize;
 import tompkins.ui.picture.Comparison;
-import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
+@LightLook
 class PanelsTest {
 
     private final StudioModel model = new StudioModel(Studios.lattice(), null);
     private Compared compared = Compared.NOTHING;
-
-    @BeforeAll
-    static void look() {
-        Look.LIGHT.install();
-    }
 
     private Velocity velocity() {
         return model.studio().velocity();
