@@ -41,6 +41,8 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
@@ -127,30 +129,14 @@ class ArchitectureTest {
                 .check(CLASSES);
     }
 
-    @Test
-    void onlyTheWindowKnowsSwing() {
-        classesOutside("ui")
+    /** Swing the window, AWT also pictures and charts, Jackson only files. */
+    @ParameterizedTest
+    @CsvSource({"javax.swing.., ui", "java.awt.., ui image study", "tools.jackson.., io"})
+    void librariesAreKnownToFewPackages(String library, String packages) {
+        classesOutside(packages.split(" "))
                 .should()
                 .dependOnClassesThat()
-                .resideInAPackage("javax.swing..")
-                .check(CLASSES);
-    }
-
-    @Test
-    void onlyWindowPicturesAndChartsKnowAwt() {
-        classesOutside("ui", "image", "study")
-                .should()
-                .dependOnClassesThat()
-                .resideInAPackage("java.awt..")
-                .check(CLASSES);
-    }
-
-    @Test
-    void onlyFilesKnowJackson() {
-        classesOutside("io")
-                .should()
-                .dependOnClassesThat()
-                .resideInAPackage("tools.jackson..")
+                .resideInAPackage(library)
                 .check(CLASSES);
     }
 

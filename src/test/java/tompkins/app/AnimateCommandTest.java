@@ -231,12 +231,6 @@ class AnimateCommandTest {
     }
 
     @Test
-    void theFormatIsThatOfTheName() throws IOException {
-        assertThat(animate("a.gif", "--from", "0", "--to", "0.8").code()).isZero();
-        assertThat(Files.readAllBytes(folder.resolve("a.gif"))).startsWith('G', 'I', 'F', '8', '9', 'a');
-    }
-
-    @Test
     void whatIsThereIsReplacedOnlyByForce() throws IOException {
         Path file = Files.writeString(folder.resolve("a.gif"), "mine");
 

@@ -4,14 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.util.List;
-import java.util.Locale;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.GeneratedDocument;
-import tompkins.image.PictureFormat;
-import tompkins.light.ColourLaw;
 
 class CommandLineReferenceTest {
 
@@ -33,13 +29,5 @@ class CommandLineReferenceTest {
         assertThat(ProgramRun.of("help", command).out().lines())
                 .hasSizeBetween(4, SCREEN)
                 .allMatch(line -> line.length() <= 80);
-    }
-
-    @Test
-    void allWordsOfAnOptionAreTold() {
-        String help = ProgramRun.of("help", "render").out();
-        Stream.of(PictureFormat.values(), ColourLaw.values())
-                .flatMap(Stream::of)
-                .forEach(word -> assertThat(help).contains(word.name().toLowerCase(Locale.ROOT)));
     }
 }
