@@ -86,7 +86,7 @@ class HelpWindowTest extends WindowFixture {
     }
 
     @Test
-    void aDocumentCoversTheSideOfThePanelsFirst() {
+    void aDocumentCoversThePanelsAndOpensAgainWhereItWasLeft() {
         Rectangle owner = driver.window().frame().getBounds();
         Rectangle document = SwingUtilities.getWindowAncestor(text).getBounds();
         assertThat(document.getCenterX()).isGreaterThan(owner.getCenterX());
@@ -94,6 +94,14 @@ class HelpWindowTest extends WindowFixture {
         int lowest = screen.y + screen.height - document.height;
         // but for the title bar that a window manager puts on it, and a task bar
         assertThat(document.y).isCloseTo(Math.max(screen.y, Math.min(owner.y, lowest)), within(80));
+
+        onEventThread(() -> text.scrollRectToVisible(new Rectangle(0, text.getHeight() / 2, 1, 1)));
+        int left = onEventThread(() -> text.getVisibleRect().y);
+        driver.key(KeyEvent.VK_ESCAPE);
+        await("its end", () -> !text.isShowing());
+        driver.menu("menu.tour");
+        await("the tour", text::isShowing);
+        assertThat(onEventThread(() -> text.getVisibleRect().y)).isPositive().isEqualTo(left);
     }
 
     @Test
@@ -161,19 +169,6 @@ class HelpWindowTest extends WindowFixture {
         }
     }
 
-    @Test
-    void aDocumentOpensAgainWhereItWasLeft() {
-        onEventThread(() -> text.scrollRectToVisible(new Rectangle(0, text.getHeight() / 2, 1, 1)));
-        int left = onEventThread(() -> text.getVisibleRect().y);
-        driver.key(KeyEvent.VK_ESCAPE);
-        await("its end", () -> !text.isShowing());
-
-        driver.menu("menu.tour");
-
-        await("the tour", text::isShowing);
-        assertThat(onEventThread(() -> text.getVisibleRect().y)).isPositive().isEqualTo(left);
-    }
-
     private String firstLinkWithin() {
         HTMLDocument.Iterator links = elements(HTML.Tag.A);
         Object address;
@@ -218,10 +213,9 @@ class HelpWindowTest extends WindowFixture {
         await("the first scene of the tour", () -> driver.studio().title().startsWith("A town square"));
     }
 
-    /** Otherwise two pictures are taken for one. */
     @Test
-    void picturesBesideEachOtherKeepApart() throws Exception {
-        // of the town square in the tour
+    void picturesKeepApartAndFitIntoANarrowWindow() throws IOException {
+        // of the town square in the tour, which would be taken for one
         double gap = onEventThread(() -> {
             HTMLDocument.Iterator images = elements(HTML.Tag.IMG);
             Rectangle2D first = placeOf(images.getStartOffset());
@@ -232,18 +226,6 @@ class HelpWindowTest extends WindowFixture {
             return second.getX() - right;
         });
         assertThat(gap).isBetween(4.0, 20.0);
-    }
-
-    private Rectangle2D placeOf(int position) {
-        try {
-            return text.modelToView2D(position);
-        } catch (BadLocationException impossible) {
-            throw new AssertionError(impossible);
-        }
-    }
-
-    @Test
-    void picturesAndCodeFitIntoANarrowWindow() throws IOException {
         makeWide(400);
         driver.menu("menu.manual");
         await("the page", () -> title().equals("The window \u2013 Tompkins"));
@@ -255,6 +237,14 @@ class HelpWindowTest extends WindowFixture {
         await("the small picture", () -> Math.abs(heightOfTheFirstPicture() - 350 * slope) < 60);
         makeWide(600);
         await("the large picture", () -> Math.abs(heightOfTheFirstPicture() - 550 * slope) < 60);
+    }
+
+    private Rectangle2D placeOf(int position) {
+        try {
+            return text.modelToView2D(position);
+        } catch (BadLocationException impossible) {
+            throw new AssertionError(impossible);
+        }
     }
 
     /** How far it moves down what follows. */

@@ -83,15 +83,9 @@ class WindowQuestionsTest extends WindowFixture {
     }
 
     @Test
-    void withoutChangesTheWindowClosesAtOnce() {
-        assertThat(title()).isEqualTo("Untitled \u2013 wall.json \u2013 Tompkins");
-        driver.key(KeyEvent.VK_Q, KeyEvent.VK_CONTROL);
-        await("the end", () -> !driver.window().frame().isDisplayable());
-    }
-
-    @Test
     void closingWithChangesAsksAndCanBeCancelled() throws IOException {
         String before = Files.readString(file);
+        assertThat(title()).isEqualTo("Untitled \u2013 wall.json \u2013 Tompkins");
         change();
         driver.menu("menu.close");
         driver.answer("Cancel");
@@ -133,7 +127,7 @@ class WindowQuestionsTest extends WindowFixture {
     }
 
     @Test
-    void theWindowStaysOpenWhileAnExportRuns() throws IOException {
+    void theWindowStaysOpenOnlyWhileAnExportRuns() throws IOException {
         driver.open(Studios.slow(), null);
         driver.menu("menu.playPanel");
         driver.answer(Texts.get("play.export"));
@@ -149,18 +143,26 @@ class WindowQuestionsTest extends WindowFixture {
             assertThat(left.filter(Files::isRegularFile)).containsExactly(file);
         }
         assertThat(driver.said()).isEqualTo("Cancelled: " + film + " was not saved.");
-        driver.menu("menu.close");
+        driver.key(KeyEvent.VK_Q, KeyEvent.VK_CONTROL);
         await("the end", () -> !driver.window().frame().isDisplayable());
     }
 
     @Test
-    void aWindowOfALargerScreenIsMadeToFit() throws IOException {
+    void windowsAreNotLargerThanTheirScreen() throws IOException {
         driver.close();
         Files.writeString(
                 Files.createDirectories(folder.resolve("settings")).resolve("window.properties"),
                 "width=9000\nheight=8000\n");
         driver = new WindowDriver(folder.resolve("settings"), WALL, file, List.of());
         assertThat(onEventThread(() -> fills(driver.window().frame()))).isTrue();
+        JDialog dialog = onEventThread(() -> {
+            JDialog made = new JDialog(driver.window().frame());
+            made.setSize(5000, 4000);
+            made.setVisible(true);
+            return made;
+        });
+        await("the size of the screen", () -> fills(dialog));
+        onEventThread(dialog::dispose);
     }
 
     /** Whether a window takes all of its screen, but for the borders of a window manager. */
@@ -172,19 +174,8 @@ class WindowQuestionsTest extends WindowFixture {
     }
 
     @Test
-    void aDialogIsNotLargerThanItsScreen() {
-        JDialog dialog = onEventThread(() -> {
-            JDialog made = new JDialog(driver.window().frame());
-            made.setSize(5000, 4000);
-            made.setVisible(true);
-            return made;
-        });
-        await("the size of the screen", () -> fills(dialog));
-        onEventThread(dialog::dispose);
-    }
-
-    @Test
     void thePanelIsAsWideAsLargeTypeNeeds() {
+        driver.open(Studio.DEFAULT, null);
         driver.enlarge();
         JScrollPane panel = driver.find(JScrollPane.class, "panel");
         int before = onEventThread(panel::getWidth);
