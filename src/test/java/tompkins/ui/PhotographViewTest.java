@@ -44,9 +44,28 @@ class PhotographViewTest {
     private final StudioModel model =
             new StudioModel(Studios.lattice().withSettings(Studios.sphere().settings()), null);
 
+    private final List<PixelReading> read = new ArrayList<>();
+    private final List<PixelReading> pinned = new ArrayList<>();
+    private final List<String> told = new ArrayList<>();
+
     @AutoClose
     private final PhotographView view =
-            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener()));
+            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener() {
+                @Override
+                public void read(PixelReading reading, boolean rests) {
+                    read.add(reading);
+                }
+
+                @Override
+                public void pinned(PixelReading reading, String picture) {
+                    pinned.add(reading);
+                }
+
+                @Override
+                public void hints(String click) {
+                    told.add(click);
+                }
+            }));
 
     @BeforeEach
     void size() {
@@ -110,92 +129,58 @@ class PhotographViewTest {
 
     @Test
     void whatIsReadAfterTheMouseHasLeftIsNotShown() {
-        List<PixelReading> read = new ArrayList<>();
-        SilentListener listener = new SilentListener() {
-            @Override
-            public void read(PixelReading reading, boolean rests) {
-                read.add(reading);
-            }
-        };
-        try (PhotographView watched = withPicture(listener)) {
-            PictureCanvas canvas = watched.canvas();
+        PictureCanvas canvas = canvasWithPicture();
+        Components.mouse(canvas, MouseEvent.MOUSE_MOVED, 32, 24);
+        WindowDriver.await("the reading", () -> !read.isEmpty());
+        WindowDriver.onEventThread(() -> {
             Components.mouse(canvas, MouseEvent.MOUSE_MOVED, 32, 24);
-            WindowDriver.await("the reading", () -> !read.isEmpty());
-            WindowDriver.onEventThread(() -> {
-                Components.mouse(canvas, MouseEvent.MOUSE_MOVED, 32, 24);
-                // the answer is there, and waits until this is done
-                sleep(200);
-                Components.mouse(canvas, MouseEvent.MOUSE_EXITED, 32, 24);
-            });
-            assertThat(WindowDriver.onEventThread(() -> read.get(read.size() - 1)))
-                    .isNull();
-        }
+            // the answer is there, and waits until this is done
+            sleep(200);
+            Components.mouse(canvas, MouseEvent.MOUSE_EXITED, 32, 24);
+        });
+        assertThat(WindowDriver.onEventThread(() -> read.get(read.size() - 1))).isNull();
     }
 
     /** A double click brings a place into the middle: the pin of its first half goes, and the one before stays. */
     @Test
     void aDoubleClickPinsNothing() {
-        List<PixelReading> pinned = new ArrayList<>();
-        SilentListener listener = new SilentListener() {
-            @Override
-            public void pinned(PixelReading reading, String picture) {
-                pinned.add(reading);
-            }
-        };
-        try (PhotographView watched = withPicture(listener)) {
-            PictureCanvas canvas = watched.canvas();
-            WindowDriver.onEventThread(() -> doubleClick(canvas, 32, 24));
-            assertThat(pinned).endsWith((PixelReading) null);
-            WindowDriver.onEventThread(() -> {
-                watched.setPin(new Point2D.Double(10.5, 12.5));
-                doubleClick(canvas, 32, 24);
-            });
-            WindowDriver.await(
-                    "the reading of the pin before",
-                    () -> pinned.get(pinned.size() - 1) != null
-                            && pinned.get(pinned.size() - 1).column() == 10
-                            && pinned.get(pinned.size() - 1).row() == 12);
-        }
+        PictureCanvas canvas = canvasWithPicture();
+        WindowDriver.onEventThread(() -> doubleClick(canvas, 32, 24));
+        assertThat(pinned).endsWith((PixelReading) null);
+        WindowDriver.onEventThread(() -> {
+            view.setPin(new Point2D.Double(10.5, 12.5));
+            doubleClick(canvas, 32, 24);
+        });
+        WindowDriver.await("the reading of the pin before", () -> {
+            PixelReading last = pinned.get(pinned.size() - 1);
+            return last != null && last.column() == 10 && last.row() == 12;
+        });
     }
 
-    /** Another view of the model, with a picture on its canvas. */
-    private PhotographView withPicture(PhotographView.Listener listener) {
-        PhotographView watched = WindowDriver.onEventThread(() -> new PhotographView(model, listener));
-        WindowDriver.onEventThread(() -> {
-            watched.canvas().setSize(64, 48);
-            watched.render();
-        });
-        WindowDriver.await("a picture", () -> watched.canvas().shown().now() != null);
-        return watched;
+    private PictureCanvas canvasWithPicture() {
+        WindowDriver.onEventThread(view::render);
+        WindowDriver.await("a picture", () -> view.canvas().shown().now() != null);
+        return view.canvas();
     }
 
     /** Measuring comes before choosing; each gives the click back when it ends. */
     @Test
     void whatAClickDoesIsTold() {
-        List<String> told = new ArrayList<>();
-        PhotographView.Listener listener = new SilentListener() {
-            @Override
-            public void hints(String click) {
-                told.add(click);
-            }
-        };
-        try (PhotographView watched = withPicture(listener)) {
-            AtomicBoolean editing = new AtomicBoolean();
-            MeasureTool measure = new MeasureTool(watched, text -> {});
-            new ChooseTool(model, watched, editing::get, part -> {});
-            WindowDriver.onEventThread(() -> {
-                measure.component();
-                measure.setOn(true);
-                measure.setOn(false);
-                editing.set(true);
-                watched.tellTool();
-                measure.setOn(true);
-                measure.setOn(false);
-            });
-            String measures = Texts.get("status.idle.MEASURE");
-            String chooses = Texts.get("status.idle.CHOOSE");
-            assertThat(told).containsExactly(measures, "", chooses, measures, chooses);
-        }
+        AtomicBoolean editing = new AtomicBoolean();
+        MeasureTool measure = new MeasureTool(view, text -> {});
+        new ChooseTool(model, view, editing::get, part -> {});
+        WindowDriver.onEventThread(() -> {
+            measure.component();
+            measure.setOn(true);
+            measure.setOn(false);
+            editing.set(true);
+            view.tellTool();
+            measure.setOn(true);
+            measure.setOn(false);
+        });
+        String measures = Texts.get("status.idle.MEASURE");
+        String chooses = Texts.get("status.idle.CHOOSE");
+        assertThat(told).containsExactly(measures, "", chooses, measures, chooses);
     }
 
     private static void doubleClick(PictureCanvas canvas, int x, int y) {
