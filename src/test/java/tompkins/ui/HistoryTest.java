@@ -64,20 +64,16 @@ class HistoryTest extends WindowFixture {
         assertThat(to.getText()).isEqualTo(before).isNotEqualTo("0.7");
     }
 
-    private ProseArea openRemarks() {
-        driver.menu("menu.editScene");
-        await("the editor", () -> driver.showing(ProseArea.class).findAny().isPresent());
-        return driver.find(ProseArea.class, "Remarks");
-    }
-
     @Test
     void keysUndoWhatIsTypedThenTheStepBefore() {
         driver.type(field("Speed"), "0.5");
-        ProseArea remarks = openRemarks();
+        driver.menu("menu.editScene");
+        await("the editor", () -> driver.showing(ProseArea.class).findAny().isPresent());
+        ProseArea remarks = driver.find(ProseArea.class, "Remarks");
         driver.typeWithoutEnter(remarks, "12 3");
-        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        undo();
         assertThat(remarks.getText()).isEqualTo("12 ");
-        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        undo();
         assertThat(remarks.getText()).isEqualTo("12");
         driver.key(KeyEvent.VK_Y, KeyEvent.VK_CONTROL);
         driver.key(KeyEvent.VK_6);
@@ -85,10 +81,10 @@ class HistoryTest extends WindowFixture {
         driver.key(KeyEvent.VK_ENTER, KeyEvent.VK_CONTROL);
         assertThat(driver.studio().remarks()).isEqualTo("12 6");
 
-        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        undo();
         assertThat(driver.studio().remarks()).as("what was taken is one step").isEmpty();
         assertThat(remarks.getText()).isEmpty();
-        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        undo();
         assertThat(driver.studio()).isEqualTo(Studios.sphere());
     }
 

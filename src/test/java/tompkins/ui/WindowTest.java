@@ -140,7 +140,6 @@ class WindowTest extends WindowFixture {
     @Test
     void thePictureIsSplitByADividerThatCanBeDragged() {
         driver.enlarge();
-        driver.completePicture();
         JComboBox<?> other = driver.find(JComboBox.class, "Compare with");
         onEventThread(() -> other.setSelectedItem(ComparePanel.Other.AT_REST));
         PictureCanvas canvas = driver.find(PictureCanvas.class, "picture");
