@@ -156,7 +156,7 @@ class RadianceFileTest {
                 .allSatisfy(line -> assertThat(line).matches("\\p{ASCII}{1,230}"))
                 .startsWith("#?RADIANCE", "# \\u03b3", "SOFTWARE=Tompkins")
                 .endsWith("FORMAT=32-bit_rle_rgbe");
-        assertThat(RadianceFile.readScene(new ByteArrayInputStream(out.toByteArray())))
+        assertThat(RadianceFile.readScene(out.toByteArray()))
                 .contains(scene.replace("\r\n", "\n").replace('\r', '\n'));
     }
 }

@@ -98,7 +98,8 @@ class MeshFileTest {
     @Timeout(600)
     void manyDigitsThatAreNoNumberAreRefusedSoon() {
         String word = "1".repeat(10_000_000) + "x";
-        assertThatThrownBy(() -> read(SQUARE + "v 0 " + word + " 0\n")).hasMessageContaining("cannot be understood");
+        assertThatThrownBy(() -> read(SQUARE + "v 0 " + word + " 0\n"))
+                .hasMessageContaining("coordinates must be finite numbers, one was ");
     }
 
     @Test
@@ -172,7 +173,8 @@ class MeshFileTest {
         if (line.startsWith("\0")) {
             assertThat(read(SQUARE + line + "\nf 1 2 3\n").detail().notes()).hasSize(1);
         } else {
-            assertThatThrownBy(() -> read(SQUARE + line + "\n")).hasMessageContaining("cannot be understood");
+            assertThatThrownBy(() -> read(SQUARE + line + "\n"))
+                    .hasMessageMatching(".*(cannot be understood|coordinates must be finite numbers).*");
         }
     }
 

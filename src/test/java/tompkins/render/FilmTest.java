@@ -127,18 +127,16 @@ class FilmTest {
     }
 
     @Test
-    void meansOfARowStandBehindItsBorder() {
+    void aMeanIsThatOfAllSamplesExposed() {
         Film film = new Film(2, 3, 2, false);
         Films.add(film, film.pixel(0, 2), 3, 6, 9, 1);
         Films.add(film, film.pixel(0, 2), 1, 0, 3, 1);
         Films.add(film, film.pixel(1, 2), 30, 60, 90, 3);
-        double[] means = new double[12];
 
-        film.means(2, means);
-
-        assertThat(means).containsExactly(0, 0, 0, 4, 6, 12, 20, 40, 60, 0, 0, 0);
-        film.means(0, means);
-        assertThat(means[3]).isNaN();
+        assertThat(film.mean(0, 2, 1)).isEqualTo(6);
+        assertThat(film.mean(1, 2, 2)).isEqualTo(60);
+        assertThat(film.mean(0, 0, 0)).as("no samples").isNaN();
+        assertThat(film.mean(2, 2, 0)).as("outside").isNaN();
         assertThat(film.height()).isEqualTo(3);
         assertThat(film.width()).isEqualTo(2);
     }

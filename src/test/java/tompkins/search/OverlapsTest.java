@@ -112,7 +112,7 @@ class OverlapsTest {
         assertThat(bundle.leastDistance(node)).as(name).isLessThanOrEqualTo(distance);
 
         double[] overlap = new double[1];
-        if (primitive.overlaps(block, bundle.starts(), overlap)) {
+        if (primitive.overlaps(block, bundle.farthest(), overlap)) {
             assertThat(overlap[0]).as(name).isGreaterThanOrEqualTo(0);
         }
         return 1;
@@ -260,7 +260,7 @@ class OverlapsTest {
 
     private static PacketFrustum bundle(RayPacket block) {
         PacketFrustum bundle = new PacketFrustum();
-        assertThat(bundle.enclose(block, 0, 1)).isTrue();
+        assertThat(bundle.enclose(block)).isTrue();
         return bundle;
     }
 }
