@@ -11,13 +11,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
 import tompkins.sceneobject.Sphere;
@@ -145,15 +142,6 @@ class AnimateCommandTest {
         assertThat(folder.resolve("none")).doesNotExist();
     }
 
-    @Test
-    void missingRideOrEndsAreNamed() {
-        assertThat(animate("none", "--ride").err()).contains("--ride: no ride is recorded in", "ball.json");
-        ProgramRun run = animate("none", "--from", "0");
-        assertThat(run.code()).isEqualTo(2);
-        assertThat(run.err()).contains("--to=B", "--ride");
-        assertThat(folder.resolve("none")).doesNotExist();
-    }
-
     /** A loop of five steps does not show its beginning twice. */
     @Test
     void anyNumberRunsThereAndBack() {
@@ -243,17 +231,6 @@ class AnimateCommandTest {
     }
 
     @Test
-    void theFormatIsThatOfTheName() throws IOException {
-        assertThat(animate("a.gif", "--from", "0", "--to", "0.8").code()).isZero();
-        assertThat(Files.readAllBytes(folder.resolve("a.gif"))).startsWith('G', 'I', 'F', '8', '9', 'a');
-        ProgramRun png = animate("a.png", "--from", "0", "--to", "0.8");
-        assertThat(png.code()).isEqualTo(2);
-        assertThat(png.err())
-                .contains("a.png: the name of an animation must end in .gif or .mp4, or have no ending, for a folder");
-        assertThat(folder.resolve("a.png")).doesNotExist();
-    }
-
-    @Test
     void whatIsThereIsReplacedOnlyByForce() throws IOException {
         Path file = Files.writeString(folder.resolve("a.gif"), "mine");
 
@@ -291,56 +268,5 @@ class AnimateCommandTest {
         assertThat(faster.err().lines().filter(line -> line.startsWith("warning: gamma 30000000 is above 1000000")))
                 .hasSize(1);
         assertThat(slow.err()).isEmpty();
-    }
-
-    @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "--to=1 | --to: beta must be at least 0 and below 1 (the speed of light), was 1",
-                "--to=-1 --number=scene[0].radius | --to: radius must be a finite number above 0",
-                "--to=2 --number=scene[0] | --number must be the path of a number (scene[0] has description, centre,",
-                "--to=2 --number=scene[0].radus | --number must be the path of a number (scene[0] has description,",
-                "--to=0.9 --beta=0.3 | --beta: velocity.beta runs from the value of --from to that of --to; leave this",
-                "--to=0.9 --gamma=3 | --gamma: velocity.beta runs from",
-                "--to=2 --number=camera.shutter.openingTime --time=1 | --time: camera.shutter.openingTime runs from",
-                "--to=2 --number=scene[0].radius --set scene[0].radius=3 | --set: scene[0].radius runs from",
-                "--to=0.9 --number= | scene[0].radius, was \"\"",
-                "--to=0.9 --samples=0 | --samples: settings.samples: must be a whole number from 1",
-                "--to=0.9 --seconds=2 | unknown option --seconds",
-                "--to=0.9 --size=60000x60000 | --size: settings.height: must be small enough",
-            })
-    void mistakesAreFoundBeforeTheFirstPicture(String options, String message) throws IOException {
-        Object[] more = Stream.concat(Stream.of("--from=0.5"), Stream.of(options.split(" ")))
-                .toArray();
-
-        ProgramRun run = animate("a.gif", more);
-
-        assertThat(run.err()).contains(message);
-        assertThat(run.code()).isEqualTo(2);
-        assertThat(run.out()).isEmpty();
-        try (Stream<Path> files = Files.list(folder)) {
-            assertThat(files).containsExactly(scene);
-        }
-    }
-
-    @Test
-    void durationsAreLimited() {
-        ProgramRun run =
-                ProgramRun.of("animate", scene, "-o", folder.resolve("a.gif"), "--from=0", "--to=0.9", "--duration=0");
-
-        assertThat(run.err()).startsWith("--duration must be from 0.1 to 600, was 0");
-        assertThat(run.code()).isEqualTo(2);
-    }
-
-    @Test
-    void placesWhereNothingCanBeSavedAreMistakes() {
-        ProgramRun ending = animate("a.tif", "--from", "0", "--to", "0.8");
-        assertThat(ending.code()).isEqualTo(2);
-        assertThat(ending.err())
-                .contains("a.tif: the name of an animation must end in .gif or .mp4, or have no ending");
-        ProgramRun missing = animate("nowhere/a.gif", "--from", "0", "--to", "0.8");
-        assertThat(missing.code()).isEqualTo(2);
-        assertThat(missing.err()).contains("there is no folder");
     }
 }

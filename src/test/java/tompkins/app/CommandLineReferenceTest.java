@@ -4,16 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.util.List;
-import java.util.Locale;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.GeneratedDocument;
-import tompkins.image.PictureFormat;
-import tompkins.light.ColourLaw;
 
-/** The reference of the command line is up to date, and so is the help. */
 class CommandLineReferenceTest {
 
     /** Lines of help that fit on a screen. */
@@ -34,13 +29,5 @@ class CommandLineReferenceTest {
         assertThat(ProgramRun.of("help", command).out().lines())
                 .hasSizeBetween(4, SCREEN)
                 .allMatch(line -> line.length() <= 80);
-    }
-
-    @Test
-    void allWordsOfAnOptionAreTold() {
-        String help = ProgramRun.of("help", "render").out();
-        Stream.of(PictureFormat.values(), ColourLaw.values())
-                .flatMap(Stream::of)
-                .forEach(word -> assertThat(help).contains(word.name().toLowerCase(Locale.ROOT)));
     }
 }

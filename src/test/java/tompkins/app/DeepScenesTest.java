@@ -7,11 +7,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
+import java.util.Map;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.ProcessorTime;
 import tompkins.Thorough;
 
@@ -34,120 +33,59 @@ class DeepScenesTest {
     /** So many seconds of the processor are nothing. */
     private static final double NOTHING = 0.05;
 
-    private static final String BALL = "{'type': 'Sphere', 'centre': [0, 0, 10], 'radius': 3}";
-    private static final String GREY = "{'type': 'ColouredSurface'}";
-    private static final String READING = "{'type': 'RayReading', 'value': 'z'}";
+    private static final Map<String, String> PARTS = Map.of(
+            "BALL", "{'type': 'Sphere', 'centre': [0, 0, 10], 'radius': 3}",
+            "GREY", "{'type': 'ColouredSurface'}",
+            "READING", "{'type': 'RayReading', 'value': 'z'}");
 
     @TempDir
     private Path folder;
 
-    /**
-     * Shells in each other, in turns, as many as fit.
-     *
-     * @param opened how many brackets and braces each opens around the next
-     * @param around what stands before and behind all of them
-     */
-    private record Nest(String innermost, int opened, List<String> shells, String around) {
-
-        String text(int depth) {
-            String text = innermost;
-            for (int i = (depth - AROUND) / opened - 1; i >= 0; i--) {
-                text = shells.get(i % shells.size()).replace("INNER", text);
-            }
-            return around.replace("INNER", text);
+    /** Shells in each other, in turns, as many as fit: each opens some brackets and braces around the next. */
+    private static String scene(String around, String innermost, int opened, String shells, int depth) {
+        String[] turns = shells.split(" ; ");
+        String nested = innermost;
+        for (int i = (depth - AROUND) / opened - 1; i >= 0; i--) {
+            nested = turns[i % turns.length].replace("INNER", nested);
         }
-
-        Nest in(String other) {
-            return new Nest(innermost, opened, shells, other);
+        String scene = "{'settings': {'width': 8, 'height': 6}, 'velocity': [0, 0, 0.1], "
+                + around.replace("INNER", nested) + "}";
+        for (Map.Entry<String, String> part : PARTS.entrySet()) {
+            scene = scene.replace(part.getKey(), part.getValue());
         }
-    }
-
-    private static Nest nest(String innermost, int opened, String... shells) {
-        return new Nest(innermost, opened, List.of(shells), "INNER");
-    }
-
-    /** Scenes, and what they nest. */
-    private enum Deep {
-        RESTING(
-                "'scene'",
-                Stream.of(
-                        nest(BALL, 2, "{'type': 'Group', 'objects': [INNER]}"),
-                        nest(BALL, 1, "{'type': 'Placed', 'rotationDegrees': 1, 'object': INNER}"))),
-        COPIES(
-                "'scene'",
-                Stream.of(
-                        nest(BALL, 1, "{'type': 'Hidden', 'object': INNER}"),
-                        nest(
-                                BALL,
-                                1,
-                                "{'type': 'ImagePointGrid', 'points': [1, 1], 'corner': [0, 0, 10], 'object': INNER}"))),
-        MOVING(
-                "'scene'",
-                Stream.of(nest(
-                        BALL,
-                        2,
-                        "{'type': 'Moving', 'velocity': [0, 0.01, 0], 'objects': [{'type': 'Sphere'}, INNER, {'type': 'Moving'}]}",
-                        "{'type': 'Moving', 'velocity': [0.001, -0.01, 0], 'objects': [INNER, " + BALL + "]}"))),
-        MIXED(
-                "'scene'",
-                Stream.of(nest(
-                        BALL,
-                        2,
-                        "{'type': 'Group', 'objects': [INNER]}",
-                        "{'type': 'Placed', 'rotationDegrees': 1, 'object': {'type': 'Placed', 'object': INNER}}",
-                        "{'type': 'Moving', 'velocity': [0.01, 0.01, 0], 'objects': [INNER]}"))),
-        LAMPS(
-                "'scene': [" + BALL + "], 'lights'",
-                Stream.of(nest(
-                        "{'type': 'PointLight', 'position': [0, 5, 0]}",
-                        2,
-                        "{'type': 'Moving', 'velocity': [0.01, 0, 0], 'objects': [INNER]}"))),
-        SURFACES(
-                "'scene'",
-                Stream.of(
-                                nest(GREY, 1, "{'type': 'Tiling', 'first': INNER, 'second': {'type': 'Mirror'}}"),
-                                nest(GREY, 1, "{'type': 'Blinking', 'first': INNER, 'second': {'type': 'Refractive'}}"),
-                                nest(GREY, 1, "{'type': 'Clock', 'face': INNER, 'hand': {'type': 'Mirror'}}"),
-                                nest(GREY, 1, "{'type': 'CutOut', 'dark': {'type': 'Clear'}, 'bright': INNER}"))
-                        .map(surface -> surface.in(BALL.replace("}", ", 'surface': INNER}")))),
-        MEASUREMENTS(
-                "'scene': [" + BALL + "], 'lesson': {'type': 'Lesson', 'numbers'",
-                Stream.of(
-                                nest(
-                                        READING,
-                                        1,
-                                        "{'type': 'DifferenceOf', 'first': INNER, 'second': {'type': 'RayReading'}}"),
-                                nest(
-                                        READING,
-                                        1,
-                                        "{'type': 'RatioOf', 'first': INNER, 'second': {'type': 'RayReading'}}"),
-                                nest(READING, 1, "{'type': 'WithNumber', 'value': 1, 'measurement': INNER}"),
-                                nest(READING, 1, "{'type': 'WithShutter', 'measurement': INNER}"))
-                        .map(measurement -> measurement.in("{'value': 7, 'tolerance': 1000, 'measurement': INNER}")));
-
-        private final String key;
-        private final List<Nest> parts;
-
-        /** The parts are a list behind the key. */
-        Deep(String key, Stream<Nest> parts) {
-            this.key = key;
-            this.parts = parts.toList();
-        }
-
-        String scene(int depth) {
-            String list = parts.stream().map(part -> part.text(depth)).collect(Collectors.joining(", ", "[", "]"));
-            String end = key.contains("lesson") ? "}}" : "}";
-            return ("{'settings': {'width': 8, 'height': 6}, 'velocity': [0, 0, 0.1], " + key + ": " + list + end)
-                    .replace('\'', '"');
-        }
+        return scene.replace('\'', '"');
     }
 
     /** The shallow one comes first, which also loads the program. */
     @ParameterizedTest
-    @EnumSource
-    void everyCommandIsQuick(Deep deep) throws IOException {
-        Path shallow = Files.writeString(folder.resolve("shallow.json"), deep.scene(DEEPEST / DEEPER));
-        Path deepest = Files.writeString(folder.resolve("deep.json"), deep.scene(DEEPEST));
+    @CsvSource(delimiter = '|', quoteCharacter = '~', textBlock = """
+            'scene': [INNER] | BALL | 2 | {'type': 'Group', 'objects': [INNER]}
+            'scene': [INNER] | BALL | 1 | {'type': 'Placed', 'rotationDegrees': 1, 'object': INNER}
+            'scene': [INNER] | BALL | 1 | {'type': 'Hidden', 'object': INNER}
+            'scene': [INNER] | BALL | 1 | {'type': 'ImagePointGrid', 'points': [1, 1], 'corner': [0, 0, 10], 'object': INNER}
+            'scene': [INNER] | BALL | 2 | {'type': 'Moving', 'velocity': [0, 0.01, 0], 'objects': [{'type': 'Sphere'}, INNER, \
+            {'type': 'Moving'}]} ; {'type': 'Moving', 'velocity': [0.001, -0.01, 0], 'objects': [INNER, BALL]}
+            'scene': [INNER] | BALL | 2 | {'type': 'Group', 'objects': [INNER]} ; {'type': 'Placed', 'rotationDegrees': 1, \
+            'object': {'type': 'Placed', 'object': INNER}} ; {'type': 'Moving', 'velocity': [0.01, 0.01, 0], 'objects': [INNER]}
+            'scene': [BALL], 'lights': [INNER] | {'type': 'PointLight', 'position': [0, 5, 0]} | 2 | {'type': 'Moving', \
+            'velocity': [0.01, 0, 0], 'objects': [INNER]}
+            'scene': [{'type': 'Sphere', 'surface': INNER}] | GREY | 1 | {'type': 'Tiling', 'first': INNER, 'second': {'type': 'Mirror'}}
+            'scene': [{'type': 'Sphere', 'surface': INNER}] | GREY | 1 | {'type': 'Blinking', 'first': INNER, 'second': {'type': 'Refractive'}}
+            'scene': [{'type': 'Sphere', 'surface': INNER}] | GREY | 1 | {'type': 'Clock', 'face': INNER, 'hand': {'type': 'Mirror'}}
+            'scene': [{'type': 'Sphere', 'surface': INNER}] | GREY | 1 | {'type': 'CutOut', 'dark': {'type': 'Clear'}, 'bright': INNER}
+            LESSON | READING | 1 | {'type': 'DifferenceOf', 'first': INNER, 'second': {'type': 'RayReading'}}
+            LESSON | READING | 1 | {'type': 'RatioOf', 'first': INNER, 'second': {'type': 'RayReading'}}
+            LESSON | READING | 1 | {'type': 'WithNumber', 'value': 1, 'measurement': INNER}
+            LESSON | READING | 1 | {'type': 'WithShutter', 'measurement': INNER}
+            """)
+    void everyCommandIsQuick(String around, String innermost, int opened, String shells) throws IOException {
+        String whole = around.replace(
+                "LESSON",
+                "'scene': [BALL], 'lesson': {'type': 'Lesson',"
+                        + " 'numbers': [{'value': 7, 'tolerance': 1000, 'measurement': INNER}]}");
+        Path shallow = Files.writeString(
+                folder.resolve("shallow.json"), scene(whole, innermost, opened, shells, DEEPEST / DEEPER));
+        Path deepest = Files.writeString(folder.resolve("deep.json"), scene(whole, innermost, opened, shells, DEEPEST));
         List<String> commands = new ArrayList<>(List.of(
                 "check SCENE",
                 "explain SCENE",
@@ -156,7 +94,7 @@ class DeepScenesTest {
                 "measure profile SCENE --pixel 4,3 --pixel 5,3",
                 "render SCENE -o SCENE.png",
                 "animate SCENE --from 0.1 --to 0.5 --duration 0.1 --fps 10 -o FILM"));
-        if (deep == Deep.MEASUREMENTS) {
+        if (around.equals("LESSON")) {
             commands.add("measure lesson SCENE");
         }
         for (String command : commands) {

@@ -12,7 +12,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.OnLinux;
 
-/** Names of files that cannot be taken as they are. */
 @OnLinux
 class FileNamesTest {
 
@@ -87,21 +86,6 @@ class FileNamesTest {
         assertThat(run.out().lines()).hasSize(1);
     }
 
-    @Test
-    void missingSceneIsStillMissing() {
-        assertThat(ProgramRun.of("render", "--samples", 2).err()).contains("SCENE");
-        assertThat(ProgramRun.of("check", FIG1B).code()).isZero();
-    }
-
-    @Test
-    void aMissingSceneIsNamed() {
-        for (String command : new String[] {"render", "check", "explain"}) {
-            ProgramRun run = ProgramRun.of(command, "scenes/no-such.json");
-            assertThat(run.code()).isEqualTo(2);
-            assertThat(run.err()).contains("no-such.json").doesNotContain("\tat ");
-        }
-    }
-
     /** A link that leads to itself cannot be read by anybody. */
     @Test
     void aFileThatCannotBeReadIsNoUnknownCommand(@TempDir Path folder) throws IOException {
@@ -110,15 +94,5 @@ class FileNamesTest {
         assertThat(run.code()).isEqualTo(Failures.MISTAKE);
         assertThat(run.err()).contains(circle.resolve("scene.json") + ": cannot be read: ");
         assertThat(ProgramRun.of(circle.resolve("scene.json"), "more").err()).contains("too many arguments: more");
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"", "render", "check", "explain"})
-    void theRootOfAllFoldersIsNoScene(String command) {
-        ProgramRun run = command.isEmpty() ? ProgramRun.of("/") : ProgramRun.of(command, "/");
-
-        assertThat(run.code()).isEqualTo(2);
-        assertThat(run.err().strip())
-                .endsWith(Path.of("/") + ": is a folder; a scene file or a saved photograph is needed");
     }
 }

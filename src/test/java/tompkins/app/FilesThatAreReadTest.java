@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
@@ -34,10 +33,8 @@ class FilesThatAreReadTest {
 
     private static void requireKept(Path file, Object... command) throws IOException {
         byte[] before = Files.readAllBytes(file);
-        List<Object> words = new ArrayList<>(List.of(command));
-        words.add("--force");
 
-        ProgramRun run = ProgramRun.of(words.toArray());
+        ProgramRun run = ProgramRun.of(List.of(command), "--force");
 
         assertThat(run.err())
                 .isEqualToIgnoringNewLines(file + ": the command reads this file and does not replace it, not even with"
@@ -46,8 +43,8 @@ class FilesThatAreReadTest {
         assertThat(Files.readAllBytes(file)).isEqualTo(before);
     }
 
-    private static Object[] append(Object[] words, Object... more) {
-        return Stream.of(words, more).flatMap(Stream::of).toArray();
+    private static Object[] with(List<Object> words, Object... more) {
+        return Stream.concat(words.stream(), Stream.of(more)).toArray();
     }
 
     private Path photograph(String name) {
@@ -78,11 +75,11 @@ class FilesThatAreReadTest {
     @Test
     void filmsDoNotReplaceWhatTheyAreMadeOf() throws IOException {
         Path photograph = photograph("frame0001.png");
-        Object[] film = {"animate", photograph, "--from=0", "--to=0.5", "--duration=0.2", "-o"};
-        requireKept(photograph, append(film, folder, "--part=1/99"));
+        List<Object> film = List.of("animate", photograph, "--from=0", "--to=0.5", "--duration=0.2", "-o");
+        requireKept(photograph, with(film, folder, "--part=1/99"));
 
         Path frames = folder.resolve("frames");
-        assertThat(ProgramRun.of(append(film, frames)).code()).isZero();
+        assertThat(ProgramRun.of(film, frames).code()).isZero();
         Path frame = frames.resolve("frame0001.png");
         requireKept(frame, "animate", "--assemble", frames, "-o", frame);
     }

@@ -16,11 +16,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.OnLinux;
 
-/** Films that several processes take together. */
 class FilmPartsTest {
 
     private static final int FRAMES = 10;
@@ -183,19 +181,6 @@ class FilmPartsTest {
     }
 
     @Test
-    void missingFramesAtTheEndAreKnown() throws IOException {
-        requireDone(animate("frames"));
-        Files.delete(folder.resolve("frames/frame0009.png"));
-        Path half = folder.resolve("frames/frame0004.png");
-        Files.write(half, Arrays.copyOf(Files.readAllBytes(half), (int) Files.size(half) / 2));
-        ProgramRun run = assemble("frames", "film.gif");
-        assertThat(run.code()).isEqualTo(3);
-        assertThat(run.out().strip()).isEqualTo("4,9");
-        requireDone(animate("frames", "--skip-existing"));
-        requireDone(assemble("frames", "film.gif"));
-    }
-
-    @Test
     void framesOfTwoFilmsAreNotAssembled() throws IOException {
         requireDone(animate("frames"));
         Files.delete(folder.resolve("frames/frame0009.png"));
@@ -217,44 +202,14 @@ class FilmPartsTest {
                 .isEqualTo(last + ": is a frame of a film of 1000000000 frames; a film has at most 216001");
     }
 
-    @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "--part=3/3 | --part must be I/N: the part I of N, counted from 0 and below N, such as 0/4, was 3/3",
-                "--part=1 | --part must be I/N",
-                "--threads=0 --part=0/2 | --threads must be a whole number from 1 to 1024, was 0",
-                "--assemble=x | --assemble takes frames as they are; leave out",
-            })
-    void mistakesAreFoundAtOnce(String options, String message) {
-        ProgramRun run = animate("frames", (Object[]) options.split(" "));
-        assertThat(run.err()).contains(message);
-        assertThat(run.code()).isEqualTo(2);
-        assertThat(folder.resolve("frames")).doesNotExist();
-    }
-
-    @Test
-    void otherMistakesAreFoundAtOnce() {
-        assertThat(animate("film.gif", "--part=0/2").err()).contains("give -o a name without an ending, was");
-        assertThat(assemble("nowhere", "film.gif").err()).contains("nowhere: cannot be read: there is no such file");
-        assertThat(assemble(scene.getFileName().toString(), "film.gif").err())
-                .contains(scene + ": cannot be read: it is a file, not a folder");
-        assertThat(assemble("", "film.gif").err()).contains("holds no frames of a film");
-        ProgramRun noScene = ProgramRun.of("animate", "-o", folder.resolve("film.gif"));
-        assertThat(noScene.code()).isEqualTo(2);
-        assertThat(noScene.err()).contains("tompkins animate: needs SCENE: scene file");
-        assertThat(ProgramRun.of("animate", scene, "--from=0", "--to=0.9").err())
-                .contains("tompkins animate: needs --output=FILE");
-    }
-
     /** Killed at some moment, it leaves whole frames alone, and the next process takes the rest. */
     @Test
     @OnLinux
     void whatAKilledProcessLeavesIsCompleted() throws IOException, InterruptedException {
         String film = " animate ball.json --from 0 --to 0.9 --duration 0.4 --samples 150 -o frames --skip-existing";
-        ProgramRun killed = ProgramShell.run(
+        ProgramRun killed = ShellTest.run(
                 folder,
-                ProgramShell.PROGRAM + film + " & p=$!; while kill -0 $p 2> /dev/null"
+                ShellTest.PROGRAM + film + " & p=$!; while kill -0 $p 2> /dev/null"
                         + " && ! [ -e frames/frame0002.png ]; do sleep 0.01; done; kill -KILL $p; wait $p; echo $?");
         assertThat(killed.out()).endsWith("137\n");
         int left = (int) content("frames").keySet().stream()
@@ -269,16 +224,5 @@ class FilmPartsTest {
         frames.keySet().removeIf(name -> name.endsWith(".part"));
         assertThat(frames).isEqualTo(content("whole"));
         requireDone(assemble("frames", "film.gif"));
-    }
-
-    @Test
-    @OnLinux
-    void twoProcessesMayTakeTheSameFrames() throws IOException, InterruptedException {
-        String film = "tompkins animate ball.json --from 0 --to 0.9 --duration 0.4 --skip-existing -o frames";
-        ProgramRun both = ProgramShell.run(
-                folder, film + " & p=$!; " + film + " --part 0/2; a=$?; wait $p; echo $a $?; ls -A frames | wc -l");
-        assertThat(both.out().lines().toList()).contains("0 0").endsWith("10");
-        requireDone(animate("whole"));
-        assertThat(content("frames")).isEqualTo(content("whole"));
     }
 }

@@ -51,11 +51,9 @@ class PipesTest extends ShellTest {
     /** Nothing else reaches the standard output: the bytes are those of the file. */
     @Test
     void aPictureGoesThroughPipes() throws IOException, InterruptedException {
-        ProgramRun run = ProgramShell.run(
-                folder,
-                "tompkins render ball.json -o file.png && tompkins render - -o - < ball.json > piped.png"
-                        + " && tompkins render ball.json -o file.tif"
-                        + " && tompkins render - -o - --format tiff < file.png > piped.tif");
+        ProgramRun run = shell("tompkins render ball.json -o file.png && tompkins render - -o - < ball.json > piped.png"
+                + " && tompkins render ball.json -o file.tif"
+                + " && tompkins render - -o - --format tiff < file.png > piped.tif");
         assertThat(run.code()).as(run.err()).isZero();
         assertThat(run.err()).contains("-  (", "1 sample per pixel");
         assertThat(folder.resolve("piped.png")).hasSameBinaryContentAs(folder.resolve("file.png"));
@@ -86,11 +84,6 @@ class PipesTest extends ShellTest {
         assertThat(piped.code()).as(piped.err()).isZero();
         assertThat(piped.out())
                 .isEqualTo(file.out().replace(folder.resolve("ball.json").toString(), "-"));
-    }
-
-    @Test
-    void explainReadsThePipe() {
-        assertThat(run(SCENE, "explain", "-").code()).isZero();
     }
 
     @Test
@@ -134,8 +127,7 @@ class PipesTest extends ShellTest {
     /** As in a container whose only writable place is its output. */
     @Test
     void aReadOnlyFolderForTemporaryFilesIsNotNeeded() throws IOException, InterruptedException {
-        ProgramRun run = ProgramShell.run(
-                folder,
+        ProgramRun run = shell(
                 "OPTIONS=-Djava.io.tmpdir=/proc/none; tompkins render ball.json -o a.tif && tompkins render a.tif -o b.hdr"
                         + " && tompkins render - -o - < ball.json > c.png"
                         + " && tompkins animate c.png --from 0 --to 0.5 --duration 0.1 --caption -o a.gif");

@@ -53,7 +53,7 @@ class ProgramProcessTest extends ShellTest {
                 {"settings": {"maximumDepth": 1000}, "scene": [
                     {"type": "Sphere", "centre": [0, 0, 0], "radius": 9, "surface": {"type": "Mirror", "reflectance": 1}}]}
                 """);
-        Files.writeString(folder.resolve("render"), ProgramShell.PROGRAM + " render mirrors.json\n");
+        Files.writeString(folder.resolve("render"), PROGRAM + " render mirrors.json\n");
 
         ProgramRun run = shell("timeout 600 script -qfec 'sh render' terminal > /dev/null 2>&1 < /dev/null & p=$!; "
                 + "while kill -0 $p 2> /dev/null && ! grep -q ' s left' terminal; do sleep 0.05; done; "
@@ -69,7 +69,7 @@ class ProgramProcessTest extends ShellTest {
     void aProgramThatIsStoppedLeavesNothingHalfWritten() throws IOException, InterruptedException {
         Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 1000, \"height\": 800}}");
 
-        ProgramRun run = shell(ProgramShell.PROGRAM + " render sky.json -o sky.png --format png16 & p=$!; "
+        ProgramRun run = shell(PROGRAM + " render sky.json -o sky.png --format png16 & p=$!; "
                 + "while kill -0 $p 2> /dev/null && [ -z \"$(find . -name '.tompkins*' -size +0)\" ]; "
                 + "do sleep 0.01; done; kill -TERM $p; wait $p; ls -A | grep -c part");
 
@@ -85,7 +85,7 @@ class ProgramProcessTest extends ShellTest {
 
         for (String pause : List.of("0", "0.05", "0.01", "0.02", "0.1").subList(0, TestRun.cases(1, 5))) {
             ProgramRun run = shell(
-                    ProgramShell.PROGRAM + " animate sky.json --from 0 --to 0.9 --duration 600 -o " + output
+                    PROGRAM + " animate sky.json --from 0 --to 0.9 --duration 600 -o " + output
                             + " & p=$!; "
                             + "while kill -0 $p 2> /dev/null && [ -z \"$(find . -name '" + begun
                             + "')\" ]; do sleep 0.01; done; "
@@ -111,7 +111,7 @@ class ProgramProcessTest extends ShellTest {
         Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 10000, \"height\": 10000}}");
 
         for (String form : List.of(" --csv", "", " --json").subList(0, TestRun.cases(1, 3))) {
-            ProgramRun run = shell("{ timeout 300 " + ProgramShell.PROGRAM + " trace sky.json --pixel all" + form
+            ProgramRun run = shell("{ timeout 300 " + PROGRAM + " trace sky.json --pixel all" + form
                     + "; echo $? > code; } | head -1 > /dev/null; cat code");
 
             assertThat(run).as(form).isEqualTo(new ProgramRun(0, "0\n", ""));

@@ -125,7 +125,7 @@ class SheetCommandTest {
     }
 
     @Test
-    void nothingIsReplacedAndALessonIsNeeded() throws IOException {
+    void nothingIsReplaced() throws IOException {
         Path sheet = Files.writeString(folder.resolve("sheet.html"), "mine");
         ProgramRun run = sheet();
         assertThat(run.code()).isEqualTo(Failures.MISTAKE);
@@ -139,16 +139,5 @@ class SheetCommandTest {
         assertThat(answered.code()).isEqualTo(Failures.MISTAKE);
         assertThat(answered.err()).contains("sheet-answers.html: there is a file of this name already");
         assertThat(sheet).doesNotExist();
-
-        Path ball = Files.writeString(folder.resolve("ball.json"), "{\"scene\": [{\"type\": \"Sphere\"}]}");
-        ProgramRun none = ProgramRun.of("sheet", ball, "-o", folder.resolve("ball.html"));
-        assertThat(none.code()).isEqualTo(Failures.MISTAKE);
-        assertThat(none.err()).contains("ball.json: the scene must have a lesson");
-        assertThat(folder.resolve("ball.html")).doesNotExist();
-
-        ProgramRun paper = ProgramRun.of("sheet", LESSON, "-o", folder.resolve("sheet.pdf"));
-        assertThat(paper.code()).isEqualTo(Failures.MISTAKE);
-        assertThat(paper.err()).contains("sheet.pdf: the name of a sheet must end in .html");
-        assertThat(folder.resolve("sheet.pdf")).doesNotExist();
     }
 }

@@ -12,7 +12,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 
-/** Work that keeps to a number of threads. */
 class ThreadsOptionTest {
 
     @ParameterizedTest

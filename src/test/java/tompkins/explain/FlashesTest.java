@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -22,16 +22,13 @@ import tompkins.world.LitSpan;
 /** What is said of flashes, held against the light of one pixel at those opening times. */
 class FlashesTest {
 
+    @AutoClose
     private static final Renderer RENDERER = new Renderer(2);
+
     private static final Pattern TIMES = Pattern.compile("from (-?[0-9.]+) (?:to (-?[0-9.]+)|on)");
 
     /** Samples in the exposure: it holds light that touches this part of it. */
     private static final int SAMPLES = 1024;
-
-    @AfterAll
-    static void close() {
-        RENDERER.close();
-    }
 
     private static final String LAMP = "'type':'PointLight','position':[0.5,0.2,-1],'flash':";
     private static final String WALL = "'type':'Plane','point':[0,0,10],'normal':[0.1,0,-1]";

@@ -2,7 +2,9 @@ package tompkins.io;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -12,12 +14,12 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.MessageTable;
 import tompkins.camera.FocusDistance;
 import tompkins.property.Descriptions;
 import tompkins.property.MistakeException;
 import tompkins.sceneobject.ImagePointGrid;
 import tompkins.sceneobject.Plane;
-import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.spacetime.SpeedScale;
@@ -159,52 +161,13 @@ class AssignmentsTest {
         assertThat(FrontWindow.matches(with(windowed, still))).isFalse();
     }
 
-    @ParameterizedTest
-    @CsvSource(delimiter = '|', quoteCharacter = '~', textBlock = """
-            settings.widht=3     | --set: settings: unknown key "widht"; allowed are width, height, samples, targetError, \
-            seed, maximumDepth, toneCurve; did you mean "width"?
-            settings=3           | --set: settings: must be an object in braces, was 3
-            settings.width.x=3   | --set: settings.width: unknown key "x"; there are none here
-            settings.width=wide  | --set: settings.width: must be a whole number, was "wide"
-            settings.width=      | --set: settings.width: must be a whole number, was ""
-            settings.width=null  | --set: settings.width: must be a whole number, was null
-            settings[0]=3        | --set: settings: unknown key "[0]"; allowed are width, height, samples, targetError, \
-            seed, maximumDepth, toneCurve
-            scene[2].radius=1    | --set: scene: has no part [2], only [0] to [1]
-            scene.radius=1       | --set: scene: has no part radius, only [0] to [1]
-            cameraFrame[0].radius=1 | --set: cameraFrame: has no part [0]; it is empty
-            scene[1].radius=-1   | --set: scene[1].radius: must be a finite number above 0, was -1
-            scene[1].centre.w=1  | --set: scene[1].centre: unknown key "w"; allowed are x, y, z
-            scene[1].centre.x=a  | --set: scene[1].centre.x: must be a number, was "a"
-            scene[1].type=Spher  | --set: scene[1]: unknown type "Spher"; allowed are @OBJECTS@; did you mean "Sphere"?
-            scene[1]={"type": "Sphere", "radius": 0} | --set: scene[1].radius: must be a finite number above 0, was 0
-            scene[1]={"type" 1}  | --set: scene[1]: not valid JSON: Unexpected character ('1'): was expecting a colon to \
-            separate property name and value
-            scene[1]=[1, 2       | --set: scene[1]: not valid JSON: Unexpected end-of-input: expected close marker for Array; the [ of \
-            line 1 is not closed
-            scene[1]={} {}       | --set: scene[1]: the value ends before its last letters
-            title="a             | --set: title: not valid JSON: Unexpected end-of-input: was expecting closing quote for a string value
-            title=2020           | --set: title: must be a text in quotes, was 2020
-            velocity.beta=1      | --set: velocity.beta: must be at least 0 and below 1 (the speed of light), was 1
-            velocity.beta=.5  velocity.gamma=2 | --set: velocity: must have exactly one of beta, gamma, rapidity, \
-            oneMinusBeta, has 2 of them
-            velocity.direction=0,0,0 | --set: velocity.direction: must be a direction, not the zero vector, was [0, 0, 0]
-            settings.width=3  settings.width=4 | --set: settings.width: is already given by --set
-            scene[1].radius=3  scene[1]={"type": "Plane"} | --set: scene[1]: is already given by --set
-            scene[1]={"type": "Plane"}  scene[1].radius=3 | --set: scene[1].radius: is already given by --set
-            settings.height=65535  settings.width=65535 | --set: settings.height: must be small enough for at most \
-            100000000 pixels, was 65535 (with width 65535)
-            settings.width=65535  settings.samples=0 | --set: settings.samples: must be a whole number from 1 to 1048576, was 0
-            version=2            | --set: unknown key "version"; allowed are @KEYS@
-            sc ene=2             | --set: must begin with the path of a key, such as settings.width, velocity.gamma or \
-            scene[0].radius, was sc ene
-            """)
-    void mistakesAreToldAsInTheFile(String settings, String message) {
-        String objects = String.join(", ", DescriptionTypes.memberNames(SceneObject.class));
-        String keys = String.join(", ", DescriptionTypes.keys(Studio.class));
-        assertThatThrownBy(() -> with(STUDIO, settings))
-                .isInstanceOf(MistakeException.class)
-                .hasMessage(message.replace("@OBJECTS@", objects).replace("@KEYS@", keys));
+    @Test
+    void mistakesAreToldAsInTheFile() throws IOException {
+        MessageTable.assertTold(
+                "tompkins/io/assignments.txt",
+                settings -> catchThrowableOfType(MistakeException.class, () -> with(STUDIO, settings))
+                        .getMessage(),
+                getClass());
     }
 
     @Test

@@ -2,6 +2,7 @@ package tompkins.io;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -19,6 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.MessageTable;
 import tompkins.OnLinux;
 import tompkins.file.FileException;
 import tompkins.image.PictureFile;
@@ -82,36 +84,14 @@ class MeshFileTest {
         assertThat(corners(mesh, 0)).isEqualTo(List.of(0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0));
     }
 
-    @ParameterizedTest
-    @ValueSource(
-            strings = {
-                "0.1",
-                "-0.30000000000000004",
-                "+.5",
-                "7.",
-                "1e3",
-                "2.5E-7",
-                "-1.2246467991473532E-16",
-                "4.9e-324",
-                "9007199254740993",
-                "0.1000000000000000055511151231257827021181583404541015625",
-                "1e-400",
-                "6.02e+23",
-                "123456789012345678901234567890",
-                "0.00000000000000000000000000000012",
-                "1.7976931348623157e308",
-            })
-    void numbersAreRoundedAsJavaDoes(String number) throws IOException {
-        MeshData mesh = read("v " + number + " 0 0\nv 1 2 0\nv 1 1 0\nf 1 2 3\n");
-
-        assertThat(mesh.coordinate(0, 0, 0)).isEqualTo(Double.parseDouble(number));
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"e5", ".", ".e5", "5e", "5e+", "+", "5+5", "--5", "1.2.3", "1e2.5", "1e2e3", "0x1p3", "1d"})
-    void whatOnlyLooksLikeANumberIsRefused(String word) {
-        assertThatThrownBy(() -> read(SQUARE + "v 0 " + word + " 0\n"))
-                .hasMessageContaining("coordinates must be finite numbers, one was ");
+    @Test
+    void numbersAreRoundedAsJavaDoes() throws IOException {
+        String numbers = "0.1 -0.30000000000000004 +.5 7. 1e3 2.5E-7 -1.2246467991473532E-16 4.9e-324 9007199254740993"
+                + " 0.1000000000000000055511151231257827021181583404541015625 1e-400 6.02e+23 123456789012345678901234567890 0.00000000000000000000000000000012 1.7976931348623157e308";
+        for (String number : numbers.split(" ")) {
+            MeshData mesh = read("v " + number + " 0 0\nv 1 2 0\nv 1 1 0\nf 1 2 3\n");
+            assertThat(mesh.coordinate(0, 0, 0)).as(number).isEqualTo(Double.parseDouble(number));
+        }
     }
 
     @Test
@@ -177,42 +157,13 @@ class MeshFileTest {
         assertThat(read("f 1 2 3\n" + SQUARE)).isEqualTo(read(SQUARE + "f 1 2 3\n"));
     }
 
-    @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "f 1 2 5             | 6: a face names vertex 5, but there are only 4",
-                "f 1 2 -7            | 6: a face names vertex -7, but there are only 4 above it",
-                "f 1 2 2147483648    | 6: a face names vertex 2147483648, but there are only 4 above it",
-                "f 4294967297 2 3    | 6: a face names vertex 4294967297, but there are only 4 above it",
-                "f 1 18446744073709551617 3 | 6: a face names vertex 18446744073709551617, but there are only 4",
-                "f 1 2 -4294967297   | 6: a face names vertex -4294967297, but there are only 4 above it",
-                "f 1 -18446744073709551617 3 | 6: a face names vertex -18446744073709551617, but there are only 4",
-                "f 1 2 2147483647    | 6: a face names vertex 2147483647, but there are only 4",
-                "f                   | 6: a face must have three or more corners, has 0",
-                "v                   | 6: a vertex must have three coordinates, has 0",
-                "v 0x1 2 3           | 6: coordinates must be finite numbers, one was 0x1",
-                "v 0,5 2 3           | 6: coordinates must be finite numbers, one was 0,5",
-                "v inf 2 3           | 6: coordinates must be finite numbers, one was inf",
-                "v 1 nan(ind) 3      | 6: coordinates must be finite numbers, one was nan(ind)",
-                "f 1 2/x 3           | 6: \"f 1 2/x 3\" cannot be understood; a vertex is written like",
-                "f 1.0 2 3           | 6: \"f 1.0 2 3\" cannot be understood; a vertex is written like",
-                "f 1 2 -0            | 6: \"f 1 2 -0\" cannot be understood; a vertex is written like",
-                "f 1 2               | 6: a face must have three or more corners, has 2",
-                "v 1 2               | 6: a vertex must have three coordinates, has 2",
-                "v 1 nought 3        | 6: coordinates must be finite numbers, one was nought",
-                "v 1 NaN 3           | 6: coordinates must be finite numbers, one was NaN",
-                "v 1 1e999 3         | 6: coordinates must be finite numbers, one was 1e999",
-                "v 1 1e19999999999999999999 3 | 6: coordinates must be finite numbers, one was 1e19999999999999999999",
-                "f one two three     | 6: \"f one two three\" cannot be understood; a vertex is written like",
-                "f 0 1 2             | 6: \"f 0 1 2\" cannot be understood; a vertex is written like \"v 0 1.5 -2\", a face"
-                        + " like \"f 1 2 3\" with vertices counted from 1",
-            })
-    void aMistakeIsReportedWithItsLine(String line, String message) {
-        assertThatThrownBy(() -> read(SQUARE + line + "\n"))
-                .isInstanceOf(FileException.class)
-                .hasMessageStartingWith("knot.obj:" + message)
-                .hasMessageMatching("knot.obj:6: [\"a-zA-Z].+");
+    @Test
+    void aMistakeIsReportedWithItsLine() throws IOException {
+        MessageTable.assertTold(
+                "tompkins/io/meshes.txt",
+                line -> catchThrowableOfType(FileException.class, () -> read(SQUARE + line + "\n"))
+                        .getMessage(),
+                getClass());
     }
 
     /** A control character is no blank, also at the end of a line. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -17,6 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.MessageTable;
 import tompkins.image.LinearImage;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshDetail;
@@ -246,39 +248,21 @@ class MeshMaterialTest {
     }
 
     @Test
-    void normalsOfNoLengthAreNoted() throws IOException {
-        assertThat(StudioWriter.notes(studio(SQUARE + "vn 0 0 0\nf 1//1 2//1 3//1\n")))
-                .containsExactly("model.obj: faces name a \"vn\" that is missing, zero or not finite (3 times)");
-    }
-
-    @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "curv 0 1 1 2 | model.obj: \"curv\" is not read",
-                "usemtl gold | model.obj: there is no material \"gold\"",
-                "mtllib lost.mtl | lost.mtl: its materials are not shown: there is no such file in ",
-                "mtllib ../up.mtl | ../up.mtl: its materials are not shown: must be the name of a file of materials in",
-                "vt 0,5 1 | model.obj:5: texture coordinates (vt) must be two numbers, was \"vt 0,5 1\"",
-                "vn 0 1 | model.obj:5: a normal (vn) must be three numbers, was \"vn 0 1\"",
-                "f 1/7 2/7 3/7 | model.obj: faces name a \"vt\" that is missing or not finite (3 times)",
-                "mtllib model.mtl | model.mtl: \"illum\" is not read (2 times)",
-                "mtllib model.mtl | model.mtl: \"Ns\" is not read",
-                "mtllib model.mtl | model.mtl:4: \"Kd\" must be three numbers from 0 to 1, was \"2 0 0\" (first of 2)",
-                "mtllib model.mtl | model.mtl:12: \"d\" must be a number from 0 to 1, was \"7\"",
-                "mtllib model.mtl | model.mtl: a picture is not shown: there is no such file in ",
-                "mtllib model.mtl | model.mtl: a picture is not shown: bad.png: not a picture that can be read; ",
-                "mtllib model.mtl | model.mtl: the option \"-s\" of \"map_Kd\" is not used",
-                "v 0 0 0 0.5 | model.obj:5: a vertex must have three coordinates, was \"v 0 0 0 0.5\"",
-                "v 0 0 0 1 0 0 | model.obj: colours of vertices are not shown"
-            })
-    void whatIsNotShownIsNotedOnce(String line, String note) throws IOException {
+    void whatIsNotShownIsNotedOnce() throws IOException {
         Files.writeString(folder.resolve("bad.png"), "no picture");
         materials(
                 "newmtl a\nillum 2\nNs 10\nKd 2 0 0\nmap_Kd lost.png\nnewmtl b\nKd 0x1p-1 0 0\nillum 1\nmap_Kd bad.png\n"
                         + "newmtl c\nmap_Kd -s 2 2 2 tiles.png\nd 7\n");
-        List<String> notes = StudioWriter.notes(studio(SQUARE + line + "\nf 1 2 3 4\n"));
-        assertThat(notes).filteredOn(each -> each.startsWith(note)).hasSize(1);
+        MessageTable.assertTold("tompkins/io/materials.txt", this::notes, getClass());
+    }
+
+    private String notes(String lines) {
+        try {
+            return String.join("\n", StudioWriter.notes(studio(SQUARE + lines + "\nf 1 2 3 4\n")))
+                    .replace(folder.toString(), "@");
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
     }
 
     /** A material may be named before its library is read, and again after. */
@@ -336,16 +320,6 @@ class MeshMaterialTest {
         Studio studio = studio(SQUARE + "mtllib model.mtl\nusemtl m\nf 1 2 3 4\n");
         assertThat(detail(studio).materials().get(0).opacity()).isEqualTo(opacity);
         assertThat(StudioWriter.notes(studio)).isEqualTo(note == null ? List.of() : List.of(note));
-    }
-
-    /** Each once, however many vertices there are. */
-    @Test
-    void whatVerticesHaveBesidesIsToldOnce() throws IOException {
-        String coloured = "v -1 -1 -5 1 0 0\nv 1 -1 -5 1 0 0\nv 1 1 -5 0.5\nv -1 1 -5 1\n";
-        assertThat(StudioWriter.notes(studio(coloured + "f 1 2 3 4\n")))
-                .containsExactly(
-                        "model.obj: colours of vertices are not shown (2 times)",
-                        "model.obj:3: a vertex must have three coordinates, was \"v 1 1 -5 0.5\"");
     }
 
     @Test

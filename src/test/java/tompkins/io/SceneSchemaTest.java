@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.CsvFileSource;
 import tompkins.GeneratedDocument;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
@@ -80,26 +80,7 @@ class SceneSchemaTest {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', quoteCharacter = '~', textBlock = """
-            {"titel": "a"}                                  | : additionalProperties
-            {"title": 3}                                    | /title: type
-            {"version": 2}                                  | /version: const
-            {"scene": [{"type": "Sphere", "raduis": 2}]}    | /scene/0: additionalProperties
-            {"scene": [{"type": "Spere"}]}                  | /scene/0/type: enum
-            {"scene": [{"radius": 1}]}                      | /scene/0: required
-            {"scene": [{"type": "Sphere", "radius": 0}]}    | /scene/0/radius: exclusiveMinimum
-            {"scene": [{"type": "Sphere", "centre": [0, 1]}]} | /scene/0/centre: minItems
-            {"scene": [{"type": "Group", "objects": [{"type": "Box", "surface": {"type": "Tiling", "first": {"type": "Glass"}}}]}]} \
-            | /scene/0/objects/0/surface/first/type: enum
-            {"scene": [{"type": "Sphere", "surface": {"reflectance": 1}}]} | /scene/0/surface: additionalProperties
-            {"lights": [{"type": "Sphere"}]}                | /lights/0/type: enum
-            {"settings": {"width": 0.5}}                    | /settings/width: type
-            {"settings": {"width": 65536}}                  | /settings/width: maximum
-            {"velocity": {"beta": 0.5, "gamma": 2}}         | /velocity: oneOf
-            {"velocity": {"beta": 1}}                       | /velocity/beta: exclusiveMaximum
-            {"view": "looked at"}                           | /view: enum
-            {"camera": {"focus": "near"}}                   | /camera/focus: type
-            """)
+    @CsvFileSource(resources = "schema-mistakes.csv", delimiter = '|', quoteCharacter = '~')
     void brokenScenesDoNotFit(String scene, String mistake) {
         assertThat(check(scene)).contains(mistake);
         assertThatThrownBy(() -> StudioReader.read(scene, "f", Path.of("")));

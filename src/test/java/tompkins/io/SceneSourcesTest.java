@@ -120,27 +120,10 @@ class SceneSourcesTest {
         assertThat(StudioReader.read(marked).title()).isEqualTo("\u00fc");
     }
 
-    @Test
-    void aMeshIsToldItsPlaceInAScene() throws IOException {
-        assertFileRefused(
-                Files.writeString(folder.resolve("knot.OBJ"), "f 1 2 3"),
-                "is a mesh, not a scene; an object of a scene shows it:"
-                        + " { \"type\": \"TriangleMesh\", \"mesh\": \"knot.OBJ\" }");
-    }
-
     /** What some editors call Unicode; in a scene, in a mesh and in its materials. */
     @ParameterizedTest
     @ValueSource(
-            strings = {
-                "UTF-16",
-                "UTF-16BE",
-                "UTF-16LE",
-                "UTF-32",
-                "UTF-32BE",
-                "UTF-32LE",
-                "X-UTF-32BE-BOM",
-                "X-UTF-32LE-BOM"
-            })
+            strings = {"UTF-16", "UTF-16BE", "UTF-16LE", "UTF-32BE", "UTF-32LE", "X-UTF-32BE-BOM", "X-UTF-32LE-BOM"})
     void textOfMoreBytesForEachLetterIsNamed(String encoding) throws IOException {
         String message = "must be text in the encoding UTF-8, is in UTF-16 or UTF-32; save it again as UTF-8";
         Charset charset = Charset.forName(encoding);

@@ -14,7 +14,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.property.Descriptions;
 import tompkins.studio.Studio;
 
-/** The help of types is complete, and its examples work. */
 class TypeReferenceTest {
 
     private static final Path SCENES = Path.of(System.getProperty("basedir", ""), "scenes");

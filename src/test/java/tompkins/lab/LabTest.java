@@ -8,11 +8,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -26,6 +28,7 @@ import tompkins.studio.Studio;
 /** What programs of other people ask a {@link Lab}. */
 class LabTest {
 
+    @AutoClose
     private static final Lab LAB = new Lab(2);
 
     /** A ball ahead of a pinhole that looks along its motion. */
@@ -37,11 +40,6 @@ class LabTest {
 
     @TempDir
     private Path folder;
-
-    @AfterAll
-    static void close() {
-        LAB.close();
-    }
 
     private static Studio ball() {
         return Lab.read(BALL, Path.of(""));
@@ -154,29 +152,24 @@ class LabTest {
 
     @Test
     void mistakesHaveTheMessagesOfTheCommandLine() {
-        assertThatThrownBy(() -> Lab.with(ball(), "velocity.beta", 1.2))
-                .isInstanceOf(MistakeException.class)
-                .hasMessage("with: velocity.beta: must be at least 0 and below 1 (the speed of light), was 1.2");
-        assertThatThrownBy(() -> Lab.read("{\"scene\": [{\"type\": \"Spere\"}]}", folder))
-                .isInstanceOf(MistakeException.class)
-                .hasMessageStartingWith("text:1:21: scene[0]: unknown type \"Spere\"");
-        assertThatThrownBy(() -> Lab.read(folder.resolve("none.json")))
-                .isInstanceOf(MistakeException.class)
-                .hasMessageContaining("there is no such file");
-        assertThatThrownBy(() -> LAB.photograph(ball(), folder.resolve("ball.bmp")))
-                .isInstanceOf(MistakeException.class)
-                .hasMessageContaining("must end in .png");
-        assertThatThrownBy(() -> LAB.photograph(ball(), folder.resolve("no/ball.png")))
-                .isInstanceOf(MistakeException.class)
-                .hasMessageContaining("there is no folder");
-        assertThatThrownBy(() -> LAB.measure(ball(), "angle", 1, 2, 3, 4))
-                .isInstanceOf(MistakeException.class)
-                .hasMessage("kind must be one of between, profile, circle, line, was angle");
-        assertThatThrownBy(() -> LAB.measure(ball(), "circle", 1, 2, 3, 4))
-                .isInstanceOf(MistakeException.class)
-                .hasMessage("circle needs the columns and rows of 3 or more pixels, was 4 numbers");
-        assertThatThrownBy(() -> LAB.measure(ball(), "between", 1, 2, 80, 4))
-                .isInstanceOf(MistakeException.class)
-                .hasMessage("pixels must lie in the picture, from -0.5,-0.5 to 79.5,59.5, was 80.0,4.0");
+        Map<String, ThrowingCallable> mistakes = Map.of(
+                "with: velocity.beta: must be at least 0 and below 1 (the speed of light), was 1.2",
+                () -> Lab.with(ball(), "velocity.beta", 1.2),
+                "text:1:21: scene[0]: unknown type \"Spere\"",
+                () -> Lab.read("{\"scene\": [{\"type\": \"Spere\"}]}", folder),
+                "there is no such file",
+                () -> Lab.read(folder.resolve("none.json")),
+                "must end in .png",
+                () -> LAB.photograph(ball(), folder.resolve("ball.bmp")),
+                "there is no folder",
+                () -> LAB.photograph(ball(), folder.resolve("no/ball.png")),
+                "kind must be one of between, profile, circle, line, was angle",
+                () -> LAB.measure(ball(), "angle", 1, 2, 3, 4),
+                "circle needs the columns and rows of 3 or more pixels, was 4 numbers",
+                () -> LAB.measure(ball(), "circle", 1, 2, 3, 4),
+                "pixels must lie in the picture, from -0.5,-0.5 to 79.5,59.5, was 80.0,4.0",
+                () -> LAB.measure(ball(), "between", 1, 2, 80, 4));
+        mistakes.forEach((said, mistake) ->
+                assertThatThrownBy(mistake).isInstanceOf(MistakeException.class).hasMessageContaining(said));
     }
 }

@@ -18,7 +18,6 @@ import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleHistory;
 
-/** The rays that were drawn through a burning glass. */
 class DrawnRaysTest {
 
     private static final Studio SCENE = SceneFiles.read("rays-burning-glass");

@@ -65,6 +65,13 @@ class LookalikeEllipsoidTest {
                         .transform(n);
     }
 
+    /** From the origin. */
+    private static Ray randomRay(SplittableRandom random) {
+        Vector3d d =
+                new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1)).normalize();
+        return Ray.from(0, 0, 0, d.x, d.y, d.z, 0);
+    }
+
     /** Exactly, for every direction: where a ray from the origin meets the ellipsoid, and what is painted there. */
     @ParameterizedTest
     @CsvSource({"0.3, -0.2, 0.7", "0, 0, 0.8", "0.2, -0.1, 0.97"})
@@ -74,9 +81,7 @@ class LookalikeEllipsoidTest {
                 .get(0);
         SplittableRandom random = new SplittableRandom(1905);
         for (int i = 0; i < 300; i++) {
-            Vector3d d = new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1))
-                    .normalize();
-            Ray ray = Ray.from(0, 0, 0, d.x, d.y, d.z, 0);
+            Ray ray = randomRay(random);
             Hit hit = ellipsoid.hit(ray, ellipsoid.distance(ray, Primitive.NO_HIT));
             Ray inScene = TransformationLaw.LORENTZ.sceneFromCamera(velocity).transform(ray);
             Vector3d found = painted(velocity, hit.coordinates.u(), hit.coordinates.v());
@@ -95,9 +100,7 @@ class LookalikeEllipsoidTest {
                 .get(0);
         SplittableRandom random = new SplittableRandom(1638);
         for (int i = 0; i < 300; i++) {
-            Vector3d d = new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1))
-                    .normalize();
-            Ray ray = Ray.from(0, 0, 0, d.x, d.y, d.z, 0);
+            Ray ray = randomRay(random);
             Hit hit = sphere.hit(ray, sphere.distance(ray, Primitive.NO_HIT));
             Vector3d seen =
                     new Vector3d(hit.x, hit.y, hit.z).sub(velocity.components()).normalize();

@@ -18,7 +18,6 @@ import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleHistory;
 
-/** What the remarks of the first scene say. */
 class TownSquareTest {
 
     private static final int HEIGHT = 3000;

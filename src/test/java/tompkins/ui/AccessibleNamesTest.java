@@ -6,7 +6,6 @@ import java.awt.Component;
 import java.awt.FocusTraversalPolicy;
 import java.awt.geom.Point2D;
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -26,26 +25,15 @@ import javax.swing.JToggleButton;
 import javax.swing.JTree;
 import javax.swing.plaf.basic.BasicSplitPaneDivider;
 import javax.swing.text.JTextComponent;
-import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import tompkins.io.BundledScenes;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.ui.widget.Texts;
 
 /** Everything in the windows that can be used, or read with keys, has a name for screen readers, and Tab reaches it. */
-@Timeout(300)
-@NeedsDisplay
-class AccessibleNamesTest {
-
-    @TempDir
-    private Path folder;
-
-    @AutoClose
-    private WindowDriver driver;
+class AccessibleNamesTest extends WindowFixture {
 
     @BeforeEach
     void open() throws Exception {
@@ -56,7 +44,7 @@ class AccessibleNamesTest {
 
     private void assertNamed() {
         Stream<Component> nameless =
-                WindowDriver.onEventThread(() -> Components.all(driver.window().frame())
+                onEventThread(() -> Components.all(driver.window().frame())
                         .filter(Component::isShowing)
                         .filter(AccessibleNamesTest::isUsed)
                         .filter(each -> !hasName(each))
@@ -67,7 +55,7 @@ class AccessibleNamesTest {
 
     /** The Tab key reaches everything in the window below its menus; of buttons of which one is chosen, that one. */
     private void assertReached() {
-        List<String> missed = WindowDriver.onEventThread(() -> {
+        List<String> missed = onEventThread(() -> {
             JFrame frame = driver.window().frame();
             FocusTraversalPolicy policy = frame.getFocusTraversalPolicy();
             Set<Component> reached = new HashSet<>();
@@ -123,23 +111,16 @@ class AccessibleNamesTest {
     }
 
     @Test
-    void inThePanel() {
+    void inThePanelTheBarsAndWithAPinnedRay() {
         assertNamed();
         assertReached();
-    }
-
-    @Test
-    void inTheBarsAndWithAPinnedRay() {
         driver.menu("menu.ride");
         driver.menu("menu.ride");
         assertReached();
         driver.menu("menu.playPanel");
         driver.menu("menu.measure");
-        WindowDriver.onEventThread(() -> driver.window().view().setPin(new Point2D.Double(10, 10)));
-        WindowDriver.await(
-                "the story",
-                () -> Components.showing(driver.window().frame(), JComponent.class)
-                        .anyMatch(each -> "ray.story".equals(each.getName())));
+        onEventThread(() -> driver.window().view().setPin(new Point2D.Double(10, 10)));
+        await("the story", () -> driver.showing(JComponent.class).anyMatch(each -> "ray.story".equals(each.getName())));
         assertNamed();
         assertReached();
     }
@@ -152,7 +133,7 @@ class AccessibleNamesTest {
                 StudioPath.ROOT.then("scene").then(0),
                 StudioPath.ROOT.then("cameraFrame").then(0),
                 StudioPath.ROOT.then("lights").then(0))) {
-            WindowDriver.onEventThread(() -> driver.window().side.edit(part));
+            onEventThread(() -> driver.window().side.edit(part));
             assertNamed();
         }
     }
@@ -161,7 +142,7 @@ class AccessibleNamesTest {
     void onThePagesOfALesson() throws IOException {
         Studio lesson = BundledScenes.studio("lesson-02-turned-cube.json");
         Studio small = lesson.withSettings(lesson.settings().withSize(64, 48));
-        WindowDriver.onEventThread(() -> driver.window().model().open(small, null));
+        driver.open(small, null);
         assertNamed();
         press(JRadioButton.class, "Only the front face, but narrower.");
         press(JRadioButton.class, Texts.get("lesson.sure"));
@@ -175,33 +156,25 @@ class AccessibleNamesTest {
 
     private <B extends AbstractButton> void press(Class<B> type, String name) {
         B button = driver.find(type, name);
-        WindowDriver.onEventThread(() -> button.doClick());
+        onEventThread(() -> button.doClick());
     }
 
     @Test
-    void inTheQuestionForAFileAndInTheChart() {
-        driver.menu("menu.savePhotograph");
-        JFileChooser chooser = driver.chooser();
-        assertNamed();
-        WindowDriver.onEventThread(chooser::cancelSelection);
-        driver.menu("menu.quality");
-        assertNamed();
-    }
-
-    @Test
-    void inDocumentsAndMessages() {
+    void inDocumentsMessagesQuestionsAndTheChart() {
         driver.menu("menu.tour");
-        WindowDriver.await(
-                "the tour",
-                () -> Components.showing(driver.window().frame(), JEditorPane.class)
-                        .findAny()
-                        .isPresent());
+        await("the tour", () -> driver.showing(JEditorPane.class).findAny().isPresent());
         assertNamed();
         driver.menu("menu.cite");
-        WindowDriver.await(
+        await(
                 "the reference",
                 () -> Components.messages(driver.window().frame()).findAny().isPresent());
         assertNamed();
         driver.answer("Close");
+        driver.menu("menu.savePhotograph");
+        JFileChooser chooser = driver.chooser();
+        assertNamed();
+        onEventThread(chooser::cancelSelection);
+        driver.menu("menu.quality");
+        assertNamed();
     }
 }

@@ -83,18 +83,8 @@ final class ComponentRobot {
     private void mouse(int id, int count, int button) {
         if (under != null) {
             Point place = placeIn(under);
-            EVENTS.give(new MouseEvent(
-                    under,
-                    id,
-                    System.currentTimeMillis(),
-                    modifiers,
-                    place.x,
-                    place.y,
-                    pointer.x,
-                    pointer.y,
-                    count,
-                    false,
-                    button));
+            long now = System.currentTimeMillis();
+            EVENTS.give(new MouseEvent(under, id, now, modifiers, place.x, place.y, count, false, button));
         }
     }
 
@@ -115,8 +105,6 @@ final class ComponentRobot {
                     modifiers,
                     place.x,
                     place.y,
-                    pointer.x,
-                    pointer.y,
                     0,
                     false,
                     MouseWheelEvent.WHEEL_UNIT_SCROLL,

@@ -6,6 +6,8 @@ import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Window;
 import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
@@ -90,6 +92,12 @@ public final class Components {
     public static void press(JTextComponent field, String key) {
         Object action = field.getInputMap().get(KeyStroke.getKeyStroke(key));
         field.getActionMap().get(action).actionPerformed(new ActionEvent(field, ActionEvent.ACTION_PERFORMED, key));
+    }
+
+    /** Gives the left button of the mouse to a place in a component. */
+    public static void mouse(Component component, int event, int x, int y) {
+        int down = event == MouseEvent.MOUSE_PRESSED ? InputEvent.BUTTON1_DOWN_MASK : 0;
+        component.dispatchEvent(new MouseEvent(component, event, 0, down, x, y, 1, false, MouseEvent.BUTTON1));
     }
 
     /** Whether a field is marked as wrong. */

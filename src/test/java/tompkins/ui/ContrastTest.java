@@ -13,7 +13,6 @@ import java.util.stream.IntStream;
 import javax.swing.JComponent;
 import javax.swing.JToggleButton;
 import javax.swing.UIManager;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -23,6 +22,7 @@ import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.Look;
 
 /** Text stands out from what is behind it, as the Web Content Accessibility Guidelines 2 measure it, in all looks. */
+@LightLook
 class ContrastTest {
 
     /** Level AA of the guidelines, for text of any size. */
@@ -30,11 +30,6 @@ class ContrastTest {
 
     /** The same level for marks. */
     private static final double LEAST_OF_MARKS = 3;
-
-    @AfterAll
-    static void restore() {
-        Look.LIGHT.install();
-    }
 
     private static double contrast(Color one, Color other) {
         double first = luminance(one);

@@ -24,31 +24,17 @@ import javax.swing.JLabel;
 import javax.swing.JTextField;
 import javax.swing.RepaintManager;
 import javax.swing.SwingUtilities;
-import javax.swing.text.AttributeSet;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.html.HTML;
 import javax.swing.text.html.HTMLDocument;
-import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
-import tompkins.camera.PanoramicCamera;
 import tompkins.studio.Studios;
 import tompkins.ui.help.HelpPage;
 import tompkins.ui.help.HelpWindow;
 import tompkins.ui.widget.Look;
 
-/** The documents in the window, read with mouse and keys. */
-@Timeout(600)
-@NeedsDisplay
-class HelpWindowTest {
-
-    @TempDir
-    private Path folder;
-
-    @AutoClose
-    private WindowDriver driver;
+class HelpWindowTest extends WindowFixture {
 
     private JEditorPane text;
 
@@ -58,67 +44,49 @@ class HelpWindowTest {
         driver.menu("menu.tour");
         text = driver.find(JEditorPane.class, "help.text");
         // which keys reach only then
-        WindowDriver.await("the tour", () -> text.isFocusOwner() && title().equals("A guided tour \u2013 Tompkins"));
+        await("the tour", () -> text.isFocusOwner() && title().equals("A guided tour \u2013 Tompkins"));
     }
 
     private String title() {
         return ((JDialog) SwingUtilities.getWindowAncestor(text)).getTitle();
     }
 
-    /** Clicks on the first link to an address, right of its beginning and below that. */
-    private void clickBeside(String address, int right, int below) {
+    /** Clicks on the first link to an address. */
+    private void follow(String address) {
         // at once: a window manager may still move the window
-        WindowDriver.onEventThread(() -> {
-            HTMLDocument document = (HTMLDocument) text.getDocument();
-            HTMLDocument.Iterator links = document.getIterator(HTML.Tag.A);
-            while (!address.equals(href(links.getAttributes()))) {
-                links.next();
-            }
-            Rectangle start = placeOf(links.getStartOffset() + 1).getBounds();
+        onEventThread(() -> {
+            Rectangle start = placeOf(link(address) + 1).getBounds();
             text.scrollRectToVisible(start);
             for (int event : List.of(MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED, MouseEvent.MOUSE_CLICKED)) {
-                text.dispatchEvent(new MouseEvent(
-                        text,
-                        event,
-                        0,
-                        0,
-                        start.x + right,
-                        start.y + start.height / 2 + below,
-                        1,
-                        false,
-                        MouseEvent.BUTTON1));
+                Components.mouse(text, event, start.x + 2, start.y + start.height / 2);
             }
         });
     }
 
-    private void follow(String address) {
-        clickBeside(address, 2, 0);
+    /** The position in the text of the first link to an address. */
+    private int link(String address) {
+        HTMLDocument.Iterator links = elements(HTML.Tag.A);
+        while (!address.equals(links.getAttributes().getAttribute(HTML.Attribute.HREF))) {
+            links.next();
+        }
+        return links.getStartOffset();
     }
 
-    private static String href(AttributeSet link) {
-        return (String) link.getAttribute(HTML.Attribute.HREF);
+    private HTMLDocument.Iterator elements(HTML.Tag tag) {
+        return ((HTMLDocument) text.getDocument()).getIterator(tag);
     }
 
     @Test
     void aLinkToASceneOpensIt() {
         follow("../scenes/fig2a.json");
 
-        WindowDriver.await(
-                "Fig. 2(a)", () -> driver.window().model().studio().title().startsWith("Fig. 2(a)"));
+        await("Fig. 2(a)", () -> driver.studio().title().startsWith("Fig. 2(a)"));
         driver.menu("menu.undo");
         assertThat(driver.studio()).as("nothing is lost").isEqualTo(Studios.sphere());
     }
 
     @Test
-    void aSceneWithAPictureOpensInAnyFolder() {
-        follow("../scenes/whole-sky.json");
-
-        WindowDriver.await(
-                "the whole sky", () -> driver.window().model().studio().camera() instanceof PanoramicCamera);
-    }
-
-    @Test
-    void aDocumentCoversTheSideOfThePanelsFirst() {
+    void aDocumentCoversThePanelsAndOpensAgainWhereItWasLeft() {
         Rectangle owner = driver.window().frame().getBounds();
         Rectangle document = SwingUtilities.getWindowAncestor(text).getBounds();
         assertThat(document.getCenterX()).isGreaterThan(owner.getCenterX());
@@ -126,62 +94,69 @@ class HelpWindowTest {
         int lowest = screen.y + screen.height - document.height;
         // but for the title bar that a window manager puts on it, and a task bar
         assertThat(document.y).isCloseTo(Math.max(screen.y, Math.min(owner.y, lowest)), within(80));
+
+        onEventThread(() -> text.scrollRectToVisible(new Rectangle(0, text.getHeight() / 2, 1, 1)));
+        int left = onEventThread(() -> text.getVisibleRect().y);
+        driver.key(KeyEvent.VK_ESCAPE);
+        await("its end", () -> !text.isShowing());
+        driver.menu("menu.tour");
+        await("the tour", text::isShowing);
+        assertThat(onEventThread(() -> text.getVisibleRect().y)).isPositive().isEqualTo(left);
     }
 
     @Test
     void linksLeadToHeadingsAndBackReturns() {
         follow("conventions.md#rays-run-backwards");
 
-        WindowDriver.await(
-                "the chapter", () -> title().equals("Conventions \u2013 Tompkins") && firstLine("Rays run backwards"));
+        await("the chapter", () -> title().equals("Conventions \u2013 Tompkins") && firstLine("Rays run backwards"));
         driver.key(KeyEvent.VK_LEFT, KeyEvent.VK_ALT);
-        WindowDriver.await(
-                "the tour", () -> title().equals("A guided tour \u2013 Tompkins") && sees("Rays run backwards"));
+        await("the tour", () -> title().equals("A guided tour \u2013 Tompkins") && sees("Rays run backwards"));
         assertThat(driver.find(JButton.class, "help.back").isEnabled()).isFalse();
+        // the keys are at the link that was followed
+        driver.key(KeyEvent.VK_ENTER);
+        await("the chapter again", () -> title().equals("Conventions \u2013 Tompkins"));
     }
 
     @Test
     void backLeadsToWhereALinkToAHeadingOfTheSamePageStood() {
         driver.menu("menu.sceneFiles");
-        WindowDriver.await("the reference", () -> title().equals("Scene files \u2013 Tompkins"));
-        String link = WindowDriver.onEventThread(this::firstLinkWithin);
+        await("the reference", () -> title().equals("Scene files \u2013 Tompkins"));
+        String link = onEventThread(this::firstLinkWithin);
         follow(link);
-        WindowDriver.await("the heading", () -> text.getVisibleRect().y > 0);
-        Rectangle there = WindowDriver.onEventThread(text::getVisibleRect);
+        await("the heading", () -> text.getVisibleRect().y > 0);
+        Rectangle there = onEventThread(text::getVisibleRect);
 
         driver.click(driver.find(JButton.class, "help.back"));
 
-        WindowDriver.await("where the link is", () -> text.getVisibleRect().y < there.y && seesLink(link));
+        await("where the link is", () -> text.getVisibleRect().y < there.y && sees(link(link)));
         assertThat(title()).isEqualTo("Scene files \u2013 Tompkins");
     }
 
     @Test
     void wordsAreFoundOneAfterTheOther() {
         driver.menu("menu.sceneFiles");
-        WindowDriver.await("the reference", () -> title().equals("Scene files \u2013 Tompkins"));
+        await("the reference", () -> title().equals("Scene files \u2013 Tompkins"));
         JTextField words = driver.find(JTextField.class, "Find");
         JLabel found = driver.find(JLabel.class, "help.found");
-        int first =
-                WindowDriver.onEventThread(() -> all().toLowerCase(Locale.ROOT).indexOf("refracti"));
-        int last =
-                WindowDriver.onEventThread(() -> all().toLowerCase(Locale.ROOT).lastIndexOf("refracti"));
+        int first = onEventThread(() -> all().toLowerCase(Locale.ROOT).indexOf("refracti"));
+        int last = onEventThread(() -> all().toLowerCase(Locale.ROOT).lastIndexOf("refracti"));
         assertThat(last).isGreaterThan(first);
 
         driver.key(KeyEvent.VK_F, KeyEvent.VK_CONTROL);
-        WindowDriver.await("the focus", words::isFocusOwner);
-        WindowDriver.onEventThread(() -> words.setText("no such words"));
+        await("the focus", words::isFocusOwner);
+        onEventThread(() -> words.setText("no such words"));
         driver.key(KeyEvent.VK_ENTER);
-        WindowDriver.await("no place", () -> found.getText().equals("not found"));
-        WindowDriver.onEventThread(() -> words.setText("reFRACti"));
+        await("no place", () -> found.getText().equals("not found"));
+        onEventThread(() -> words.setText("reFRACti"));
         driver.key(KeyEvent.VK_ENTER);
-        WindowDriver.await("the first place", () -> text.getSelectionStart() == first && sees("efracti"));
+        await("the first place", () -> text.getSelectionStart() == first && sees("efracti"));
         assertThat(found.getText()).isEmpty();
         assertThat(text.getSelectedText()).isEqualToIgnoringCase("refracti");
         driver.key(KeyEvent.VK_ENTER);
-        assertThat(WindowDriver.onEventThread(text::getSelectionStart)).isGreaterThan(first);
-        WindowDriver.onEventThread(() -> text.setCaretPosition(last + 1));
+        assertThat(onEventThread(text::getSelectionStart)).isGreaterThan(first);
+        onEventThread(() -> text.setCaretPosition(last + 1));
         driver.key(KeyEvent.VK_ENTER);
-        assertThat(WindowDriver.onEventThread(text::getSelectionStart))
+        assertThat(onEventThread(text::getSelectionStart))
                 .as("and again the first")
                 .isEqualTo(first);
     }
@@ -194,74 +169,39 @@ class HelpWindowTest {
         }
     }
 
-    @Test
-    void aDocumentOpensAgainWhereItWasLeft() {
-        WindowDriver.onEventThread(() -> text.scrollRectToVisible(new Rectangle(0, text.getHeight() / 2, 1, 1)));
-        int left = WindowDriver.onEventThread(() -> text.getVisibleRect().y);
-        driver.key(KeyEvent.VK_ESCAPE);
-        WindowDriver.await("its end", () -> !text.isShowing());
-
-        driver.menu("menu.tour");
-
-        WindowDriver.await("the tour", text::isShowing);
-        assertThat(WindowDriver.onEventThread(() -> text.getVisibleRect().y))
-                .isPositive()
-                .isEqualTo(left);
-    }
-
     private String firstLinkWithin() {
-        HTMLDocument.Iterator links = ((HTMLDocument) text.getDocument()).getIterator(HTML.Tag.A);
-        while (!String.valueOf(href(links.getAttributes())).startsWith("#")) {
+        HTMLDocument.Iterator links = elements(HTML.Tag.A);
+        Object address;
+        do {
+            address = links.getAttributes().getAttribute(HTML.Attribute.HREF);
             links.next();
-        }
-        return href(links.getAttributes());
-    }
-
-    private boolean seesLink(String address) {
-        HTMLDocument.Iterator links = ((HTMLDocument) text.getDocument()).getIterator(HTML.Tag.A);
-        while (!address.equals(href(links.getAttributes()))) {
-            links.next();
-        }
-        try {
-            return text.getVisibleRect()
-                    .contains(text.modelToView2D(links.getStartOffset())
-                            .getBounds()
-                            .getLocation());
-        } catch (BadLocationException impossible) {
-            throw new AssertionError(impossible);
-        }
+        } while (!String.valueOf(address).startsWith("#"));
+        return (String) address;
     }
 
     /** Whether a heading is the first that is seen. */
     private boolean firstLine(String heading) {
         Rectangle seen = text.getVisibleRect();
-        int start = text.viewToModel2D(new Point(seen.x, seen.y + 10));
-        try {
-            return text.getDocument().getText(start, heading.length()).equals(heading);
-        } catch (BadLocationException outside) {
-            return false;
-        }
+        return all().startsWith(heading, text.viewToModel2D(new Point(seen.x, seen.y + 10)));
     }
 
     private boolean sees(String words) {
-        try {
-            String all = text.getDocument().getText(0, text.getDocument().getLength());
-            return text.getVisibleRect()
-                    .contains(text.modelToView2D(all.indexOf(words)).getBounds().getLocation());
-        } catch (BadLocationException impossible) {
-            throw new AssertionError(impossible);
-        }
+        return sees(all().indexOf(words));
+    }
+
+    private boolean sees(int position) {
+        return text.getVisibleRect().contains(placeOf(position).getBounds().getLocation());
     }
 
     /** A page of all pages: they are inside the jar, with their figures. */
     @Test
     void figuresAreShownLineByLine() {
         follow("speed-and-accuracy.md#aperture");
-        WindowDriver.await("the studies", () -> title().equals("Speed and accuracy \u2013 Tompkins"));
+        await("the studies", () -> title().equals("Speed and accuracy \u2013 Tompkins"));
 
         follow("speed-and-accuracy/precision.csv");
 
-        WindowDriver.await("the figures", () -> title().equals("# study: precision \u2013 Tompkins"));
+        await("the figures", () -> title().equals("# study: precision \u2013 Tompkins"));
     }
 
     @Test
@@ -270,27 +210,14 @@ class HelpWindowTest {
         driver.key(KeyEvent.VK_TAB);
         driver.key(KeyEvent.VK_TAB, KeyEvent.VK_SHIFT);
         driver.key(KeyEvent.VK_ENTER);
-        WindowDriver.await(
-                "the first scene of the tour",
-                () -> driver.window().model().studio().title().startsWith("A town square"));
+        await("the first scene of the tour", () -> driver.studio().title().startsWith("A town square"));
     }
 
     @Test
-    void backLeadsTheKeysToTheLinkThatWasFollowed() {
-        follow("conventions.md#rays-run-backwards");
-        WindowDriver.await("the chapter", () -> title().equals("Conventions \u2013 Tompkins"));
-        driver.key(KeyEvent.VK_LEFT, KeyEvent.VK_ALT);
-        WindowDriver.await("the tour", () -> title().equals("A guided tour \u2013 Tompkins"));
-        driver.key(KeyEvent.VK_ENTER);
-        WindowDriver.await("the chapter again", () -> title().equals("Conventions \u2013 Tompkins"));
-    }
-
-    /** Otherwise two pictures are taken for one. */
-    @Test
-    void picturesBesideEachOtherKeepApart() throws Exception {
-        // of the town square in the tour
-        double gap = WindowDriver.onEventThread(() -> {
-            HTMLDocument.Iterator images = ((HTMLDocument) text.getDocument()).getIterator(HTML.Tag.IMG);
+    void picturesKeepApartAndFitIntoANarrowWindow() throws IOException {
+        // of the town square in the tour, which would be taken for one
+        double gap = onEventThread(() -> {
+            HTMLDocument.Iterator images = elements(HTML.Tag.IMG);
             Rectangle2D first = placeOf(images.getStartOffset());
             double right = placeOf(images.getStartOffset() + 1).getX();
             images.next();
@@ -299,6 +226,17 @@ class HelpWindowTest {
             return second.getX() - right;
         });
         assertThat(gap).isBetween(4.0, 20.0);
+        makeWide(400);
+        driver.menu("menu.manual");
+        await("the page", () -> title().equals("The window \u2013 Tompkins"));
+        makeWide(400);
+        // the first picture is that of the window
+        BufferedImage picture =
+                ImageIO.read(Path.of("docs/pictures/window-default.png").toFile());
+        double slope = (double) picture.getHeight() / picture.getWidth();
+        await("the small picture", () -> Math.abs(heightOfTheFirstPicture() - 350 * slope) < 60);
+        makeWide(600);
+        await("the large picture", () -> Math.abs(heightOfTheFirstPicture() - 550 * slope) < 60);
     }
 
     private Rectangle2D placeOf(int position) {
@@ -309,39 +247,17 @@ class HelpWindowTest {
         }
     }
 
-    @Test
-    void picturesAndCodeFitIntoANarrowWindow() throws IOException {
-        makeWide(400);
-        driver.menu("menu.manual");
-        WindowDriver.await("the page", () -> title().equals("The window \u2013 Tompkins"));
-        makeWide(400);
-        // the first picture is that of the window
-        BufferedImage picture =
-                ImageIO.read(Path.of("docs/pictures/window-default.png").toFile());
-        double slope = (double) picture.getHeight() / picture.getWidth();
-        WindowDriver.await("the small picture", () -> Math.abs(heightOfTheFirstPicture() - 350 * slope) < 60);
-        makeWide(600);
-        WindowDriver.await("the large picture", () -> Math.abs(heightOfTheFirstPicture() - 550 * slope) < 60);
-    }
-
     /** How far it moves down what follows. */
     private double heightOfTheFirstPicture() {
-        HTMLDocument document = (HTMLDocument) text.getDocument();
-        int picture = document.getIterator(HTML.Tag.IMG).getStartOffset();
-        try {
-            String after = document.getText(0, document.getLength()).substring(picture);
-            int heading = picture + after.indexOf("The panel");
-            return text.modelToView2D(heading).getY()
-                    - text.modelToView2D(picture).getY();
-        } catch (BadLocationException impossible) {
-            throw new AssertionError(impossible);
-        }
+        int picture = elements(HTML.Tag.IMG).getStartOffset();
+        return placeOf(all().indexOf("The panel", picture)).getY()
+                - placeOf(picture).getY();
     }
 
     /** Gives the window a width in which nothing is to be scrolled sideways. */
     private void makeWide(int width) {
-        WindowDriver.onEventThread(() -> SwingUtilities.getWindowAncestor(text).setSize(width, 600));
-        WindowDriver.await(
+        onEventThread(() -> SwingUtilities.getWindowAncestor(text).setSize(width, 600));
+        await(
                 "a text as wide as its window",
                 () -> Math.abs(text.getWidth() - width) < 40 && text.getWidth() == text.getVisibleRect().width);
     }
@@ -349,15 +265,15 @@ class HelpWindowTest {
     /** Each frame of the animation in the tour is painted where it stands, though nothing else happens. */
     @Test
     void animationsRun() {
-        Point place = WindowDriver.onEventThread(() -> {
-            HTMLDocument.Iterator images = ((HTMLDocument) text.getDocument()).getIterator(HTML.Tag.IMG);
+        Point place = onEventThread(() -> {
+            HTMLDocument.Iterator images = elements(HTML.Tag.IMG);
             while (!images.getAttributes()
                     .getAttribute(HTML.Attribute.SRC)
                     .toString()
                     .endsWith(".gif")) {
                 images.next();
             }
-            Rectangle corner = text.modelToView2D(images.getStartOffset()).getBounds();
+            Rectangle corner = placeOf(images.getStartOffset()).getBounds();
             text.scrollRectToVisible(corner);
             return new Point(corner.x + 20, corner.y + 20);
         });
@@ -372,7 +288,7 @@ class HelpWindowTest {
             }
         });
         try {
-            WindowDriver.await("frames", () -> frames.get() > 10);
+            await("frames", () -> frames.get() > 10);
         } finally {
             RepaintManager.setCurrentManager(null);
         }
@@ -381,32 +297,25 @@ class HelpWindowTest {
     @Test
     void aNewLookIsTaken() {
         driver.menu("look.PROJECTOR");
-        int large = WindowDriver.onEventThread(() -> text.getPreferredSize().height);
-        assertThat(WindowDriver.onEventThread(() -> text.getFont().getSize())).isGreaterThan(15);
+        int large = onEventThread(() -> text.getPreferredSize().height);
+        assertThat(onEventThread(() -> text.getFont().getSize())).isGreaterThan(15);
         driver.menu("look.LIGHT");
-        assertThat(WindowDriver.onEventThread(() -> text.getPreferredSize().height))
-                .isLessThan(large);
+        assertThat(onEventThread(() -> text.getPreferredSize().height)).isLessThan(large);
         assertThat(title()).isEqualTo("A guided tour \u2013 Tompkins");
     }
 
     @Test
     void whatIsOpenedInAnotherLookHasThat() {
-        WindowDriver.onEventThread(() -> {
+        onEventThread(() -> {
             HelpWindow late = new HelpWindow(driver.window().frame(), scene -> {});
             Look.DARK.install();
             late.show(HelpPage.of("tour.md"));
-            assertThat(Components.showing(driver.window().frame(), JEditorPane.class)
+            assertThat(driver.showing(JEditorPane.class)
                             .map(Component::getBackground)
                             .distinct())
                     .as("as in the window that was open when the look changed")
                     .hasSize(1);
             Look.LIGHT.install();
         });
-    }
-
-    @Test
-    void escapeClosesIt() {
-        driver.key(KeyEvent.VK_ESCAPE);
-        WindowDriver.await("the tour to close", () -> !text.isShowing());
     }
 }

@@ -3,10 +3,8 @@ package tompkins.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
-import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -27,39 +25,27 @@ import javax.swing.JSlider;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
-import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import tompkins.Waiting;
 import tompkins.io.BundledScenes;
 import tompkins.lesson.Lesson;
 import tompkins.sceneobject.Moving;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
-import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.picture.Pictures;
 import tompkins.ui.widget.Texts;
 
-/** A lesson in the window, from its menu to its numbers. */
-@Timeout(600)
-@NeedsDisplay
-class LessonWindowTest {
-
-    @TempDir
-    private Path folder;
+class LessonWindowTest extends WindowFixture {
 
     private Studio cube;
-
-    @AutoClose
-    private WindowDriver driver;
 
     @BeforeEach
     void open() throws IOException {
         Studio scene = BundledScenes.studio("lesson-02-turned-cube.json");
         cube = scene.withSettings(scene.settings().withSize(80, 60));
         driver = new WindowDriver(folder.resolve("settings"), Studios.sphere(), null, List.of(Studios.sphere(), cube));
-        WindowDriver.await(
+        await(
                 "the lessons",
                 () -> Components.all(driver.window().frame())
                         .anyMatch(item -> cube.title().equals(item.getName())));
@@ -68,7 +54,7 @@ class LessonWindowTest {
 
     private void begin() {
         driver.menu(cube.title());
-        WindowDriver.await("the lesson", () -> driver.window().model().studio().equals(cube));
+        await("the lesson", () -> driver.studio().equals(cube));
         driver.completePicture();
     }
 
@@ -77,8 +63,7 @@ class LessonWindowTest {
     }
 
     private boolean shows(String text) {
-        return Components.showing(driver.window().frame(), JLabel.class)
-                .anyMatch(label -> text.equals(label.getText()));
+        return driver.showing(JLabel.class).anyMatch(label -> text.equals(label.getText()));
     }
 
     @Test
@@ -111,31 +96,17 @@ class LessonWindowTest {
     }
 
     private boolean isShown(String button) {
-        return WindowDriver.onEventThread(
-                () -> Components.showing(driver.window().frame(), JComponent.class)
-                        .anyMatch(each -> Texts.get(button)
-                                .equals(each.getAccessibleContext().getAccessibleName())));
+        return onEventThread(() -> driver.showing(JComponent.class)
+                .anyMatch(each ->
+                        Texts.get(button).equals(each.getAccessibleContext().getAccessibleName())));
     }
 
     /** Waits until the first prediction has the keys. */
     private JRadioButton awaitKeys() {
         String text = ((Lesson) cube.lesson()).shuffled().get(0).text();
         JRadioButton first = driver.find(JRadioButton.class, text);
-        WindowDriver.await("the keys at the first prediction", first::isFocusOwner);
+        await("the keys at the first prediction", first::isFocusOwner);
         return first;
-    }
-
-    /** From the menu on, without a search for the question: the first prediction has the keys. */
-    @Test
-    void aLessonIsAnsweredByKeys() {
-        begin();
-        JRadioButton first = awaitKeys();
-        assertThat(first.isSelected()).isFalse();
-        driver.key(KeyEvent.VK_SPACE);
-        driver.key(KeyEvent.VK_TAB);
-        driver.key(KeyEvent.VK_SPACE);
-        JButton next = driver.find(JButton.class, Texts.get("lesson.next.LOOK"));
-        WindowDriver.await("the answer", next::isEnabled);
     }
 
     /** As one that is chosen from the menu; the menus come later. */
@@ -144,7 +115,7 @@ class LessonWindowTest {
         driver.close();
         driver = new WindowDriver(folder.resolve("other"), cube, null, List.of(Studios.sphere(), cube));
         awaitKeys();
-        WindowDriver.await("its place", () -> shows("1 of 1, 0 done"));
+        await("its place", () -> shows("1 of 1, 0 done"));
     }
 
     @Test
@@ -178,41 +149,25 @@ class LessonWindowTest {
         driver.type(driver.find(JTextField.class, "Speed of the cube (c)"), "0.5");
         assertThat(speed()).isEqualTo(0.5);
         press("lesson.next.REASON");
-        assertThat(WindowDriver.onEventThread(() -> shows(Texts.get("lesson.wrongSure"))))
-                .isTrue();
+        assertThat(onEventThread(() -> shows(Texts.get("lesson.wrongSure")))).isTrue();
         assertThat(speed()).isEqualTo(0.8);
         press("lesson.next.MEASURE");
-        WindowDriver.await("the numbers", () -> notes().anyMatch(text -> text.startsWith("Measured")));
-        List<String> numbers = WindowDriver.onEventThread(
-                () -> notes().filter(text -> text.startsWith("Measured")).toList());
-        assertThat(numbers)
-                .satisfiesExactly(
-                        ratio -> assertThat(measured(ratio)).isCloseTo(4.0 / 3, within(0.003)),
-                        width -> assertThat(measured(width)).isCloseTo(0.6, within(0.001)));
-        assertThat(numbers.get(0)).contains("\u2713").endsWith("allowed difference 0.003");
+        await("the numbers", () -> notes().anyMatch(text -> text.startsWith("Measured")));
         assertThat(drawnMarks()).as("where that was").isGreaterThan(50);
         driver.click(step("REASON"));
         assertThat(drawnMarks()).isZero();
     }
 
     private Stream<String> notes() {
-        return Components.showing(driver.window().frame(), JTextArea.class).map(JTextArea::getText);
-    }
-
-    private static double measured(String line) {
-        return Double.parseDouble(line.split(" ")[1]);
+        return driver.showing(JTextArea.class).map(JTextArea::getText);
     }
 
     /** Pixels of the canvas in the colour of marks. */
     private long drawnMarks() {
-        return WindowDriver.onEventThread(() -> {
-            PictureCanvas canvas = driver.window().view().canvas();
-            BufferedImage image = new BufferedImage(canvas.getWidth(), canvas.getHeight(), BufferedImage.TYPE_INT_RGB);
-            canvas.paint(image.createGraphics());
-            return IntStream.of(image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth()))
-                    .filter(pixel -> (pixel & 0xffffff) == 0x78ffff)
-                    .count();
-        });
+        return onEventThread(
+                () -> IntStream.of(Pictures.painted(driver.window().view().canvas()))
+                        .filter(pixel -> (pixel & 0xffffff) == 0x78ffff)
+                        .count());
     }
 
     /** The step that is marked is the one that is shown, also for the keys. */
@@ -228,14 +183,13 @@ class LessonWindowTest {
         for (String name : List.of("LOOK", "REASON")) {
             driver.key(KeyEvent.VK_RIGHT);
             JToggleButton reached = step(name);
-            WindowDriver.await("the focus", reached::isFocusOwner);
+            await("the focus", reached::isFocusOwner);
             assertThat(reached.isSelected()).isTrue();
-            assertThat(WindowDriver.onEventThread(() -> isShowing("Speed of the cube (c)")))
+            assertThat(onEventThread(() -> isShowing("Speed of the cube (c)")))
                     .as(name)
                     .isTrue();
         }
-        assertThat(WindowDriver.onEventThread(() -> shows(Texts.get("lesson.wrongSure"))))
-                .isTrue();
+        assertThat(onEventThread(() -> shows(Texts.get("lesson.wrongSure")))).isTrue();
     }
 
     /** A tap is over before the button that is turned off by it has got the keys. */
@@ -245,14 +199,11 @@ class LessonWindowTest {
         driver.click(driver.find(JRadioButton.class, "Only the front face, but narrower."));
         driver.click(driver.find(JRadioButton.class, Texts.get("lesson.sure")));
         JButton next = driver.find(JButton.class, Texts.get("lesson.next.LOOK"));
-        WindowDriver.onEventThread(() -> IntStream.of(MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED)
-                .forEach(id -> next.dispatchEvent(new MouseEvent(
-                        next, id, 0, InputEvent.BUTTON1_DOWN_MASK, 5, 5, 1, false, MouseEvent.BUTTON1))));
+        onEventThread(() -> IntStream.of(MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED)
+                .forEach(id -> Components.mouse(next, id, 5, 5)));
         JSlider slider = Components.find(
-                Components.find(driver.window().frame(), JScrollPane.class, "panel"),
-                JSlider.class,
-                "Speed of the cube (c), slider");
-        WindowDriver.await("the focus", slider::isFocusOwner);
+                driver.find(JScrollPane.class, "panel"), JSlider.class, "Speed of the cube (c), slider");
+        await("the focus", slider::isFocusOwner);
         driver.key(KeyEvent.VK_END);
         assertThat(speed()).isEqualTo(0.95);
     }
@@ -262,8 +213,7 @@ class LessonWindowTest {
     }
 
     private boolean isShowing(String field) {
-        return Components.showing(
-                        Components.find(driver.window().frame(), JScrollPane.class, "panel"), JTextField.class)
+        return Components.showing(driver.find(JScrollPane.class, "panel"), JTextField.class)
                 .anyMatch(each -> field.equals(each.getAccessibleContext().getAccessibleName()));
     }
 
@@ -273,41 +223,12 @@ class LessonWindowTest {
 
     @Test
     void whoOnlyMovedTheSliderIsNotAskedToSave() {
-        begin();
-        moveAndLeave();
-    }
-
-    @Test
-    void norInALessonThatIsAFile() {
-        WindowDriver.onEventThread(() -> driver.window().model().open(cube, folder.resolve("cube.json")));
-        moveAndLeave();
-    }
-
-    private void moveAndLeave() {
+        driver.open(cube, folder.resolve("cube.json"));
         JSlider slider = driver.find(JSlider.class, "Speed of the cube (c), slider");
-        WindowDriver.onEventThread(() -> slider.setValue(700));
+        onEventThread(() -> slider.setValue(700));
         assertThat(speed()).isCloseTo(0.665, within(1e-9));
         driver.menu(Studios.sphere().title());
-        WindowDriver.await("the example", () -> driver.window().model().studio().equals(Studios.sphere()));
-        JComponent again = driver.find(JMenu.class, "menu.lessons");
-        assertThat(again.isEnabled()).isTrue();
-        assertThat(Components.showing(driver.window().frame(), JSlider.class))
-                .noneMatch(shown -> slider.getName().equals(shown.getName()));
-    }
-
-    @Test
-    void chosenAgainItBeginsWithTheQuestion() {
-        begin();
-        driver.click(driver.find(JRadioButton.class, "Only the front face, but narrower."));
-        driver.click(driver.find(JRadioButton.class, Texts.get("lesson.sure")));
-        press("lesson.next.LOOK");
-        driver.menu(cube.title());
-        WindowDriver.await(
-                "the question",
-                () -> Components.find(driver.window().frame(), JRadioButton.class, Texts.get("lesson.sure"))
-                        .isShowing());
-        assertThat(driver.find(JRadioButton.class, Texts.get("lesson.sure")).isSelected())
-                .isFalse();
+        await("the example", () -> driver.studio().equals(Studios.sphere()));
     }
 
     /** The sheet of the lesson that is open, with its answers in a second file. */
@@ -317,7 +238,7 @@ class LessonWindowTest {
         driver.menu("menu.lessonSheet");
         JScrollPane accessory = (JScrollPane) driver.chooser().getAccessory();
         JList<?> lessons = (JList<?>) accessory.getViewport().getView();
-        assertThat(WindowDriver.onEventThread(lessons::getSelectedValue)).isEqualTo(cube.title());
+        assertThat(onEventThread(lessons::getSelectedValue)).isEqualTo(cube.title());
         driver.choose(folder.resolve("cube"));
         Path answers = folder.resolve("cube-answers.html");
         Waiting.until("the answers", () -> Files.exists(answers));

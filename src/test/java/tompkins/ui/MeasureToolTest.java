@@ -10,22 +10,17 @@ import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.UnsupportedFlavorException;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import org.jfree.chart.ChartPanel;
 import org.jfree.data.xy.XYDataset;
-import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import tompkins.TestRun;
 import tompkins.measure.MeasureKind;
 import tompkins.spacetime.Velocity;
@@ -33,18 +28,8 @@ import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.ui.compare.ComparePanel;
 import tompkins.ui.picture.PictureCanvas;
-import tompkins.ui.widget.Texts;
 
-/** Measures by clicks in a real window. */
-@Timeout(300)
-@NeedsDisplay
-class MeasureToolTest {
-
-    @TempDir
-    private Path folder;
-
-    @AutoClose
-    private WindowDriver driver;
+class MeasureToolTest extends WindowFixture {
 
     private PictureCanvas canvas;
 
@@ -57,22 +42,21 @@ class MeasureToolTest {
         canvas = driver.find(PictureCanvas.class, "picture");
         driver.completePicture();
         driver.menu("menu.measure");
-        WindowDriver.await("the panel of measuring", () -> panel().isVisible());
+        await("the panel of measuring", () -> panel().isVisible());
         driver.completePicture();
     }
 
     private JComponent panel() {
-        return Components.find(driver.window().frame(), JComponent.class, "measure");
+        return driver.find(JComponent.class, "measure");
     }
 
     private String results() {
-        return Components.find(driver.window().frame(), JTextArea.class, "measure.results")
-                .getText();
+        return driver.find(JTextArea.class, "measure.results").getText();
     }
 
     /** Clicks at a place, as a share of the picture from its middle to its right and its lower edge. */
     private void click(double right, double down) {
-        Point point = WindowDriver.onEventThread(() -> {
+        Point point = onEventThread(() -> {
             Rectangle bounds = canvas.pictureBounds();
             Point corner = canvas.getLocationOnScreen();
             return new Point(
@@ -100,7 +84,7 @@ class MeasureToolTest {
     /** What the button puts on the clipboard, which is that of the whole screen. */
     private String copied() throws IOException, UnsupportedFlavorException {
         JButton copy = driver.find(JButton.class, "Copy");
-        WindowDriver.onEventThread(() -> copy.doClick());
+        onEventThread(() -> copy.doClick());
         return (String) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
     }
 
@@ -109,7 +93,7 @@ class MeasureToolTest {
         assertThat(results()).isEqualTo("Click on two points in the picture.");
         click(0, 0);
         click(0.5, 0);
-        WindowDriver.await("the angle", () -> results().startsWith("angle: "));
+        await("the angle", () -> results().startsWith("angle: "));
 
         double camera = Math.toDegrees(Math.atan(0.5 * Math.tan(Math.toRadians(10))));
         assertThat(angle("camera")).isCloseTo(camera, within(0.1));
@@ -117,9 +101,8 @@ class MeasureToolTest {
                 .isCloseTo(
                         Math.toDegrees(2 * Math.atan(3 * Math.tan(Math.toRadians(angle("camera")) / 2))), within(0.1));
 
-        WindowDriver.onEventThread(() ->
-                driver.window().model().set(driver.window().model().studio().withVelocity(Velocity.REST)));
-        WindowDriver.await("the angle at rest", () -> angle("scene") == angle("camera"));
+        driver.set(driver.studio().withVelocity(Velocity.REST));
+        await("the angle at rest", () -> angle("scene") == angle("camera"));
         assertThat(results().lines().map(line -> line.substring(0, line.indexOf(':'))))
                 .containsExactly(
                         "angle",
@@ -136,38 +119,28 @@ class MeasureToolTest {
 
         // what is measured is no pin
         driver.key(KeyEvent.VK_ESCAPE);
-        WindowDriver.await("the end", () -> !panel().isVisible());
-    }
-
-    @Test
-    void theLineAtTheBottomSaysThatAClickMeasures() {
-        JLabel what = driver.find(JLabel.class, "status.what");
-        // off the picture, where nothing is read
-        driver.move(driver.centre(what));
-        WindowDriver.await("measuring", () -> what.getText().equals("Click in the picture to measure there."));
-        driver.key(KeyEvent.VK_ESCAPE);
-        WindowDriver.await("pinning", () -> what.getText().equals(Texts.get("status.idle.PIN")));
+        await("the end", () -> !panel().isVisible());
     }
 
     @Test
     void circleAndProfileAreMeasured() throws Exception {
         JComboBox<?> kinds = driver.find(JComboBox.class, "What to measure");
-        WindowDriver.onEventThread(() -> kinds.setSelectedItem(MeasureKind.CIRCLE));
+        onEventThread(() -> kinds.setSelectedItem(MeasureKind.CIRCLE));
         click(0.3, 0);
         click(-0.3, 0);
         click(0, 0.4);
-        WindowDriver.await("the circle", () -> results().startsWith("half-angle"));
+        await("the circle", () -> results().startsWith("half-angle"));
         double slope = 0.3 * Math.tan(Math.toRadians(10));
         assertThat(number("half-angle")).isCloseTo(Math.toDegrees(Math.atan(slope)), within(0.1));
         JTextArea text = driver.find(JTextArea.class, "measure.results");
         assertThat(text.getWidth()).as("without a chart").isGreaterThan(panel().getWidth() * 9 / 10);
 
-        WindowDriver.onEventThread(() -> kinds.setSelectedItem(MeasureKind.PROFILE));
+        onEventThread(() -> kinds.setSelectedItem(MeasureKind.PROFILE));
         JButton clear = driver.find(JButton.class, "Clear");
-        WindowDriver.onEventThread(() -> clear.doClick());
+        onEventThread(() -> clear.doClick());
         click(-0.1, 0);
         click(0.9, 0);
-        WindowDriver.await("the profile", () -> results().startsWith("edge (column, row)"));
+        await("the profile", () -> results().startsWith("edge (column, row)"));
         // the ball of 10 degrees at 0.8 c: its edge at the slope of a third of the angle
         double edge = Math.tan(2 * Math.atan(Math.tan(Math.asin(0.1) / 2) / 3));
         assertThat(number("edge (column, row)"))
@@ -176,7 +149,7 @@ class MeasureToolTest {
                 driver.find(ChartPanel.class, "Profile").getChart().getXYPlot().getDataset();
         assertThat(curves.getSeriesCount()).as("red, green, blue").isEqualTo(3);
         assertThat(curves.getItemCount(0)).isGreaterThan(200);
-        WindowDriver.await(
+        await(
                 "the room beside the chart",
                 () -> text.getWidth() >= panel().getWidth() / 4 && text.getWidth() <= panel().getWidth() / 2);
         if (TestRun.THOROUGH) {
@@ -189,8 +162,7 @@ class MeasureToolTest {
     }
 
     private String otherResults() {
-        return Components.find(driver.window().frame(), JTextArea.class, "measure.other")
-                .getText();
+        return driver.find(JTextArea.class, "measure.other").getText();
     }
 
     /** Three clicks on a circle about the middle, on one side of it. */
@@ -206,19 +178,18 @@ class MeasureToolTest {
     @Test
     void sizesInAKeptPictureAreCompared() throws Exception {
         JComboBox<?> kinds = driver.find(JComboBox.class, "What to measure");
-        WindowDriver.onEventThread(() -> kinds.setSelectedItem(MeasureKind.CIRCLE));
+        onEventThread(() -> kinds.setSelectedItem(MeasureKind.CIRCLE));
         JComboBox<?> other = driver.find(JComboBox.class, "Compare with");
-        WindowDriver.onEventThread(() -> other.setSelectedItem(ComparePanel.Other.KEPT_PICTURE));
-        WindowDriver.onEventThread(() ->
-                driver.window().model().set(driver.window().model().studio().withVelocity(Velocity.REST)));
+        onEventThread(() -> other.setSelectedItem(ComparePanel.Other.KEPT_PICTURE));
+        driver.set(driver.studio().withVelocity(Velocity.REST));
         driver.completePicture();
-        WindowDriver.await("both pictures", canvas::showsTwo);
+        await("both pictures", canvas::showsTwo);
         clickArc(0.6, -1);
-        WindowDriver.await("the circle", () -> results().startsWith("half-angle"));
+        await("the circle", () -> results().startsWith("half-angle"));
         assertThat(otherResults()).startsWith("Kept: ").endsWith("click there, too, and sizes are compared.");
 
         clickArc(0.2, 1);
-        WindowDriver.await("the ratio", () -> otherResults().contains("times as large"));
+        await("the ratio", () -> otherResults().contains("times as large"));
 
         double here = Math.toDegrees(Math.atan(0.6 * Math.tan(Math.toRadians(10))));
         double there = Math.toDegrees(Math.atan(0.2 * Math.tan(Math.toRadians(10))));

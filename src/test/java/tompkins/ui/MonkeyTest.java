@@ -16,12 +16,14 @@ import java.util.Collections;
 import java.util.Deque;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JEditorPane;
 import javax.swing.JFileChooser;
 import javax.swing.JSlider;
+import javax.swing.KeyStroke;
 import javax.swing.MenuSelectionManager;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
@@ -46,45 +48,12 @@ class MonkeyTest {
     /** Begins the names of what would end the program, or change what other programs see. */
     private static final List<String> SPARED = List.of("menu.close", "menu.copy");
 
-    private static final int[] KEYS = {
-        KeyEvent.VK_TAB,
-        KeyEvent.VK_ENTER,
-        KeyEvent.VK_SPACE,
-        KeyEvent.VK_ESCAPE,
-        KeyEvent.VK_UP,
-        KeyEvent.VK_DOWN,
-        KeyEvent.VK_LEFT,
-        KeyEvent.VK_RIGHT,
-        KeyEvent.VK_HOME,
-        KeyEvent.VK_END,
-        KeyEvent.VK_PAGE_UP,
-        KeyEvent.VK_PAGE_DOWN,
-        KeyEvent.VK_DELETE,
-        KeyEvent.VK_BACK_SPACE,
-        KeyEvent.VK_W,
-        KeyEvent.VK_S,
-        KeyEvent.VK_A,
-        KeyEvent.VK_D,
-        KeyEvent.VK_B,
-        KeyEvent.VK_0,
-        KeyEvent.VK_9,
-        KeyEvent.VK_PERIOD,
-        KeyEvent.VK_MINUS,
-        KeyEvent.VK_F1,
-        KeyEvent.VK_F3,
-        KeyEvent.VK_F4,
-        KeyEvent.VK_F5,
-        KeyEvent.VK_F6,
-        KeyEvent.VK_F7,
-        KeyEvent.VK_F8,
-        KeyEvent.VK_F11,
-        KeyEvent.VK_F12
-    };
+    private static final int[] KEYS =
+            keys("TAB ENTER SPACE ESCAPE UP DOWN LEFT RIGHT HOME END PAGE_UP PAGE_DOWN DELETE BACK_SPACE"
+                    + " W S A D B 0 9 PERIOD MINUS F1 F3 F4 F5 F6 F7 F8 F11 F12");
 
     /** Keys for Control: undo, redo, editor, animation, map, zoom. */
-    private static final int[] WITH_CONTROL = {
-        KeyEvent.VK_Z, KeyEvent.VK_Y, KeyEvent.VK_E, KeyEvent.VK_L, KeyEvent.VK_M, KeyEvent.VK_0, KeyEvent.VK_LEFT
-    };
+    private static final int[] WITH_CONTROL = keys("Z Y E L M 0 LEFT");
 
     private final List<Throwable> failures = Collections.synchronizedList(new ArrayList<>());
     private final Deque<String> last = new ArrayDeque<>();
@@ -93,6 +62,12 @@ class MonkeyTest {
     private Path folder;
 
     private Random random;
+
+    private static int[] keys(String names) {
+        return Stream.of(names.split(" "))
+                .mapToInt(name -> KeyStroke.getKeyStroke(name).getKeyCode())
+                .toArray();
+    }
 
     @Test
     void whateverIsPressedNothingFails() throws Exception {

@@ -1,6 +1,7 @@
 package tompkins.ui;
 
 import java.lang.annotation.ElementType;
+import java.lang.annotation.Inherited;
 import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
@@ -18,6 +19,7 @@ import org.junit.jupiter.api.extension.ExtensionContext;
  */
 @Target({ElementType.TYPE, ElementType.METHOD})
 @Retention(RetentionPolicy.RUNTIME)
+@Inherited
 @Tag("display")
 @EnabledOnOs(value = OS.LINUX, disabledReason = "windows are tried on Linux: fonts, frames and focus differ elsewhere")
 @ExtendWith(NeedsDisplay.Condition.class)
@@ -31,18 +33,11 @@ public @interface NeedsDisplay {
 
         @Override
         public ConditionEvaluationResult evaluateExecutionCondition(ExtensionContext context) {
-            boolean usable = Displays.usable();
-            if (usable) {
+            if (Displays.usable()) {
                 OwnEvents.EVENTS.install();
-            }
-            return decide(usable, System.getProperty("tompkins.display"));
-        }
-
-        static ConditionEvaluationResult decide(boolean usable, String wanted) {
-            if (usable) {
                 return ConditionEvaluationResult.enabled("there is a display");
             }
-            if ("required".equals(wanted)) {
+            if ("required".equals(System.getProperty("tompkins.display"))) {
                 throw new AssertionError(HOW);
             }
             return ConditionEvaluationResult.disabled(HOW);

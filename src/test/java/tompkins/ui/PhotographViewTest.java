@@ -14,17 +14,14 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import tompkins.light.ColourLaw;
 import tompkins.render.Quality;
 import tompkins.spacetime.SpeedScale;
-import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studios;
 import tompkins.ui.compare.ComparePanel;
@@ -38,31 +35,41 @@ import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.ScreenPicture;
 import tompkins.ui.ray.PixelReading;
-import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
-/** The photograph and what it is compared with, without a display. */
+@LightLook
 @Timeout(120)
 class PhotographViewTest {
 
     private final StudioModel model =
             new StudioModel(Studios.lattice().withSettings(Studios.sphere().settings()), null);
-    private final PhotographView view =
-            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener()));
 
-    @BeforeAll
-    static void look() {
-        Look.LIGHT.install();
-    }
+    private final List<PixelReading> read = new ArrayList<>();
+    private final List<PixelReading> pinned = new ArrayList<>();
+    private final List<String> told = new ArrayList<>();
+
+    @AutoClose
+    private final PhotographView view =
+            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener() {
+                @Override
+                public void read(PixelReading reading, boolean rests) {
+                    read.add(reading);
+                }
+
+                @Override
+                public void pinned(PixelReading reading, String picture) {
+                    pinned.add(reading);
+                }
+
+                @Override
+                public void hints(String click) {
+                    told.add(click);
+                }
+            }));
 
     @BeforeEach
     void size() {
         WindowDriver.onEventThread(() -> view.canvas().setSize(64, 48));
-    }
-
-    @AfterEach
-    void close() {
-        view.close();
     }
 
     @Test
@@ -95,7 +102,7 @@ class PhotographViewTest {
     }
 
     @Test
-    void aKeptPictureIsCalledByItsSpeedAndItsColours() {
+    void aKeptPictureIsCalledByItsSpeed() {
         Velocity fast = Velocity.of(SpeedScale.ONE_MINUS_BETA, 5e-15, new Vector3d(0, 0, 1));
         WindowDriver.onEventThread(() -> model.set(model.studio().withVelocity(fast)));
         WindowDriver.await(
@@ -103,18 +110,6 @@ class PhotographViewTest {
                 () -> view.canvas().shown().now() != null
                         && view.canvas().shown().now().complete());
         assertThat(WindowDriver.onEventThread(view::keepPicture)).endsWith("\u03b2 = 1-5e-15, \u03b3 = 10000000");
-        WindowDriver.onEventThread(() -> model.set(model.studio().withColours(ColourLaw.SEARCHLIGHT)));
-        WindowDriver.await(
-                "the picture with other colours",
-                () -> view.canvas().shown().now().studio().colours() == ColourLaw.SEARCHLIGHT);
-        assertThat(WindowDriver.onEventThread(view::keepPicture))
-                .endsWith("\u03b2 = 1-5e-15, \u03b3 = 10000000, Searchlight effect");
-        WindowDriver.onEventThread(() -> model.set(
-                model.studio().withColours(ColourLaw.UNCHANGED).withTransformation(TransformationLaw.GALILEAN)));
-        WindowDriver.await(
-                "the picture of Newton's world",
-                () -> view.canvas().shown().now().studio().transformation() == TransformationLaw.GALILEAN);
-        assertThat(WindowDriver.onEventThread(view::keepPicture)).endsWith("\u03b2 = 1-5e-15, Galilean");
     }
 
     @Test
@@ -134,92 +129,58 @@ class PhotographViewTest {
 
     @Test
     void whatIsReadAfterTheMouseHasLeftIsNotShown() {
-        List<PixelReading> read = new ArrayList<>();
-        SilentListener listener = new SilentListener() {
-            @Override
-            public void read(PixelReading reading, boolean rests) {
-                read.add(reading);
-            }
-        };
-        try (PhotographView watched = withPicture(listener)) {
-            PictureCanvas canvas = watched.canvas();
-            mouse(canvas, MouseEvent.MOUSE_MOVED);
-            WindowDriver.await("the reading", () -> !read.isEmpty());
-            WindowDriver.onEventThread(() -> {
-                mouse(canvas, MouseEvent.MOUSE_MOVED);
-                // the answer is there, and waits until this is done
-                sleep(200);
-                mouse(canvas, MouseEvent.MOUSE_EXITED);
-            });
-            assertThat(WindowDriver.onEventThread(() -> read.get(read.size() - 1)))
-                    .isNull();
-        }
+        PictureCanvas canvas = canvasWithPicture();
+        Components.mouse(canvas, MouseEvent.MOUSE_MOVED, 32, 24);
+        WindowDriver.await("the reading", () -> !read.isEmpty());
+        WindowDriver.onEventThread(() -> {
+            Components.mouse(canvas, MouseEvent.MOUSE_MOVED, 32, 24);
+            // the answer is there, and waits until this is done
+            sleep(200);
+            Components.mouse(canvas, MouseEvent.MOUSE_EXITED, 32, 24);
+        });
+        assertThat(WindowDriver.onEventThread(() -> read.get(read.size() - 1))).isNull();
     }
 
     /** A double click brings a place into the middle: the pin of its first half goes, and the one before stays. */
     @Test
     void aDoubleClickPinsNothing() {
-        List<PixelReading> pinned = new ArrayList<>();
-        SilentListener listener = new SilentListener() {
-            @Override
-            public void pinned(PixelReading reading, String picture) {
-                pinned.add(reading);
-            }
-        };
-        try (PhotographView watched = withPicture(listener)) {
-            PictureCanvas canvas = watched.canvas();
-            WindowDriver.onEventThread(() -> doubleClick(canvas, 32, 24));
-            assertThat(pinned).endsWith((PixelReading) null);
-            WindowDriver.onEventThread(() -> {
-                watched.setPin(new Point2D.Double(10.5, 12.5));
-                doubleClick(canvas, 32, 24);
-            });
-            WindowDriver.await(
-                    "the reading of the pin before",
-                    () -> pinned.get(pinned.size() - 1) != null
-                            && pinned.get(pinned.size() - 1).column() == 10
-                            && pinned.get(pinned.size() - 1).row() == 12);
-        }
+        PictureCanvas canvas = canvasWithPicture();
+        WindowDriver.onEventThread(() -> doubleClick(canvas, 32, 24));
+        assertThat(pinned).endsWith((PixelReading) null);
+        WindowDriver.onEventThread(() -> {
+            view.setPin(new Point2D.Double(10.5, 12.5));
+            doubleClick(canvas, 32, 24);
+        });
+        WindowDriver.await("the reading of the pin before", () -> {
+            PixelReading last = pinned.get(pinned.size() - 1);
+            return last != null && last.column() == 10 && last.row() == 12;
+        });
     }
 
-    /** Another view of the model, with a picture on its canvas. */
-    private PhotographView withPicture(PhotographView.Listener listener) {
-        PhotographView watched = WindowDriver.onEventThread(() -> new PhotographView(model, listener));
-        WindowDriver.onEventThread(() -> {
-            watched.canvas().setSize(64, 48);
-            watched.render();
-        });
-        WindowDriver.await("a picture", () -> watched.canvas().shown().now() != null);
-        return watched;
+    private PictureCanvas canvasWithPicture() {
+        WindowDriver.onEventThread(view::render);
+        WindowDriver.await("a picture", () -> view.canvas().shown().now() != null);
+        return view.canvas();
     }
 
     /** Measuring comes before choosing; each gives the click back when it ends. */
     @Test
     void whatAClickDoesIsTold() {
-        List<String> told = new ArrayList<>();
-        PhotographView.Listener listener = new SilentListener() {
-            @Override
-            public void hints(String click) {
-                told.add(click);
-            }
-        };
-        try (PhotographView watched = withPicture(listener)) {
-            AtomicBoolean editing = new AtomicBoolean();
-            MeasureTool measure = new MeasureTool(watched, text -> {});
-            new ChooseTool(model, watched, editing::get, part -> {});
-            WindowDriver.onEventThread(() -> {
-                measure.component();
-                measure.setOn(true);
-                measure.setOn(false);
-                editing.set(true);
-                watched.tellTool();
-                measure.setOn(true);
-                measure.setOn(false);
-            });
-            String measures = Texts.get("status.idle.MEASURE");
-            String chooses = Texts.get("status.idle.CHOOSE");
-            assertThat(told).containsExactly(measures, "", chooses, measures, chooses);
-        }
+        AtomicBoolean editing = new AtomicBoolean();
+        MeasureTool measure = new MeasureTool(view, text -> {});
+        new ChooseTool(model, view, editing::get, part -> {});
+        WindowDriver.onEventThread(() -> {
+            measure.component();
+            measure.setOn(true);
+            measure.setOn(false);
+            editing.set(true);
+            view.tellTool();
+            measure.setOn(true);
+            measure.setOn(false);
+        });
+        String measures = Texts.get("status.idle.MEASURE");
+        String chooses = Texts.get("status.idle.CHOOSE");
+        assertThat(told).containsExactly(measures, "", chooses, measures, chooses);
     }
 
     private static void doubleClick(PictureCanvas canvas, int x, int y) {
@@ -236,14 +197,6 @@ class PhotographViewTest {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-    }
-
-    private static void mouse(PictureCanvas canvas, int event) {
-        mouse(canvas, event, 32, 24);
-    }
-
-    private static void mouse(PictureCanvas canvas, int event, int x, int y) {
-        canvas.dispatchEvent(new MouseEvent(canvas, event, 0, 0, x, y, 1, false, MouseEvent.BUTTON1));
     }
 
     /** Eight pixels lie between the two. */

@@ -10,18 +10,14 @@ import java.awt.Rectangle;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
-import java.nio.file.Path;
 import java.util.List;
 import javax.swing.JMenuItem;
 import javax.swing.JTextArea;
 import javax.swing.JTree;
 import javax.swing.MenuSelectionManager;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import tompkins.camera.FocusDistance;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Velocity;
@@ -32,15 +28,7 @@ import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.Texts;
 
 /** What can be done with what is seen at a place of the picture. */
-@Timeout(300)
-@NeedsDisplay
-class PictureMenuTest {
-
-    @TempDir
-    private Path folder;
-
-    @AutoClose
-    private WindowDriver driver;
+class PictureMenuTest extends WindowFixture {
 
     private PictureCanvas canvas;
 
@@ -55,16 +43,15 @@ class PictureMenuTest {
         driver = new WindowDriver(folder, studio, null, List.of());
         canvas = driver.find(PictureCanvas.class, "picture");
         driver.completePicture();
-        WindowDriver.onEventThread(() -> canvas.requestFocusInWindow());
-        WindowDriver.await("the focus", canvas::isFocusOwner);
+        onEventThread(() -> canvas.requestFocusInWindow());
+        await("the focus", canvas::isFocusOwner);
     }
 
     /** The item of the menu that keys ask for in the middle of the picture. */
     private JMenuItem item(String key) {
         driver.key(KeyEvent.VK_F10, KeyEvent.VK_SHIFT);
-        WindowDriver.await(
-                "the menu", () -> MenuSelectionManager.defaultManager().getSelectedPath().length > 0);
-        return WindowDriver.onEventThread(() -> {
+        await("the menu", () -> MenuSelectionManager.defaultManager().getSelectedPath().length > 0);
+        return onEventThread(() -> {
             Component popup =
                     MenuSelectionManager.defaultManager().getSelectedPath()[0].getComponent();
             return Components.find((Container) popup, JMenuItem.class, Texts.get("picture." + key));
@@ -73,7 +60,7 @@ class PictureMenuTest {
 
     private void choose(String key) {
         JMenuItem item = item(key);
-        WindowDriver.onEventThread(() -> {
+        onEventThread(() -> {
             MenuSelectionManager.defaultManager().clearSelectedPath();
             item.doClick();
         });
@@ -91,17 +78,16 @@ class PictureMenuTest {
     @Test
     void theEditorFollowsClicks() {
         choose("edit");
-        WindowDriver.await("the editor", () -> chosenInTheEditor().contains("middle"));
-        WindowDriver.onEventThread(() -> press(MouseEvent.BUTTON1, right()));
-        WindowDriver.await("the other ball", () -> chosenInTheEditor().contains("right"));
+        await("the editor", () -> chosenInTheEditor().contains("middle"));
+        onEventThread(() -> press(MouseEvent.BUTTON1, right()));
+        await("the other ball", () -> chosenInTheEditor().contains("right"));
     }
 
     /** Where the right ball is seen: a moving camera sees it at half of tan(a/2), as D = 2. */
     private Point right() {
         double angle = 2 * Math.atan(Math.tan(Math.atan2(2.5, 11) / 2) / 2);
         Rectangle bounds = canvas.pictureBounds();
-        double half = Math.tan(
-                Math.toRadians(driver.window().model().studio().camera().horizontalAngleDegrees()) / 2);
+        double half = Math.tan(Math.toRadians(driver.studio().camera().horizontalAngleDegrees()) / 2);
         return new Point(
                 (int) (bounds.getCenterX() + Math.tan(angle) / half * bounds.width / 2), (int) bounds.getCenterY());
     }
@@ -122,8 +108,8 @@ class PictureMenuTest {
     void aRideBeginsBeforeWhatIsSeen() {
         double time = LensEvent.inScene(driver.studio()).time();
         choose("rideFrom");
-        WindowDriver.await("the ride", () -> driver.window().motion.pilot().isRiding());
-        WindowDriver.onEventThread(() -> driver.window().motion.pilot().setRiding(false));
+        await("the ride", () -> driver.pilot().isRiding());
+        onEventThread(() -> driver.pilot().setRiding(false));
         Studio ridden = driver.studio();
         assertThat(ridden.velocity().isRest()).isTrue();
         assertThat(LensEvent.inScene(ridden).position().distance(new Vector3d(0, 0, 9)))
@@ -135,21 +121,18 @@ class PictureMenuTest {
     @Test
     void theCameraIsFocusedOnWhatIsSeen() {
         choose("focus");
-        WindowDriver.await("another focus", () -> driver.window().model().isModified());
+        await("another focus", () -> driver.window().model().isModified());
         assertThat(FocusDistance.of(driver.studio().camera())).isCloseTo(20, within(1e-3));
     }
 
     @Test
     void theMouseAsksForTheMenu() {
-        Point point = WindowDriver.onEventThread(this::right);
-        WindowDriver.onEventThread(() -> press(MouseEvent.BUTTON3, point));
-        WindowDriver.await(
-                "the menu", () -> MenuSelectionManager.defaultManager().getSelectedPath().length > 0);
+        Point point = onEventThread(this::right);
+        onEventThread(() -> press(MouseEvent.BUTTON3, point));
+        await("the menu", () -> MenuSelectionManager.defaultManager().getSelectedPath().length > 0);
         driver.key(KeyEvent.VK_ESCAPE);
         choose("lookAt");
-        WindowDriver.await(
-                "the turn",
-                () -> driver.window().model().studio().camera().viewDirection().x() > 0.1);
+        await("the turn", () -> driver.studio().camera().viewDirection().x() > 0.1);
     }
 
     @Test
@@ -157,7 +140,7 @@ class PictureMenuTest {
         choose("measureFrom");
         JTextArea results = driver.find(JTextArea.class, "measure.results");
         assertThat(results.getText()).isEqualTo("Click on two points in the picture.");
-        WindowDriver.onEventThread(() -> press(MouseEvent.BUTTON1, right()));
-        WindowDriver.await("the angle", () -> results.getText().startsWith("angle: "));
+        onEventThread(() -> press(MouseEvent.BUTTON1, right()));
+        await("the angle", () -> results.getText().startsWith("angle: "));
     }
 }

@@ -10,16 +10,11 @@ import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import javax.swing.JLabel;
 import javax.swing.JMenuBar;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import tompkins.TestRun;
 import tompkins.Thorough;
 import tompkins.Waiting;
@@ -30,14 +25,8 @@ import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 
 /** How large the picture in the window is, which pixels it has, and how it is enlarged. */
-@NeedsDisplay
-@Timeout(180)
-class PictureSizeTest {
+class PictureSizeTest extends WindowFixture {
 
-    @TempDir
-    private Path folder;
-
-    private WindowDriver driver;
     private PictureCanvas canvas;
 
     @BeforeEach
@@ -53,11 +42,6 @@ class PictureSizeTest {
         canvas = driver.find(PictureCanvas.class, "picture");
     }
 
-    @AfterEach
-    void close() {
-        driver.close();
-    }
-
     /** What is to be seen in a part of the screen, or is if everything is tried. */
     private BufferedImage seen(Rectangle part) {
         if (TestRun.THOROUGH) {
@@ -67,7 +51,7 @@ class PictureSizeTest {
                 throw new IllegalStateException(e);
             }
         }
-        return WindowDriver.onEventThread(() -> {
+        return onEventThread(() -> {
             BufferedImage image = new BufferedImage(part.width, part.height, BufferedImage.TYPE_INT_RGB);
             Graphics2D graphics = image.createGraphics();
             Point corner = canvas.getLocationOnScreen();
@@ -79,7 +63,7 @@ class PictureSizeTest {
     }
 
     private Rectangle onScreen() {
-        return WindowDriver.onEventThread(() -> {
+        return onEventThread(() -> {
             Rectangle bounds = canvas.pictureBounds();
             Point corner = canvas.getLocationOnScreen();
             bounds.translate(corner.x, corner.y);
@@ -107,7 +91,7 @@ class PictureSizeTest {
                 .isEqualTo(place.getSize());
         assertThat(picture.isOfOwnSize()).isFalse();
         awaitPixels(place, picture.levels());
-        WindowDriver.onEventThread(() -> driver.window().frame().setSize(700, 500));
+        onEventThread(() -> driver.window().frame().setSize(700, 500));
         Picture smaller = driver.completePicture();
         assertThat(smaller.image().width()).isLessThan(picture.image().width());
         awaitPixels(onScreen(), smaller.levels());
@@ -132,12 +116,11 @@ class PictureSizeTest {
     void thePictureIsEnlargedToItsOwnPixelsAndBack() {
         driver.completePicture();
         Rectangle fitting = onScreen();
-        Point corner = WindowDriver.onEventThread(canvas::getLocationOnScreen);
+        Point corner = onEventThread(canvas::getLocationOnScreen);
         Point at = new Point(
                 fitting.x + (int) (106.5 * fitting.width / 320), fitting.y + (int) (80.5 * fitting.height / 240));
         driver.move(at);
-        JLabel what = driver.find(JLabel.class, "status.what");
-        WindowDriver.await("the pixel", () -> what.getText().startsWith("Pixel 106, 80"));
+        await("the pixel", () -> driver.said().startsWith("Pixel 106, 80"));
         driver.key(KeyEvent.VK_EQUALS, KeyEvent.VK_CONTROL);
         Picture own = driver.completePicture();
         assertThat(own.isOfOwnSize()).isTrue();
@@ -146,7 +129,7 @@ class PictureSizeTest {
         int side = enlarged.width / own.image().width();
         assertThat(enlarged.getSize()).isEqualTo(new Dimension(side * 320, side * 240));
         assertThat(side).isGreaterThan(fitting.width / 320).isIn(4, 8, 16);
-        WindowDriver.await("the same pixel", () -> what.getText().startsWith("Pixel 106, 80"));
+        await("the same pixel", () -> driver.said().startsWith("Pixel 106, 80"));
         BufferedImage levels = own.levels();
         BufferedImage square = new BufferedImage(side, 1, BufferedImage.TYPE_INT_RGB);
         for (int x = 0; x < side; x++) {
@@ -163,21 +146,19 @@ class PictureSizeTest {
     @Thorough
     void thePictureFillsTheScreenAndKeysWorkThere() {
         driver.completePicture();
-        Rectangle window =
-                WindowDriver.onEventThread(() -> driver.window().frame().getBounds());
+        Rectangle window = onEventThread(() -> driver.window().frame().getBounds());
         JMenuBar menus = driver.window().frame().getJMenuBar();
         driver.key(KeyEvent.VK_F11);
-        Rectangle screen = WindowDriver.onEventThread(
+        Rectangle screen = onEventThread(
                 () -> driver.window().frame().getGraphicsConfiguration().getBounds());
-        WindowDriver.await("the full screen", () -> canvas.getSize().equals(screen.getSize()));
+        await("the full screen", () -> canvas.getSize().equals(screen.getSize()));
         assertThat(menus.isShowing()).isFalse();
         driver.key(KeyEvent.VK_F7);
-        WindowDriver.await("a key of the menus", () -> new Settings().number("caption", 0) == 1);
+        await("a key of the menus", () -> new Settings().number("caption", 0) == 1);
         driver.key(KeyEvent.VK_F12);
-        WindowDriver.await("the panel", () -> canvas.getWidth() < screen.width);
+        await("the panel", () -> canvas.getWidth() < screen.width);
         driver.key(KeyEvent.VK_ESCAPE);
-        WindowDriver.await(
-                "the window", () -> driver.window().frame().getBounds().equals(window));
+        await("the window", () -> driver.window().frame().getBounds().equals(window));
         assertThat(menus.isShowing()).isTrue();
     }
 }

@@ -25,11 +25,8 @@ import javax.swing.JToolTip;
 import javax.swing.JTree;
 import javax.swing.plaf.basic.BasicHTML;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import tompkins.io.StudioWriter;
 import tompkins.property.Descriptions;
 import tompkins.sceneobject.Sphere;
@@ -42,20 +39,12 @@ import tompkins.ui.widget.Texts;
  * Names that would be HTML with a picture from a server, in everything that is shown: Swing must neither lay them out
  * nor ask the server.
  */
-@Timeout(600)
-@NeedsDisplay
-class PlainTextTest {
-
-    @TempDir
-    private Path folder;
+class PlainTextTest extends WindowFixture {
 
     private final AtomicInteger asked = new AtomicInteger();
     private final List<String> shown = new ArrayList<>();
     private HttpServer server;
     private String html;
-
-    @AutoClose
-    private WindowDriver driver;
 
     @BeforeEach
     void open() throws IOException {
@@ -85,13 +74,13 @@ class PlainTextTest {
     @Test
     void windowMenusTreeAndTipsShowNamesAsTheyStand() {
         driver.menu("menu.editScene");
-        WindowDriver.await("the form", () -> driver.window().side.isEditing());
-        WindowDriver.onEventThread(() -> {
+        await("the form", () -> driver.window().side.isEditing());
+        onEventThread(() -> {
             // what is filled when it is opened
             Components.all(driver.window().frame())
                     .filter(JMenu.class::isInstance)
                     .forEach(menu -> ((JMenu) menu).setSelected(true));
-            JTree tree = Components.find(driver.window().frame(), JTree.class, "tree");
+            JTree tree = driver.find(JTree.class, "tree");
             for (int row = 0; row < tree.getRowCount(); row++) {
                 tree.expandRow(row);
             }
@@ -108,7 +97,7 @@ class PlainTextTest {
     void fileChooserShowsNamesAsTheyStand() {
         driver.menu("menu.open");
         JFileChooser chooser = driver.chooser();
-        WindowDriver.await(
+        await(
                 "the files",
                 () -> Components.showing(chooser, JList.class)
                         .anyMatch(list -> list.getModel().getSize() > 0));
@@ -117,28 +106,26 @@ class PlainTextTest {
                 .as("file, folder, folder above")
                 .filteredOn(text -> text.startsWith("<html>"))
                 .hasSizeGreaterThan(2);
-        WindowDriver.onEventThread(chooser::cancelSelection);
+        onEventThread(chooser::cancelSelection);
     }
 
     @Test
     void questionsAndMessagesShowNamesAsTheyStand() {
         WindowDriver.later(() -> Messages.error(driver.window().frame(), html));
-        WindowDriver.await(
-                "the message",
-                () -> Components.messages(driver.window().frame()).anyMatch(html::equals));
+        await("the message", () -> Components.messages(driver.window().frame()).anyMatch(html::equals));
         requirePlain();
         driver.answer("OK");
         WindowDriver.later(() -> Messages.askAboutChanges(driver.window().frame(), html));
-        WindowDriver.await(
+        await(
                 "the question",
-                () -> Components.showing(driver.window().frame(), JButton.class)
+                () -> driver.showing(JButton.class)
                         .anyMatch(button -> Texts.get("unsaved.save").equals(button.getText())));
         requirePlain();
         driver.answer(Texts.get("task.cancel"));
     }
 
     private void requirePlain() {
-        WindowDriver.onEventThread(() -> {
+        onEventThread(() -> {
             for (Window window : Window.getWindows()) {
                 Components.all(window).forEach(this::requirePlain);
             }

@@ -3,8 +3,7 @@ package tompkins.ui;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -23,20 +22,16 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.photograph.PhotographView;
 import tompkins.ui.picture.Comparison;
 import tompkins.ui.picture.ScreenPicture;
-import tompkins.ui.widget.Look;
 
-/** What is seen on a ride beside the picture of a camera at rest, without a display. */
+@LightLook
 @Timeout(120)
 class RideBesideRestTest {
 
     private final StudioModel model = new StudioModel(opened(Studios.sphere(), 0), null);
+
+    @AutoClose
     private final PhotographView view =
             WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener()));
-
-    @BeforeAll
-    static void look() {
-        Look.LIGHT.install();
-    }
 
     @BeforeEach
     void size() {
@@ -45,11 +40,6 @@ class RideBesideRestTest {
             view.render();
             view.compare(new Compared(ComparePanel.Other.AT_REST, null, Comparison.SPLIT, "at rest"));
         });
-    }
-
-    @AfterEach
-    void close() {
-        view.close();
     }
 
     private static Studio opened(Studio studio, double time) {

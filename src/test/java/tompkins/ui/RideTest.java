@@ -10,26 +10,18 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
-import javax.swing.MenuSelectionManager;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import tompkins.camera.Aim.PicturePosition;
 import tompkins.camera.Camera;
 import tompkins.io.StudioReader;
-import tompkins.property.Descriptions;
 import tompkins.spacetime.Velocity;
-import tompkins.studio.LensEvent;
-import tompkins.studio.Ride;
 import tompkins.studio.RideLeg;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
@@ -38,16 +30,7 @@ import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.ride.RidePilot;
 import tompkins.ui.widget.Texts;
 
-/** The camera is steered in the real window, with mouse and keys. */
-@Timeout(600)
-@NeedsDisplay
-class RideTest {
-
-    @TempDir
-    private Path folder;
-
-    @AutoClose
-    private WindowDriver driver;
+class RideTest extends WindowFixture {
 
     private Studio start;
 
@@ -64,7 +47,7 @@ class RideTest {
 
     /** A point of the screen, as shares of the picture. */
     private Point point(double x, double y) {
-        return WindowDriver.onEventThread(() -> {
+        return onEventThread(() -> {
             Point corner = canvas().getLocationOnScreen();
             Rectangle bounds = canvas().pictureBounds();
             return new Point(
@@ -73,7 +56,7 @@ class RideTest {
     }
 
     private Vector3d seenAt(Point point, Camera camera) {
-        return WindowDriver.onEventThread(() -> {
+        return onEventThread(() -> {
             Point corner = canvas().getLocationOnScreen();
             Rectangle bounds = canvas().pictureBounds();
             return new PicturePosition(
@@ -134,9 +117,7 @@ class RideTest {
         driver.hold(KeyEvent.VK_CONTROL);
         driver.wheel(point(0.5, 0.5), -2);
         driver.release(KeyEvent.VK_CONTROL);
-        WindowDriver.await(
-                "the lens nearer",
-                () -> driver.window().model().studio().camera().position().z() > before + 0.01);
+        await("the lens nearer", () -> driver.studio().camera().position().z() > before + 0.01);
     }
 
     @Test
@@ -144,38 +125,7 @@ class RideTest {
         Point at = point(0.7, 0.3);
         Vector3d seen = seenAt(at, start.camera());
         driver.doubleClick(at);
-        WindowDriver.await(
-                "the view on it",
-                () -> driver.window().model().studio().camera().viewDirection().angle(seen) < 1e-6);
-    }
-
-    @Test
-    void rideIsPausedUndoneSavedAndOpenedAgain() throws Exception {
-        driver.key(KeyEvent.VK_F6);
-        WindowDriver.await("the ride", () -> driver.window().motion.pilot().isRiding());
-        driver.hold(KeyEvent.VK_W);
-        WindowDriver.await(
-                "a faster camera",
-                () -> driver.window().model().studio().velocity().rapidity() > 0.549 + 0.3);
-        driver.release(KeyEvent.VK_W);
-        driver.key(KeyEvent.VK_F6);
-        WindowDriver.await("the pause", () -> !driver.window().motion.pilot().isRiding());
-        Studio paused = driver.studio();
-        assertThat(paused.velocity().rapidity()).isGreaterThan(0.549 + 0.3);
-        assertThat(paused.velocity().direction()).isEqualTo(new Vector3d(0, 0, 1));
-        assertThat(driver.completePicture().studio()).isEqualTo(paused);
-
-        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
-        assertThat(driver.studio()).isEqualTo(start);
-        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
-        assertThat(driver.studio()).isEqualTo(paused);
-
-        Path file = folder.resolve("paused.json");
-        driver.menu("menu.saveScene");
-        driver.choose(file);
-        WindowDriver.await("the file", () -> Files.exists(file));
-        WindowDriver.await("the saved scene", () -> !driver.window().model().isModified());
-        assertThat(StudioReader.read(file)).isEqualTo(paused);
+        await("the view on it", () -> driver.studio().camera().viewDirection().angle(seen) < 1e-6);
     }
 
     @Test
@@ -185,13 +135,10 @@ class RideTest {
         more();
         driver.click(driver.find(JToggleButton.class, "Record"));
         driver.hold(KeyEvent.VK_S);
-        WindowDriver.await(
-                "a slower camera",
-                () -> driver.window().model().studio().velocity().rapidity() < 0.549 - 0.1);
+        await("a slower camera", () -> driver.studio().velocity().rapidity() < 0.549 - 0.1);
         driver.release(KeyEvent.VK_S);
         driver.key(KeyEvent.VK_F6);
-        WindowDriver.await(
-                "the recording", () -> !driver.window().model().studio().ride().isEmpty());
+        await("the recording", () -> !driver.studio().ride().isEmpty());
         Studio recorded = driver.studio();
         double change = recorded.ride().stream()
                 .mapToDouble(leg -> leg.acceleration().z() * leg.properTime())
@@ -211,8 +158,8 @@ class RideTest {
     /** Shows all of the bar. */
     private void more() {
         JToggleButton button = driver.find(JToggleButton.class, "More");
-        WindowDriver.await("the bar", button::isShowing);
-        WindowDriver.onEventThread(() -> {
+        await("the bar", button::isShowing);
+        onEventThread(() -> {
             if (!button.isSelected()) {
                 button.doClick();
             }
@@ -221,29 +168,13 @@ class RideTest {
 
     /** Replays a ride to its end, which may be there before anybody looks. */
     private void replay() {
-        RidePilot pilot = driver.window().motion.pilot();
+        RidePilot pilot = driver.pilot();
         AtomicBoolean replayed = new AtomicBoolean();
-        WindowDriver.onEventThread(() -> pilot.addListener(() -> replayed.compareAndSet(false, pilot.isReplaying())));
+        onEventThread(() -> pilot.addListener(() -> replayed.compareAndSet(false, pilot.isReplaying())));
         more();
         driver.click(driver.find(JButton.class, "Replay"));
-        WindowDriver.await("the replay", replayed::get);
-        WindowDriver.await("its end", () -> !pilot.isRiding());
-    }
-
-    /** At the end of a ride the scene holds none: the one that was shown last comes again. */
-    @Test
-    void aRideIsReplayedFromItsEnd() {
-        driver.close();
-        Studio withRide = start.withRide(List.of(new RideLeg(0.3, 0.3, new Vector3d(0, 0, 1), 0, 0, 1)));
-        driver = new WindowDriver(folder.resolve("settings"), withRide, null, List.of());
-        driver.menu("menu.replay");
-        RidePilot pilot = driver.window().motion.pilot();
-        WindowDriver.await("the end", () -> !pilot.isRiding() && pilot.moment() != null);
-        Studio end = driver.studio();
-
-        replay();
-
-        assertThat(driver.studio()).isEqualTo(end);
+        await("the replay", replayed::get);
+        await("its end", () -> !pilot.isRiding());
     }
 
     /** A ride by hand takes the camera away from where the recorded one begins, which can still be seen. */
@@ -253,9 +184,8 @@ class RideTest {
         Studio withRide = start.withRide(List.of(new RideLeg(0.3, 0.3, new Vector3d(0, 0, 1), 0, 0, 1)));
         driver = new WindowDriver(folder.resolve("settings"), withRide, null, List.of());
         driver.key(KeyEvent.VK_F6);
-        RidePilot pilot = driver.window().motion.pilot();
-        WindowDriver.await(
-                "a ride", () -> pilot.moment() != null && pilot.moment().properTime() > 0.1);
+        RidePilot pilot = driver.pilot();
+        await("a ride", () -> pilot.moment() != null && pilot.moment().properTime() > 0.1);
         JButton replay = driver.find(JButton.class, "Replay");
         assertThat(replay.isEnabled()).isTrue();
 
@@ -272,25 +202,24 @@ class RideTest {
     /** Behind a question nothing moves, and the picture that is saved is the one behind it. */
     @Test
     void aQuestionPausesARide() {
-        RidePilot pilot = driver.window().motion.pilot();
+        RidePilot pilot = driver.pilot();
         driver.key(KeyEvent.VK_F6);
         driver.hold(KeyEvent.VK_W);
-        WindowDriver.await(
-                "thrust", () -> driver.window().model().studio().velocity().speed() > 0.51);
+        await("thrust", () -> driver.studio().velocity().speed() > 0.51);
         driver.release(KeyEvent.VK_W);
         driver.menu("menu.savePhotograph");
         driver.chooser();
-        assertThat(WindowDriver.onEventThread(pilot::isRiding)).isFalse();
+        assertThat(onEventThread(pilot::isRiding)).isFalse();
         Studio seen = driver.completePicture().studio();
         Path file = folder.resolve("seen.png");
         driver.choose(file);
-        WindowDriver.await("the photograph", () -> Files.exists(file));
+        await("the photograph", () -> Files.exists(file));
         assertThat(StudioReader.read(file)).isEqualTo(seen);
 
         driver.key(KeyEvent.VK_F6);
-        WindowDriver.await("the ride", pilot::isRiding);
+        await("the ride", pilot::isRiding);
         driver.menu("menu.about");
-        WindowDriver.await("the pause", () -> !pilot.isRiding());
+        await("the pause", () -> !pilot.isRiding());
         driver.answer("OK");
     }
 
@@ -298,14 +227,12 @@ class RideTest {
     void rideBeginsWhereverTheFocusIs() {
         driver.click(driver.find(JTextField.class, "Speed"));
         driver.key(KeyEvent.VK_F6);
-        WindowDriver.await("the ride", () -> driver.window().motion.pilot().isRiding());
+        await("the ride", () -> driver.pilot().isRiding());
         driver.hold(KeyEvent.VK_W);
-        WindowDriver.await(
-                "thrust",
-                () -> driver.window().model().studio().velocity().direction().z() > 0.01);
+        await("thrust", () -> driver.studio().velocity().direction().z() > 0.01);
         driver.release(KeyEvent.VK_W);
         driver.click(driver.find(JButton.class, Texts.get("panel.ride")));
-        assertThat(driver.window().motion.pilot().isRiding()).isFalse();
+        assertThat(driver.pilot().isRiding()).isFalse();
     }
 
     /** Otherwise no key would do anything after a click at a switch, and nobody would know why. */
@@ -314,67 +241,16 @@ class RideTest {
         driver.key(KeyEvent.VK_F6);
         more();
         JComboBox<?> view = driver.find(JComboBox.class, "View");
-        WindowDriver.onEventThread(() -> view.setSelectedItem(View.MEASURED));
+        onEventThread(() -> view.setSelectedItem(View.MEASURED));
         assertThat(driver.studio().view()).isEqualTo(View.MEASURED);
         double before = driver.studio().velocity().speed();
         driver.hold(KeyEvent.VK_W);
-        WindowDriver.await(
-                "thrust", () -> driver.window().model().studio().velocity().speed() > before + 0.01);
+        await("thrust", () -> driver.studio().velocity().speed() > before + 0.01);
         driver.release(KeyEvent.VK_W);
         driver.key(KeyEvent.VK_SPACE);
         // what is typed into a field is no thrust
         driver.click(driver.find(JTextField.class, "Speed"));
         driver.key(KeyEvent.VK_B);
-        assertThat(WindowDriver.onEventThread(
-                        () -> driver.window().motion.pilot().isBraking()))
-                .isFalse();
-    }
-
-    /** The arrows look through the list of rides, and Enter begins one; the last is 6 away. */
-    @Test
-    void aRideIsChosenWithTheKeys() {
-        driver.close();
-        List<Ride> rides = Stream.of("a", "the second", "the last one")
-                .map(name -> new Ride(
-                        name, "Hold W.", new Vector3d(0, 0, -name.length() / 2.0), Velocity.REST, 1, List.of()))
-                .toList();
-        driver =
-                new WindowDriver(folder.resolve("settings"), Descriptions.with(start, "rides", rides), null, List.of());
-        driver.key(KeyEvent.VK_F6);
-        RidePilot pilot = driver.window().motion.pilot();
-        WindowDriver.await("a ride", pilot::isRiding);
-        JButton challenges = driver.find(JButton.class, "Challenges");
-        WindowDriver.onEventThread(() -> challenges.doClick());
-        WindowDriver.await(
-                "the rides", () -> MenuSelectionManager.defaultManager().getSelectedPath().length > 0);
-        driver.key(KeyEvent.VK_DOWN);
-        driver.key(KeyEvent.VK_DOWN);
-        driver.key(KeyEvent.VK_DOWN);
-        driver.key(KeyEvent.VK_ENTER);
-        WindowDriver.await(
-                "the last ride",
-                () -> LensEvent.inScene(driver.window().model().studio())
-                                .position()
-                                .z()
-                        < -5.5);
-        WindowDriver.await("the keys of the ride", () -> canvas().isFocusOwner());
-    }
-
-    @Test
-    void spaceEndsThrustAndBBrakesToRest() {
-        driver.key(KeyEvent.VK_F6);
-        driver.hold(KeyEvent.VK_W);
-        WindowDriver.await(
-                "thrust", () -> driver.window().model().studio().velocity().speed() > 0.51);
-        driver.key(KeyEvent.VK_SPACE);
-        Velocity coasting = driver.studio().velocity();
-        assertThat(coasting.speed()).isGreaterThan(0.5);
-        driver.release(KeyEvent.VK_W);
-        driver.key(KeyEvent.VK_B);
-        WindowDriver.await(
-                "rest", () -> driver.window().model().studio().velocity().isRest());
-        driver.key(KeyEvent.VK_ESCAPE);
-        assertThat(driver.window().motion.pilot().isRiding()).isFalse();
-        driver.completePicture();
+        assertThat(onEventThread(() -> driver.pilot().isBraking())).isFalse();
     }
 }

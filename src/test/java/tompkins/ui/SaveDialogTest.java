@@ -12,14 +12,10 @@ import java.util.List;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JFileChooser;
-import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
-import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.property.Descriptions;
@@ -27,18 +23,10 @@ import tompkins.studio.Studios;
 import tompkins.ui.widget.Texts;
 
 /** The format in which a file is saved: the one whose ending is typed, else the chosen one. */
-@Timeout(600)
-@NeedsDisplay
-class SaveDialogTest {
+class SaveDialogTest extends WindowFixture {
 
     /** Where a PNG file says how many bits a channel has. */
     private static final int PNG_DEPTH = 24;
-
-    @TempDir
-    private Path folder;
-
-    @AutoClose
-    private WindowDriver driver;
 
     @BeforeEach
     void open() {
@@ -48,24 +36,29 @@ class SaveDialogTest {
     }
 
     private void awaitSaved(Path file) {
-        JLabel what = driver.find(JLabel.class, "status.what");
-        WindowDriver.await(file.toString(), () -> what.getText().equals("Saved " + file));
+        await(file.toString(), () -> driver.said().equals("Saved " + file));
     }
 
     private void chooseFormat(String description) {
         JFileChooser chooser = driver.chooser();
-        WindowDriver.onEventThread(() -> List.of(chooser.getChoosableFileFilters()).stream()
+        onEventThread(() -> List.of(chooser.getChoosableFileFilters()).stream()
                 .filter(filter -> description.equals(filter.getDescription()))
                 .forEach(chooser::setFileFilter));
     }
 
     @Test
-    void aTypedEndingStandsForItsFormat() throws IOException {
+    void aTypedEndingStandsForItsFormatTheChosenOneFirst() throws IOException {
         driver.menu("menu.savePhotograph");
         Path tiff = folder.resolve("typed.tif");
         driver.choose(tiff);
         awaitSaved(tiff);
         assertThat(start(tiff)).isIn("II*\0", "MM\0*");
+        driver.menu("menu.savePhotograph");
+        chooseFormat("PNG, 16 bits per channel");
+        Path png = folder.resolve("typed.png");
+        driver.choose(png);
+        awaitSaved(png);
+        assertThat(Files.readAllBytes(png)[PNG_DEPTH]).isEqualTo((byte) 16);
 
         driver.menu("menu.playPanel");
         driver.answer(Texts.get("play.export"));
@@ -80,9 +73,9 @@ class SaveDialogTest {
         driver.menu("menu.savePhotograph");
         Path jpeg = folder.resolve("typed.jpg");
         driver.choose(jpeg);
-        WindowDriver.await(
+        await(
                 "the message",
-                () -> Components.showing(driver.window().frame(), JTextArea.class)
+                () -> driver.showing(JTextArea.class)
                         .anyMatch(
                                 message -> message.getText()
                                         .equals(
@@ -105,7 +98,7 @@ class SaveDialogTest {
         JTextField width = driver.find(JTextField.class, "Width");
         assertThat(width.getText()).isEqualTo("" + driver.studio().settings().width());
         Container chooser = driver.chooser();
-        WindowDriver.onEventThread(() -> {
+        onEventThread(() -> {
             Components.enter(chooser, "Width", "1e308");
             assertThat(Components.notes(chooser))
                     .anyMatch(text -> text.contains("a whole number from 1 to 65535, was 1e308"));
@@ -127,40 +120,18 @@ class SaveDialogTest {
         assertThat(driver.studio().settings().width()).as("the scene").isNotEqualTo(96);
     }
 
-    /** A dot in the name of a scene begins no ending. */
-    @Test
-    void theProposedNameIsAccepted() {
-        driver.close();
-        driver = new WindowDriver(
-                folder.resolve("settings"), Studios.sphere(), folder.resolve("sphere.v2.json"), List.of());
-        driver.completePicture();
-        driver.menu("menu.savePhotograph");
-
-        driver.choose(driver.chooser().getSelectedFile().toPath());
-
-        awaitSaved(folder.resolve("sphere.v2.png"));
-    }
-
     private static String start(Path file) throws IOException {
         return new String(Files.readAllBytes(file), 0, 4, StandardCharsets.ISO_8859_1);
     }
 
-    @Test
-    void ofFormatsWithTheSameEndingTheChosenOneIsMeant() throws IOException {
-        driver.menu("menu.savePhotograph");
-        chooseFormat("PNG, 16 bits per channel");
-        Path png = folder.resolve("typed.png");
-        driver.choose(png);
-        awaitSaved(png);
-        assertThat(Files.readAllBytes(png)[PNG_DEPTH]).isEqualTo((byte) 16);
-    }
-
+    /** A dot in the name of a scene begins no ending. */
     @Test
     void theProposedNameGetsTheEndingOfTheChosenFormat() throws IOException {
+        driver.open(Studios.sphere(), folder.resolve("sphere.v2.json"));
         driver.menu("menu.savePhotograph");
         chooseFormat("Radiance HDR");
         driver.answer("Save");
-        Path hdr = folder.resolve("sphere.hdr");
+        Path hdr = folder.resolve("sphere.v2.hdr");
         awaitSaved(hdr);
         assertThat(start(hdr)).startsWith("#?");
     }
@@ -168,14 +139,13 @@ class SaveDialogTest {
     @Test
     void aSceneWithoutAFileIsOfferedItsTitleAsName() {
         String title = "Fig. 1(b): camera at 99.5 % of the speed of light";
-        WindowDriver.onEventThread(
-                () -> driver.window().model().open(Descriptions.with(Studios.sphere(), "title", title), null));
+        driver.open(Descriptions.with(Studios.sphere(), "title", title), null);
         for (String item : List.of("menu.saveScene", "menu.savePhotograph")) {
             driver.menu(item);
             assertThat(driver.chooser().getSelectedFile())
                     .isEqualTo(folder.resolve("Fig-1-b").toFile());
             driver.answer("Cancel");
-            WindowDriver.await("the end of the file chooser", () -> !driver.isChooserOpen());
+            await("the end of the file chooser", () -> !driver.isChooserOpen());
         }
         driver.menu("menu.playPanel");
         driver.answer(Texts.get("play.export"));
@@ -200,7 +170,7 @@ class SaveDialogTest {
         StudioWriter.save(Studios.lattice(), other, true);
         driver.menu("menu.open");
         driver.choose(other);
-        WindowDriver.await("the scene", () -> driver.window().model().studio().equals(Studios.lattice()));
+        await("the scene", () -> driver.studio().equals(Studios.lattice()));
         assertThat(folderOfTheChooser("menu.savePhotograph")).isEqualTo(folder);
     }
 
@@ -228,7 +198,7 @@ class SaveDialogTest {
         driver.menu(item);
         Path current = driver.chooser().getCurrentDirectory().toPath();
         driver.answer("Cancel");
-        WindowDriver.await("the end of the file chooser", () -> !driver.isChooserOpen());
+        await("the end of the file chooser", () -> !driver.isChooserOpen());
         return current;
     }
 }

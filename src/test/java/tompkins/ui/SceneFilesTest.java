@@ -14,20 +14,12 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
-import javax.swing.JLabel;
 import javax.swing.JRootPane;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.TransferHandler;
-import org.joml.Vector3d;
-import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
-import tompkins.camera.Aim;
 import tompkins.image.LinearImage;
 import tompkins.image.PhotographFile;
 import tompkins.image.PictureFormat;
@@ -39,22 +31,13 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.ui.file.BackgroundTask;
-import tompkins.ui.model.StudioModel;
 
 /** Scene files that other programs write, too: nothing in them is lost without a question. */
-@Timeout(600)
-@NeedsDisplay
-class SceneFilesTest {
+class SceneFilesTest extends WindowFixture {
 
     private static final Studio BOX = Studios.sphere().withScene(List.of(Box.DEFAULT));
 
-    @TempDir
-    private Path folder;
-
     private Path file;
-
-    @AutoClose
-    private WindowDriver driver;
 
     @BeforeEach
     void open() throws IOException {
@@ -74,7 +57,7 @@ class SceneFilesTest {
     }
 
     private void awaitSaved() {
-        WindowDriver.await("the saved scene", () -> !driver.window().model().isModified());
+        await("the saved scene", () -> !driver.window().model().isModified());
     }
 
     private void assertSavesWithoutAQuestion(String speed) {
@@ -98,78 +81,13 @@ class SceneFilesTest {
     }
 
     private void awaitStudio(Studio studio) {
-        WindowDriver.await("the scene", () -> driver.window().model().studio().equals(studio));
-    }
-
-    @Test
-    void foreignChangesAreReplacedOnlyOnRequest() throws IOException {
-        Studio mine = change("0.5");
-        StudioWriter.save(BOX, file, true);
-        assertSavesOnlyAnyway(mine);
-    }
-
-    @Test
-    void aSceneCanBeSavedBesideOneThatAnotherProgramChanged() throws IOException {
-        Studio mine = change("0.5");
-        StudioWriter.save(BOX, file, true);
-        save();
-        driver.answer("Save scene as\u2026");
-        Path other = folder.resolve("other.json");
-        driver.choose(other);
-        awaitSaved();
-        assertThat(StudioReader.read(file)).isEqualTo(BOX);
-        assertThat(StudioReader.read(other)).isEqualTo(mine);
-    }
-
-    @Test
-    void aSceneThatIsPlayedIsSavedAsItIsAtThatMoment() {
-        WindowDriver.onEventThread(() -> driver.window().model().open(BOX, null));
-        driver.menu("menu.playSpeed");
-        save();
-        Path other = folder.resolve("played.json");
-        driver.choose(other);
-        StudioModel model = driver.window().model();
-        WindowDriver.await("the file of the scene", () -> other.equals(model.file()));
-        Studio written = WindowDriver.onEventThread(model::opened);
-        assertThat(StudioReader.read(other)).isEqualTo(written);
-        assertThat(driver.studio()).as("nothing moves behind the question").isEqualTo(written);
-    }
-
-    /** A disk may be slow, and a hand quick: a second writer might be faster than the first. */
-    @Test
-    void aFileThatIsBeingSavedIsNotWrittenTwice() throws IOException {
-        Studio mine = change("0.5");
-        byte[] before = Files.readAllBytes(file);
-        CountDownLatch written = new CountDownLatch(1);
-        WindowDriver.onEventThread(() -> {
-            BackgroundTask.start(driver.window().frame(), "saving", file, awaiting(written), nothing -> {}, () -> {});
-        });
-        save();
-        JLabel what = driver.find(JLabel.class, "status.what");
-        WindowDriver.await("the answer", () -> what.getText().startsWith("Still saving " + file));
-        assertThat(file).hasBinaryContent(before);
-        assertThat(WindowDriver.onEventThread(() -> driver.window().model().isModified()))
-                .isTrue();
-        written.countDown();
-        WindowDriver.await(
-                "the end of the first",
-                () -> BackgroundTask.running(driver.window().frame()).isEmpty());
-        save();
-        awaitSaved();
-        assertThat(StudioReader.read(file)).isEqualTo(mine);
-    }
-
-    private static BackgroundTask.Work<Void> awaiting(CountDownLatch latch) {
-        return task -> {
-            latch.await();
-            return null;
-        };
+        await("the scene", () -> driver.studio().equals(studio));
     }
 
     /** A save that goes on until somebody stops it. */
     private CountDownLatch saveSlowly() {
         CountDownLatch stopped = new CountDownLatch(1);
-        WindowDriver.onEventThread(() -> {
+        onEventThread(() -> {
             BackgroundTask.start(
                     driver.window().frame(),
                     "Saving slowly",
@@ -190,7 +108,7 @@ class SceneFilesTest {
     @Test
     void escapeStopsASave() throws InterruptedException {
         CountDownLatch stopped = saveSlowly();
-        WindowDriver.onEventThread(() -> {
+        onEventThread(() -> {
             JRootPane pane = driver.window().frame().getRootPane();
             KeyStroke escape = KeyStroke.getKeyStroke("ESCAPE");
             Object action = pane.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).get(escape);
@@ -205,35 +123,21 @@ class SceneFilesTest {
         JFrame frame = driver.window().frame();
         driver.menu("menu.close");
         driver.answer("Wait");
-        WindowDriver.await(
+        await(
                 "the end of the question",
                 () -> Components.messages(frame).findAny().isEmpty());
         assertThat(frame.isDisplayable()).isTrue();
         driver.menu("menu.close");
         driver.answer("Stop it and close");
         assertThat(stopped.await(5, TimeUnit.MINUTES)).isTrue();
-        WindowDriver.await("the end of the window", () -> !frame.isDisplayable());
-    }
-
-    /** Undo brings it back, and what is on the screen is not worth a question. */
-    @Test
-    void whoeverOnlyTurnsTheCameraIsNotAsked() {
-        StudioModel model = driver.window().model();
-        WindowDriver.onEventThread(() -> {
-            Studio studio = model.studio();
-            model.look(studio.withCamera(Aim.along(studio.camera(), new Vector3d(0.1, 0, 1))), new Object());
-        });
-        assertThat(WindowDriver.onEventThread(model::isModified)).isTrue();
-        JFrame frame = driver.window().frame();
-        driver.menu("menu.close");
-        WindowDriver.await("the end of the window", () -> !frame.isDisplayable());
+        await("the end of the window", () -> !frame.isDisplayable());
     }
 
     @Test
     void whatIsDroppedIsOpened() throws IOException {
         Path box = folder.resolve("box.json");
         StudioWriter.save(BOX, box, true);
-        assertThat(drop(box)).isTrue();
+        assertThat(drop(box, file)).as("of several the first").isTrue();
         awaitStudio(BOX);
         assertThat(driver.window().model().file()).isEqualTo(box);
         Path wrong = Files.writeString(folder.resolve("wrong.json"), "no scene");
@@ -245,17 +149,9 @@ class SceneFilesTest {
         assertThat(box).exists();
     }
 
-    @Test
-    void ofSeveralFilesTheFirstIsOpened() throws IOException {
-        Path box = folder.resolve("box.json");
-        StudioWriter.save(BOX, box, true);
-        assertThat(drop(box, file)).isTrue();
-        awaitStudio(BOX);
-    }
-
     private boolean drop(Path... dropped) {
         JRootPane pane = driver.window().frame().getRootPane();
-        return WindowDriver.onEventThread(() -> pane.getTransferHandler()
+        return onEventThread(() -> pane.getTransferHandler()
                 .importData(new TransferHandler.TransferSupport(pane, new DroppedFiles(List.of(dropped)))));
     }
 
@@ -279,23 +175,9 @@ class SceneFilesTest {
     }
 
     @Test
-    void aFileIsTheSameHoweverItIsNamed() {
-        driver.close();
-        Path other = folder.resolve("..").resolve(folder.getFileName()).resolve(file.getFileName());
-        driver = new WindowDriver(folder.resolve("settings"), Studios.sphere(), other, List.of());
-        assertThat(driver.window().model().file()).isEqualTo(file.toAbsolutePath());
-    }
-
-    @Test
     void commentsAreWrittenOverOnlyWhenTheUserAgrees() throws IOException {
         Files.writeString(file, "// mine\n" + Files.readString(file));
         assertSavesOnlyAnyway(change("0.5"));
-    }
-
-    @Test
-    void otherEndsOfLinesAreNoHandwriting() throws IOException {
-        Files.writeString(file, Files.readString(file).replace("\n", "\r\n"));
-        assertSavesWithoutAQuestion("0.5");
     }
 
     /** Enter alone loses nothing. */
@@ -314,14 +196,6 @@ class SceneFilesTest {
     }
 
     @Test
-    void reloadingShowsWhatAnotherProgramWrote() throws IOException {
-        StudioWriter.save(BOX, file, true);
-        driver.key(KeyEvent.VK_F5);
-        awaitStudio(BOX);
-        assertSavesWithoutAQuestion("0.5");
-    }
-
-    @Test
     void reloadingAsksWhatBecomesOfChanges() throws IOException {
         Studio mine = change("0.5");
         StudioWriter.save(BOX, file, true);
@@ -334,21 +208,8 @@ class SceneFilesTest {
     }
 
     @Test
-    void aFileWithMistakesIsNotReloaded() throws IOException {
-        Files.writeString(file, "{ \"velocity\": [0, 0, 1] }");
-        driver.menu("menu.reload");
-        WindowDriver.await(
-                "the message",
-                () -> Components.messages(driver.window().frame())
-                        .anyMatch(text -> text.contains("must be shorter than 1")));
-        driver.answer("OK");
-        assertThat(driver.studio()).isEqualTo(Studios.sphere());
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"sphere.JSON", "sphere", "sphere.v2"})
-    void aSceneIsSavedToItsFileWhateverItsEnding(String name) throws IOException {
-        Path other = folder.resolve(name);
+    void aSceneIsSavedToItsFileWhateverItsEnding() throws IOException {
+        Path other = folder.resolve("sphere.v2");
         StudioWriter.save(BOX, other, true);
         openFile(other);
         Studio mine = change("0.5");
@@ -361,21 +222,20 @@ class SceneFilesTest {
     void anotherSceneClearsWhatWasSaidOfTheOneBefore() throws IOException {
         change("0.5");
         save();
-        JLabel what = driver.find(JLabel.class, "status.what");
-        WindowDriver.await("the message", () -> what.getText().equals("Saved " + file));
+        await("the message", () -> driver.said().equals("Saved " + file));
         JTextField aperture = driver.find(JTextField.class, "Aperture");
         driver.type(aperture, "-1");
         assertThat(Components.isMarked(aperture)).isTrue();
         Path other = folder.resolve("box.json");
         StudioWriter.save(BOX, other, true);
         openFile(other);
-        assertThat(what.getText()).doesNotContain("Saved");
+        assertThat(driver.said()).doesNotContain("Saved");
         assertThat(Components.isMarked(aperture)).isFalse();
     }
 
     @Test
     void anExampleThatWasOnlyLookedAtIsLeftWithoutAQuestion() throws IOException {
-        WindowDriver.onEventThread(() -> driver.window().model().open(Studios.sphere(), null));
+        driver.open(Studios.sphere(), null);
         Studio fast = change("0.5");
         Path other = folder.resolve("box.json");
         StudioWriter.save(BOX, other, true);
@@ -383,7 +243,7 @@ class SceneFilesTest {
         driver.menu("menu.undo");
         awaitStudio(fast);
 
-        WindowDriver.onEventThread(() -> driver.window().model().set(fast.withScene(List.of())));
+        driver.set(fast.withScene(List.of()));
         driver.menu("menu.open");
         driver.answer("Cancel");
         assertThat(driver.studio().scene()).isEmpty();
@@ -419,8 +279,8 @@ class SceneFilesTest {
 
     @Test
     void anExampleIsReloadedAsItWasOpened() {
-        WindowDriver.onEventThread(() -> driver.window().model().open(BOX, null));
-        WindowDriver.onEventThread(() -> driver.window().model().set(BOX.withVelocity(Velocity.of(0, 0, 0.5))));
+        driver.open(BOX, null);
+        driver.set(BOX.withVelocity(Velocity.of(0, 0, 0.5)));
         driver.key(KeyEvent.VK_F5);
         awaitStudio(BOX);
         assertThat(driver.window().model().isModified()).isFalse();

@@ -1,7 +1,6 @@
 package tompkins.ui;
 
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
@@ -20,16 +19,18 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executors;
 import java.util.concurrent.FutureTask;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JFileChooser;
+import javax.swing.JLabel;
 import javax.swing.JMenuItem;
-import javax.swing.JToggleButton;
 import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
 import tompkins.Waiting;
 import tompkins.studio.Studio;
 import tompkins.ui.picture.Picture;
+import tompkins.ui.ride.RidePilot;
 import tompkins.ui.widget.Look;
 
 /** Uses a real window as a person does, with mouse and keys: those of its components alone. */
@@ -93,7 +94,11 @@ public final class WindowDriver implements AutoCloseable {
     public static <T> T onEventThread(Callable<T> call) {
         FutureTask<T> task = new FutureTask<>(call);
         try {
-            SwingUtilities.invokeAndWait(task);
+            if (SwingUtilities.isEventDispatchThread()) {
+                task.run();
+            } else {
+                SwingUtilities.invokeAndWait(task);
+            }
             return task.get();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -121,6 +126,30 @@ public final class WindowDriver implements AutoCloseable {
 
     Studio studio() {
         return onEventThread(() -> window.model().studio());
+    }
+
+    /** Shows a studio as a change of the scene. */
+    void set(Studio studio) {
+        onEventThread(() -> window.model().set(studio));
+    }
+
+    /** Opens a scene; the file is that from which it was read, or null. */
+    void open(Studio studio, Path file) {
+        onEventThread(() -> window.model().open(studio, file));
+    }
+
+    /** What the line at the bottom says. */
+    String said() {
+        return Components.find(window.frame(), JLabel.class, "status.what").getText();
+    }
+
+    RidePilot pilot() {
+        return window.motion.pilot();
+    }
+
+    /** The components of a type that are on the screen. */
+    <C extends Component> Stream<C> showing(Class<C> type) {
+        return Components.showing(window.frame(), type);
     }
 
     Picture picture() {
@@ -151,21 +180,8 @@ public final class WindowDriver implements AutoCloseable {
         return onEventThread(() -> Components.find(window.frame(), type, name));
     }
 
-    /** Opens the fold of the panel that hides a component. */
-    private static void unfold(JComponent component) {
-        for (Container part = component; part != null; part = part.getParent()) {
-            if (!part.isVisible()
-                    && part.getParent().getComponent(0) instanceof JToggleButton heading
-                    && !heading.isSelected()) {
-                heading.doClick();
-            }
-        }
-    }
-
-    /** Makes a component visible in its fold and its scroll pane, and gives its centre on the screen. */
+    /** Makes a component visible in its scroll pane, and gives its centre on the screen. */
     Point centre(JComponent component) {
-        onEventThread(() -> unfold(component));
-        settle();
         onEventThread(() -> {
             if (component.getParent() instanceof JComponent parent && !(parent instanceof JViewport)) {
                 // a text field keeps such a wish to itself
@@ -225,21 +241,11 @@ public final class WindowDriver implements AutoCloseable {
 
     /** Drags in steps. */
     void drag(Point from, Point to, int steps) {
-        beginDrag(from, to, steps);
-        endDrag();
-    }
-
-    /** Drags in steps, and keeps the button down. */
-    void beginDrag(Point from, Point to, int steps) {
         robot.mouseMove(from.x, from.y);
         robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
         for (int i = 1; i <= steps; i++) {
             robot.mouseMove(from.x + (to.x - from.x) * i / steps, from.y + (to.y - from.y) * i / steps);
         }
-    }
-
-    /** Releases the button. */
-    void endDrag() {
         robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
         settle();
     }
@@ -249,16 +255,6 @@ public final class WindowDriver implements AutoCloseable {
         robot.mouseMove(point.x, point.y);
         robot.mouseWheel(notches);
         settle();
-    }
-
-    /** Lets time pass. */
-    static void pause(int milliseconds) {
-        try {
-            Thread.sleep(milliseconds);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new IllegalStateException(e);
-        }
     }
 
     /** Chooses an item of a menu. */
@@ -287,7 +283,7 @@ public final class WindowDriver implements AutoCloseable {
     }
 
     private Optional<JButton> showing(String text) {
-        return Components.showing(window.frame(), JButton.class)
+        return showing(JButton.class)
                 .filter(button -> text.equals(button.getText()))
                 .findFirst();
     }
@@ -309,7 +305,7 @@ public final class WindowDriver implements AutoCloseable {
 
     /** Whether the file chooser is on the screen. */
     boolean isChooserOpen() {
-        return Components.showing(window.frame(), JFileChooser.class).findAny().isPresent();
+        return showing(JFileChooser.class).findAny().isPresent();
     }
 
     /** Presses a key with modifiers. */

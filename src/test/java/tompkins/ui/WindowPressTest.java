@@ -2,12 +2,9 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.awt.Component;
 import java.awt.Point;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
-import java.nio.file.Path;
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -15,11 +12,8 @@ import javax.swing.JLabel;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
@@ -27,15 +21,7 @@ import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.Texts;
 
 /** What a press of the mouse does while something is half typed, or to what has the focus, in a real window. */
-@Timeout(300)
-@NeedsDisplay
-class WindowPressTest {
-
-    @TempDir
-    private Path folder;
-
-    @AutoClose
-    private WindowDriver driver;
+class WindowPressTest extends WindowFixture {
 
     private JTextField speed;
 
@@ -48,18 +34,13 @@ class WindowPressTest {
         speed = driver.find(JTextField.class, "Speed");
     }
 
-    private static void dispatch(Component component, int event) {
-        int down = event == MouseEvent.MOUSE_PRESSED ? InputEvent.BUTTON1_DOWN_MASK : 0;
-        component.dispatchEvent(new MouseEvent(component, event, 0, down, 5, 5, 1, false, MouseEvent.BUTTON1));
-    }
-
     /** The focus moves only after such a click. */
     private void clickWithoutTimeBetween(JComponent button) {
-        WindowDriver.onEventThread(() -> {
-            dispatch(button, MouseEvent.MOUSE_PRESSED);
-            dispatch(button, MouseEvent.MOUSE_RELEASED);
+        onEventThread(() -> {
+            Components.mouse(button, MouseEvent.MOUSE_PRESSED, 5, 5);
+            Components.mouse(button, MouseEvent.MOUSE_RELEASED, 5, 5);
         });
-        WindowDriver.await("the focus", button::isFocusOwner);
+        await("the focus", button::isFocusOwner);
     }
 
     private boolean complains() {
@@ -80,26 +61,26 @@ class WindowPressTest {
     void whatIsPressedDoesNotMoveAway() {
         JTextField below = driver.find(JTextField.class, "Aperture");
         driver.typeWithoutEnter(speed, "1.2");
-        Point before = WindowDriver.onEventThread(below::getLocationOnScreen);
-        WindowDriver.onEventThread(() -> dispatch(below, MouseEvent.MOUSE_PRESSED));
-        WindowDriver.await("the focus", below::isFocusOwner);
-        WindowDriver.await("the mark", () -> Components.isMarked(speed));
-        WindowDriver.onEventThread(driver.window().frame()::validate);
-        assertThat(WindowDriver.onEventThread(below::getLocationOnScreen)).isEqualTo(before);
-        WindowDriver.onEventThread(() -> dispatch(below, MouseEvent.MOUSE_RELEASED));
-        WindowDriver.await("the message", this::complains);
+        Point before = onEventThread(below::getLocationOnScreen);
+        onEventThread(() -> Components.mouse(below, MouseEvent.MOUSE_PRESSED, 5, 5));
+        await("the focus", below::isFocusOwner);
+        await("the mark", () -> Components.isMarked(speed));
+        onEventThread(driver.window().frame()::validate);
+        assertThat(onEventThread(below::getLocationOnScreen)).isEqualTo(before);
+        onEventThread(() -> Components.mouse(below, MouseEvent.MOUSE_RELEASED, 5, 5));
+        await("the message", this::complains);
         assertThat(driver.studio().velocity().components()).isEqualTo(new Vector3d(0, 0, 0.3));
 
         // nor when the message goes
         driver.typeWithoutEnter(speed, "0.4");
-        Point after = WindowDriver.onEventThread(below::getLocationOnScreen);
+        Point after = onEventThread(below::getLocationOnScreen);
         assertThat(after).as("there was room for the message").isEqualTo(before);
-        WindowDriver.onEventThread(() -> dispatch(below, MouseEvent.MOUSE_PRESSED));
-        WindowDriver.await("the focus", below::isFocusOwner);
-        WindowDriver.onEventThread(driver.window().frame()::validate);
-        assertThat(WindowDriver.onEventThread(below::getLocationOnScreen)).isEqualTo(after);
-        WindowDriver.onEventThread(() -> dispatch(below, MouseEvent.MOUSE_RELEASED));
-        WindowDriver.await("no message", () -> !complains());
+        onEventThread(() -> Components.mouse(below, MouseEvent.MOUSE_PRESSED, 5, 5));
+        await("the focus", below::isFocusOwner);
+        onEventThread(driver.window().frame()::validate);
+        assertThat(onEventThread(below::getLocationOnScreen)).isEqualTo(after);
+        onEventThread(() -> Components.mouse(below, MouseEvent.MOUSE_RELEASED, 5, 5));
+        await("no message", () -> !complains());
     }
 
     @Test
@@ -108,13 +89,13 @@ class WindowPressTest {
         JLabel what = driver.find(JLabel.class, "status.where");
         driver.click(canvas);
         JButton unpin = driver.find(JButton.class, "Unpin");
-        WindowDriver.await("the pinned pixel", unpin::isShowing);
+        await("the pinned pixel", unpin::isShowing);
         driver.move(driver.centre(speed));
-        WindowDriver.await("no reading", () -> what.getText().isBlank());
+        await("no reading", () -> what.getText().isBlank());
         driver.click(unpin);
-        WindowDriver.await("the focus", canvas::isFocusOwner);
-        WindowDriver.onEventThread(() -> assertThat(what.getText()).isBlank());
+        await("the focus", canvas::isFocusOwner);
+        onEventThread(() -> assertThat(what.getText()).isBlank());
         driver.key(KeyEvent.VK_RIGHT);
-        WindowDriver.await("a reading", () -> !what.getText().isBlank());
+        await("a reading", () -> !what.getText().isBlank());
     }
 }

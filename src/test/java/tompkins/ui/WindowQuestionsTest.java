@@ -28,11 +28,8 @@ import javax.swing.JTextField;
 import javax.swing.JTextPane;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import tompkins.Thorough;
 import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
@@ -48,10 +45,7 @@ import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Screens;
 import tompkins.ui.widget.Texts;
 
-/** What the window asks, and what becomes of the answers. */
-@Timeout(600)
-@NeedsDisplay
-class WindowQuestionsTest {
+class WindowQuestionsTest extends WindowFixture {
 
     /** A wall 8 in front of the camera, which is focused at 10. */
     private static final Studio WALL = Studio.DEFAULT
@@ -61,20 +55,14 @@ class WindowQuestionsTest {
 
     private static final int MOST_BORDERS = 60;
 
-    @TempDir
-    private Path folder;
-
     private Path file;
-
-    @AutoClose
-    private WindowDriver driver;
 
     @BeforeEach
     void open() throws IOException {
         file = folder.resolve("wall.json");
         StudioWriter.save(WALL, file, true);
         driver = new WindowDriver(folder.resolve("settings"), WALL, file, List.of(Studios.sphere()));
-        WindowDriver.await(
+        await(
                 "the examples",
                 () -> Components.all(driver.window().frame())
                         .anyMatch(item -> Studios.sphere().title().equals(item.getName())));
@@ -82,11 +70,11 @@ class WindowQuestionsTest {
     }
 
     private String title() {
-        return WindowDriver.onEventThread(() -> driver.window().frame().getTitle());
+        return onEventThread(() -> driver.window().frame().getTitle());
     }
 
     private boolean isOpen() {
-        return WindowDriver.onEventThread(() -> driver.window().frame().isDisplayable());
+        return onEventThread(() -> driver.window().frame().isDisplayable());
     }
 
     private void change() {
@@ -95,15 +83,9 @@ class WindowQuestionsTest {
     }
 
     @Test
-    void withoutChangesTheWindowClosesAtOnce() {
-        assertThat(title()).isEqualTo("Untitled \u2013 wall.json \u2013 Tompkins");
-        driver.key(KeyEvent.VK_Q, KeyEvent.VK_CONTROL);
-        WindowDriver.await("the end", () -> !driver.window().frame().isDisplayable());
-    }
-
-    @Test
     void closingWithChangesAsksAndCanBeCancelled() throws IOException {
         String before = Files.readString(file);
+        assertThat(title()).isEqualTo("Untitled \u2013 wall.json \u2013 Tompkins");
         change();
         driver.menu("menu.close");
         driver.answer("Cancel");
@@ -111,42 +93,20 @@ class WindowQuestionsTest {
         assertThat(driver.studio().velocity().speed()).isEqualTo(0.5);
         driver.menu("menu.close");
         driver.answer("Discard");
-        WindowDriver.await("the end", () -> !driver.window().frame().isDisplayable());
+        await("the end", () -> !driver.window().frame().isDisplayable());
         assertThat(Files.readString(file)).isEqualTo(before);
-    }
-
-    @Test
-    void changesAreSavedBeforeTheWindowCloses() {
-        change();
-        driver.menu("menu.close");
-        driver.answer("Save");
-        WindowDriver.await("the end", () -> !driver.window().frame().isDisplayable());
-        assertThat(StudioReader.read(file).velocity().speed()).isEqualTo(0.5);
-    }
-
-    @Test
-    void unsavedChangesGoOnlyOnRequest() {
-        change();
-        Studio changed = driver.studio();
-        driver.menu(Studios.sphere().title());
-        driver.answer("Cancel");
-        assertThat(driver.studio()).isEqualTo(changed);
-        driver.menu(Studios.sphere().title());
-        driver.answer("Discard");
-        WindowDriver.await("the example", () -> driver.window().model().studio().equals(Studios.sphere()));
-        assertThat(title()).isEqualTo("Untitled \u2013 Tompkins");
     }
 
     @Test
     void aSceneWithoutAFileIsGivenOneBeforeItIsLeft() {
         driver.menu(Studios.sphere().title());
-        WindowDriver.await("the example", () -> driver.window().model().studio().equals(Studios.sphere()));
+        await("the example", () -> driver.studio().equals(Studios.sphere()));
         change();
         Studio changed = driver.studio();
         driver.menu("menu.close");
         driver.answer("Save");
         driver.choose(folder.resolve("sphere"));
-        WindowDriver.await("the end", () -> !driver.window().frame().isDisplayable());
+        await("the end", () -> !driver.window().frame().isDisplayable());
         assertThat(StudioReader.read(folder.resolve("sphere.json"))).isEqualTo(changed);
     }
 
@@ -157,58 +117,52 @@ class WindowQuestionsTest {
         driver.choose(photograph);
         driver.answer("Cancel");
         // another name may be chosen
-        WindowDriver.await("the file chooser again", driver::isChooserOpen);
+        await("the file chooser again", driver::isChooserOpen);
         assertThat(Files.readString(photograph)).isEqualTo("mine");
         driver.choose(photograph);
         driver.answer("OK");
-        JLabel what = driver.find(JLabel.class, "status.what");
-        WindowDriver.await("the photograph", () -> what.getText().startsWith("Saved"));
+        await("the photograph", () -> driver.said().startsWith("Saved"));
         String scene = PhotographFile.readScene(photograph).orElseThrow();
         assertThat(StudioReader.read(scene, "mine.png", folder)).isEqualTo(WALL);
     }
 
     @Test
-    void anExportThatIsCancelledLeavesNothingBehind() throws IOException {
-        WindowDriver.onEventThread(() -> driver.window().model().open(Studios.slow(), null));
+    void theWindowStaysOpenOnlyWhileAnExportRuns() throws IOException {
+        driver.open(Studios.slow(), null);
         driver.menu("menu.playPanel");
+        driver.answer(Texts.get("play.export"));
         Path film = folder.resolve("film.gif");
-        driver.answer(Texts.get("play.export"));
         driver.choose(film);
-        WindowDriver.await("the progress", () -> task().findAny().isPresent());
-        driver.answer("Cancel");
-        WindowDriver.await("the end of the work", () -> task().findAny().isEmpty());
-        try (Stream<Path> left = Files.list(folder)) {
-            assertThat(left.filter(Files::isRegularFile)).containsExactly(file);
-        }
-        assertThat(driver.find(JLabel.class, "status.what").getText())
-                .isEqualTo("Cancelled: " + film + " was not saved.");
-    }
-
-    @Test
-    void theWindowStaysOpenWhileAnExportRuns() {
-        WindowDriver.onEventThread(() -> driver.window().model().open(Studios.slow(), null));
-        driver.menu("menu.playPanel");
-        driver.answer(Texts.get("play.export"));
-        driver.choose(folder.resolve("film.gif"));
-        WindowDriver.await("the progress", () -> task().findAny().isPresent());
+        await("the progress", () -> task().findAny().isPresent());
         driver.menu("menu.close");
         driver.answer(Texts.get("close.wait"));
         assertThat(isOpen()).isTrue();
         driver.answer("Cancel");
-        WindowDriver.await("the end of the work", () -> task().findAny().isEmpty());
-        driver.menu("menu.close");
-        WindowDriver.await("the end", () -> !driver.window().frame().isDisplayable());
+        await("the end of the work", () -> task().findAny().isEmpty());
+        try (Stream<Path> left = Files.list(folder)) {
+            assertThat(left.filter(Files::isRegularFile)).containsExactly(file);
+        }
+        assertThat(driver.said()).isEqualTo("Cancelled: " + film + " was not saved.");
+        driver.key(KeyEvent.VK_Q, KeyEvent.VK_CONTROL);
+        await("the end", () -> !driver.window().frame().isDisplayable());
     }
 
     @Test
-    void aWindowOfALargerScreenIsMadeToFit() throws IOException {
+    void windowsAreNotLargerThanTheirScreen() throws IOException {
         driver.close();
         Files.writeString(
                 Files.createDirectories(folder.resolve("settings")).resolve("window.properties"),
                 "width=9000\nheight=8000\n");
         driver = new WindowDriver(folder.resolve("settings"), WALL, file, List.of());
-        assertThat(WindowDriver.onEventThread(() -> fills(driver.window().frame())))
-                .isTrue();
+        assertThat(onEventThread(() -> fills(driver.window().frame()))).isTrue();
+        JDialog dialog = onEventThread(() -> {
+            JDialog made = new JDialog(driver.window().frame());
+            made.setSize(5000, 4000);
+            made.setVisible(true);
+            return made;
+        });
+        await("the size of the screen", () -> fills(dialog));
+        onEventThread(dialog::dispose);
     }
 
     /** Whether a window takes all of its screen, but for the borders of a window manager. */
@@ -220,42 +174,17 @@ class WindowQuestionsTest {
     }
 
     @Test
-    void aDialogIsNotLargerThanItsScreen() {
-        JDialog dialog = WindowDriver.onEventThread(() -> {
-            JDialog made = new JDialog(driver.window().frame());
-            made.setSize(5000, 4000);
-            made.setVisible(true);
-            return made;
-        });
-        WindowDriver.await("the size of the screen", () -> fills(dialog));
-        WindowDriver.onEventThread(dialog::dispose);
-    }
-
-    @Test
     void thePanelIsAsWideAsLargeTypeNeeds() {
+        driver.open(Studio.DEFAULT, null);
         driver.enlarge();
         JScrollPane panel = driver.find(JScrollPane.class, "panel");
-        int before = WindowDriver.onEventThread(panel::getWidth);
+        int before = onEventThread(panel::getWidth);
         driver.menu("look.PROJECTOR");
-        WindowDriver.await("larger type", () -> panel.getWidth() > before);
-        assertThat(WindowDriver.onEventThread(
-                        () -> panel.getViewport().getView().getMinimumSize().width))
-                .isLessThanOrEqualTo(
-                        WindowDriver.onEventThread(() -> panel.getViewport().getWidth()));
+        await("larger type", () -> panel.getWidth() > before);
+        assertThat(onEventThread(() -> panel.getViewport().getView().getMinimumSize().width))
+                .isLessThanOrEqualTo(onEventThread(() -> panel.getViewport().getWidth()));
         driver.menu("look.LIGHT");
-        WindowDriver.await("the first width", () -> panel.getWidth() == before);
-    }
-
-    @Test
-    void everyMenuHasALetterOfItsOwn() {
-        JMenuBar bar = driver.window().frame().getJMenuBar();
-        assertThat(Components.all(bar)
-                        .filter(part -> part.getParent() == bar)
-                        .filter(JMenu.class::isInstance)
-                        .map(menu -> ((JMenu) menu).getMnemonic()))
-                .hasSize(7)
-                .doesNotHaveDuplicates()
-                .doesNotContain(0);
+        await("the first width", () -> panel.getWidth() == before);
     }
 
     /** An animation that went on behind the question would leave changes for ever. */
@@ -263,12 +192,10 @@ class WindowQuestionsTest {
     void aSceneThatPlaysIsSavedBeforeTheWindowCloses() {
         change();
         driver.key(KeyEvent.VK_F9);
-        WindowDriver.await(
-                "the animation",
-                () -> driver.window().model().studio().velocity().speed() != 0.5);
+        await("the animation", () -> driver.studio().velocity().speed() != 0.5);
         driver.menu("menu.close");
         driver.answer("Save");
-        WindowDriver.await("the end", () -> !driver.window().frame().isDisplayable());
+        await("the end", () -> !driver.window().frame().isDisplayable());
         assertThat(StudioReader.read(file)).isEqualTo(driver.studio());
     }
 
@@ -279,21 +206,20 @@ class WindowQuestionsTest {
         JTextField exposure = driver.find(JTextField.class, "Exposure");
         assertThat(isInView(panel, exposure)).isFalse();
         driver.click(driver.find(JTextField.class, "Speed"));
-        for (int tab = 0; tab < 40 && !WindowDriver.onEventThread(exposure::isFocusOwner); tab++) {
+        for (int tab = 0; tab < 40 && !onEventThread(exposure::isFocusOwner); tab++) {
             driver.key(KeyEvent.VK_TAB);
         }
-        assertThat(WindowDriver.onEventThread(exposure::isFocusOwner)).isTrue();
-        WindowDriver.await("the field", () -> isInView(panel, exposure));
+        assertThat(onEventThread(exposure::isFocusOwner)).isTrue();
+        await("the field", () -> isInView(panel, exposure));
         // who uses the mouse looks at what is new, and not at what has the focus
         driver.click(exposure);
-        WindowDriver.onEventThread(() ->
-                driver.window().model().open(Descriptions.with(Studios.sphere(), "remarks", "Look at this."), null));
-        WindowDriver.await("the remarks", () -> panel.getVerticalScrollBar().getValue() == 0);
+        driver.open(Descriptions.with(Studios.sphere(), "remarks", "Look at this."), null);
+        await("the remarks", () -> panel.getVerticalScrollBar().getValue() == 0);
     }
 
     /** Too low for all of the panel. */
     private void makeLow() {
-        WindowDriver.onEventThread(() -> {
+        onEventThread(() -> {
             driver.window().frame().setSize(900, 400);
             driver.window().frame().validate();
         });
@@ -308,46 +234,43 @@ class WindowQuestionsTest {
     /** The old picture must not pass for that of the scene. */
     @Test
     void aSceneThatCannotBePicturedSaysSoUntilItCan() {
-        JLabel what = driver.find(JLabel.class, "status.what");
         JLabel picture = driver.find(JLabel.class, "status.picture");
         Sphere huge = new Sphere("sphere", new Vector3d(0, 0, 10), 1e200, ColouredSurface.DEFAULT);
-        WindowDriver.onEventThread(() -> driver.window().model().set(WALL.withScene(List.of(huge))));
-        WindowDriver.await("the message", () -> what.getText().contains("scene[0]"));
+        driver.set(WALL.withScene(List.of(huge)));
+        await("the message", () -> driver.said().contains("scene[0]"));
         PictureCanvas canvas = driver.find(PictureCanvas.class, "picture");
         driver.move(driver.centre(canvas));
-        assertThat(WindowDriver.onEventThread(what::getText)).contains("scene[0]");
-        assertThat(WindowDriver.onEventThread(picture::getText)).isEqualTo("still showing the previous picture");
+        assertThat(driver.said()).contains("scene[0]");
+        assertThat(onEventThread(picture::getText)).isEqualTo("still showing the previous picture");
         driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
-        WindowDriver.await("the picture of the wall", () -> picture.getText().contains("1 sample per pixel"));
-        assertThat(WindowDriver.onEventThread(what::getText)).doesNotContain("scene[0]");
+        await("the picture of the wall", () -> picture.getText().contains("1 sample per pixel"));
+        assertThat(driver.said()).doesNotContain("scene[0]");
     }
 
     private Stream<JDialog> task() {
-        return Components.showing(driver.window().frame(), JDialog.class)
-                .filter(dialog -> "task".equals(dialog.getName()));
+        return driver.showing(JDialog.class).filter(dialog -> "task".equals(dialog.getName()));
     }
 
     @Test
     void thePinnedRayHasAPlaceOfItsOwn() {
         JTextField speed = driver.find(JTextField.class, "Speed");
-        Point before = WindowDriver.onEventThread(speed::getLocationOnScreen);
+        Point before = onEventThread(speed::getLocationOnScreen);
         driver.click(driver.find(PictureCanvas.class, "picture"));
         JTextPane story = driver.find(JTextPane.class, "ray.story");
         JScrollPane panel = driver.find(JScrollPane.class, "panel");
-        WindowDriver.await("the story of the ray", story::isShowing);
-        assertThat(WindowDriver.onEventThread(speed::getLocationOnScreen)).isEqualTo(before);
+        await("the story of the ray", story::isShowing);
+        assertThat(onEventThread(speed::getLocationOnScreen)).isEqualTo(before);
         assertThat(isInView(panel, speed)).isTrue();
-        String first = WindowDriver.onEventThread(() -> story.getText());
-        WindowDriver.onEventThread(() -> panel.getVerticalScrollBar().setValue(20));
+        String first = onEventThread(() -> story.getText());
+        onEventThread(() -> panel.getVerticalScrollBar().setValue(20));
 
         Point middle = driver.centre(driver.find(PictureCanvas.class, "picture"));
         driver.click(new Point(middle.x + 60, middle.y));
-        WindowDriver.await("another story", () -> !story.getText().equals(first));
-        assertThat(WindowDriver.onEventThread(() -> panel.getVerticalScrollBar().getValue()))
-                .isEqualTo(20);
+        await("another story", () -> !story.getText().equals(first));
+        assertThat(onEventThread(() -> panel.getVerticalScrollBar().getValue())).isEqualTo(20);
 
         driver.click(driver.find(JButton.class, "Unpin"));
-        WindowDriver.await("the end of the ray", () -> !story.isShowing());
+        await("the end of the ray", () -> !story.isShowing());
         assertThat(isInView(panel, speed)).isTrue();
     }
 
@@ -356,7 +279,7 @@ class WindowQuestionsTest {
     void theNumbersOfThePinnedRayCanBeCopied() throws IOException, UnsupportedFlavorException {
         driver.click(driver.find(PictureCanvas.class, "picture"));
         JTextPane story = driver.find(JTextPane.class, "ray.story");
-        WindowDriver.await("the story of the ray", story::isShowing);
+        await("the story of the ray", story::isShowing);
         driver.click(story);
         driver.key(KeyEvent.VK_A, KeyEvent.VK_CONTROL);
         driver.key(KeyEvent.VK_C, KeyEvent.VK_CONTROL);
@@ -369,24 +292,29 @@ class WindowQuestionsTest {
     }
 
     @Test
-    void allKeysAreSeenAtOnce() {
+    void menusHaveLettersAndAllKeysAreSeenAtOnce() {
+        JMenuBar bar = driver.window().frame().getJMenuBar();
+        assertThat(Components.all(bar)
+                        .filter(part -> part.getParent() == bar)
+                        .filter(JMenu.class::isInstance)
+                        .map(menu -> ((JMenu) menu).getMnemonic()))
+                .hasSize(7)
+                .doesNotHaveDuplicates()
+                .doesNotContain(0);
         List<String> keys = accelerators();
         assertThat(keys).hasSizeGreaterThan(10).contains("Ctrl+Shift+Z", "F1");
         driver.key(KeyEvent.VK_F1);
-        WindowDriver.await(
-                "the keys",
-                () -> Components.showing(driver.window().frame(), JPanel.class)
-                        .anyMatch(panel -> "keys".equals(panel.getName())));
+        await("the keys", () -> driver.showing(JPanel.class).anyMatch(panel -> "keys".equals(panel.getName())));
         JPanel table = driver.find(JPanel.class, "keys");
         assertThat(Components.labels(table)).containsAll(keys);
         // a laptop has room for 55 lines of type, of which the frame of the message takes 12, and a task bar 2
         assertThat(table.getPreferredSize().height).isLessThanOrEqualTo(Look.pixels(41));
-        WindowDriver.await("the keys that scroll", table::isFocusOwner);
+        await("the keys that scroll", table::isFocusOwner);
         driver.answer("OK");
     }
 
     private List<String> accelerators() {
-        return WindowDriver.onEventThread(() -> Components.all(driver.window().frame())
+        return onEventThread(() -> Components.all(driver.window().frame())
                 .filter(JMenuItem.class::isInstance)
                 .map(item -> ((JMenuItem) item).getAccelerator())
                 .filter(key -> key != null)
@@ -394,14 +322,5 @@ class WindowQuestionsTest {
                         InputEvent.getModifiersExText(key.getModifiers()) + "+" + KeyEvent.getKeyText(key.getKeyCode()))
                 .map(key -> key.replaceFirst("^[+]", ""))
                 .toList());
-    }
-
-    @Test
-    void oneSampleIsOneSample() {
-        assertThat(driver.find(JLabel.class, "status.picture").getText()).contains("1 sample per pixel");
-        Point middle = driver.centre(driver.find(PictureCanvas.class, "picture"));
-        driver.move(middle);
-        JLabel what = driver.find(JLabel.class, "status.what");
-        WindowDriver.await("the wall", () -> what.getText().contains("wall"));
     }
 }

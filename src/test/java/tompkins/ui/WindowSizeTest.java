@@ -9,6 +9,8 @@ import javax.swing.JFrame;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.ui.model.Settings;
 
 /** What is remembered of a window that is maximised, by a frame that does so without a window manager. */
@@ -66,24 +68,20 @@ class WindowSizeTest {
         assertThat(next.getExtendedState()).isEqualTo(state);
     }
 
-    @Test
-    void aMaximisedWindowKeepsTheSizeThatItHadBefore() {
-        frame.resize(900, 700, JFrame.NORMAL);
-        frame.resize(1600, 1000, JFrame.MAXIMIZED_BOTH);
-        assertRemembered(900, 700, JFrame.MAXIMIZED_BOTH);
-    }
-
-    @Test
-    void aWindowThatIsMaximisedNoMoreKeepsItsOwnSize() {
-        frame.resize(1600, 1000, JFrame.MAXIMIZED_BOTH);
-        frame.resize(800, 640, JFrame.NORMAL);
-        assertRemembered(800, 640, JFrame.NORMAL);
-    }
-
-    @Test
-    void aWindowThatComesUpMaximisedKeepsItsNormalSize() {
-        frame.resize(1600, 1000, JFrame.MAXIMIZED_BOTH);
-        assertRemembered(800, 600, JFrame.MAXIMIZED_BOTH);
+    /** Sizes that the window has one after the other, maximised or not, and what is remembered. */
+    @ParameterizedTest
+    @CsvSource({
+        "'900x700, 1600x1000 maximised', 900, 700, true",
+        "'1600x1000 maximised, 800x640', 800, 640, false",
+        "1600x1000 maximised, 800, 600, true"
+    })
+    void aMaximisedWindowKeepsItsNormalSize(String sizes, int width, int height, boolean isMaximised) {
+        for (String each : sizes.split(", ")) {
+            String[] numbers = each.replace(" maximised", "").split("x");
+            int state = each.endsWith("maximised") ? JFrame.MAXIMIZED_BOTH : JFrame.NORMAL;
+            frame.resize(Integer.parseInt(numbers[0]), Integer.parseInt(numbers[1]), state);
+        }
+        assertRemembered(width, height, isMaximised ? JFrame.MAXIMIZED_BOTH : JFrame.NORMAL);
     }
 
     @Test

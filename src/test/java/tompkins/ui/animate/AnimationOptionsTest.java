@@ -4,25 +4,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Container;
 import javax.swing.JTextField;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.ui.Components;
-import tompkins.ui.widget.Look;
+import tompkins.ui.LightLook;
 
-/** What the export of an animation asks, without a display. */
+@LightLook
 class AnimationOptionsTest {
 
     private final Studio studio =
             Studios.sphere().withSettings(Studios.sphere().settings().withSize(640, 480));
     private final AnimationOptions options = new AnimationOptions(studio, rate -> 4 * rate);
     private final Container panel = (Container) options.component();
-
-    @BeforeAll
-    static void look() {
-        Look.LIGHT.install();
-    }
 
     @Test
     void theUsualAnswersAreThoseOfTheScene() {

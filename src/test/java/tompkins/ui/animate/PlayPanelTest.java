@@ -14,7 +14,6 @@ import javax.swing.JSlider;
 import javax.swing.JTextField;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -45,13 +44,13 @@ import tompkins.surface.ColouredSurface;
 import tompkins.surface.LorentzWindow;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.Components;
+import tompkins.ui.LightLook;
 import tompkins.ui.WindowDriver;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.number.NumberProperty;
-import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
-/** The panel that runs numbers, without a display. */
+@LightLook
 class PlayPanelTest {
 
     private static final String SPEED = "Speed beta in units of c";
@@ -63,11 +62,6 @@ class PlayPanelTest {
     private final PlayPanel play = new PlayPanel(model, (studio, animation) -> exported.add(animation), told::add);
     private final Container panel = (Container) play.component();
     private final JComboBox<?> numbers = Components.find(panel, JComboBox.class, "Value to animate");
-
-    @BeforeAll
-    static void look() {
-        Look.LIGHT.install();
-    }
 
     @BeforeEach
     void show() {
@@ -128,19 +122,6 @@ class PlayPanelTest {
             assertThat(play.isPlaying()).isFalse();
         });
         assertThat(exported).hasSize(1);
-    }
-
-    @Test
-    void whatIsScrubbedAfterSomethingElseIsAStepOfItsOwn() {
-        choose(SPEED);
-        scrub(200);
-        Studio larger = model.studio().withSettings(model.studio().settings().withSize(50, 40));
-        model.adjust(larger, "another slider");
-        scrub(800);
-
-        model.undo();
-
-        assertThat(model.studio()).isEqualTo(larger);
     }
 
     @Test
@@ -268,18 +249,6 @@ class PlayPanelTest {
 
         model.set(with(ball("ball"), ball("ball")));
         assertThat(chosen()).isEqualTo(SPEED);
-    }
-
-    @Test
-    void keysGoOnFromWhatWasTakenLast() {
-        JTextField to = Components.find(panel, JTextField.class, "To");
-        Components.press(to, "UP");
-        Components.press(to, "UP");
-        assertThat(to.getText()).isEqualTo("0.992");
-        Components.enter(panel, "To", "0.5");
-        Components.enter(panel, "To", "soon");
-        Components.press(to, "ESCAPE");
-        assertThat(to.getText()).isEqualTo("0.5");
     }
 
     @Test

@@ -102,14 +102,6 @@ class BackgroundTaskTest {
         assertThat(ended).isEmpty();
     }
 
-    @Test
-    void whatIsFoundAndStillWantedIsTaken() {
-        find();
-        late.countDown();
-        awaitEnd();
-        assertThat(ended).containsExactly("found");
-    }
-
     private void find() {
         WindowDriver.onEventThread(() -> {
             BackgroundTask.find(

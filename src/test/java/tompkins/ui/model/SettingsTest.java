@@ -133,12 +133,4 @@ class SettingsTest {
         properties.put("tompkins.settings", property);
         return Settings.file(properties::get, name -> name.equals("XDG_CONFIG_HOME") ? xdg : null);
     }
-
-    @Test
-    void aFolderThatCannotBeWrittenIsNoTrouble() throws IOException {
-        Path file = Files.writeString(folder.resolve("file"), "");
-        Settings settings = new Settings(file.resolve("window.properties"));
-        settings.setLook(Look.DARK);
-        assertThat(settings.look()).isEqualTo(Look.DARK);
-    }
 }

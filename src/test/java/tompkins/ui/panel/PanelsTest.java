@@ -13,7 +13,6 @@ import javax.swing.JComboBox;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -46,37 +45,23 @@ import tompkins.surface.LorentzWindow;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleHistory;
 import tompkins.ui.Components;
+import tompkins.ui.LightLook;
 import tompkins.ui.compare.ComparePanel;
 import tompkins.ui.compare.Compared;
 import tompkins.ui.model.Shutters;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.number.SceneSize;
 import tompkins.ui.picture.Comparison;
-import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
-/** The parts of the side panel, without a display. */
+@LightLook
 class PanelsTest {
 
     private final StudioModel model = new StudioModel(Studios.lattice(), null);
     private Compared compared = Compared.NOTHING;
 
-    @BeforeAll
-    static void look() {
-        Look.LIGHT.install();
-    }
-
     private Velocity velocity() {
         return model.studio().velocity();
-    }
-
-    @ParameterizedTest
-    @CsvSource({"0.97, 0.97", "gamma 10, 0.994987437106620", "1-1e-9, 0.999999999", "rapidity 2, 0.964027580075817"})
-    void typedSpeedsKeepTheDirection(String text, double beta) {
-        Container panel = (Container) new ControlRows(model).component();
-        Components.enter(panel, "Speed", text);
-        assertThat(velocity().speed()).isCloseTo(beta, within(1e-15));
-        assertThat(velocity().direction().angle(new Vector3d(0.1, 0, 0.99))).isCloseTo(0, within(1e-7));
     }
 
     /** Half of the slider is half of its rapidity: artanh(0.995) / 2 = 1.4967, and tanh(1.4967) = 0.9048. */
@@ -258,20 +243,15 @@ class PanelsTest {
         assertThat(Components.notes(panel)).noneMatch(text -> text.contains("gamma"));
     }
 
-    @Test
-    void aVelocityNearThatOfLightIsToldBySpeedAndDirection() {
-        Container panel = (Container) new ControlRows(model).component();
-        model.set(model.studio().withVelocity(Velocity.of(SpeedScale.ONE_MINUS_BETA, 1e-9, new Vector3d(0, 3, -4))));
-        assertThat(Components.notes(panel))
-                .contains(
-                        "Lorentz factor \u03b3\u00a0=\u00a022360, rapidity\u00a0\u03b7\u00a0=\u00a010.71\nVelocity \u03b2 = (1-1e-9) \u00b7 (0, 0.6, -0.8)");
-    }
-
-    /** Light in the middle reaches a detector at distance 1 at time 1, wherever the focus is. */
+    /**
+     * Light in the middle reaches a detector at distance 1 at time 1, wherever the focus is. Light from the focus
+     * crosses the lens at time 0; of a focus behind the camera that is the time in advance.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {10, -5})
-    void theDetectorOpensForTheLightFromTheFront(double focus) {
+    void anotherShutterOpensForTheLightOfTheMiddle(double focus) {
         assertThat(opened(DetectorPlaneShutter.class, focus)).isEqualTo(new DetectorPlaneShutter(1, 1));
+        assertThat(opened(FocusSurfaceShutter.class, focus)).isEqualTo(new FocusSurfaceShutter(-focus));
     }
 
     /** A shutter model in the place of that of the studio, with the camera focused at a distance. */
@@ -279,16 +259,6 @@ class PanelsTest {
         Studio focused =
                 model.studio().withCamera(FocusDistance.with(model.studio().camera(), focus));
         return Shutters.replaced(focused, shutter).camera().shutter();
-    }
-
-    /**
-     * Light from the focus crosses the lens at time 0, as before; of a focus behind the camera that is the time in
-     * advance.
-     */
-    @ParameterizedTest
-    @ValueSource(doubles = {10, -5})
-    void theFocusSurfaceOpensForTheLightFromTheFocus(double focus) {
-        assertThat(opened(FocusSurfaceShutter.class, focus)).isEqualTo(new FocusSurfaceShutter(-focus));
     }
 
     @Test
@@ -413,6 +383,21 @@ class PanelsTest {
         assertThat(compared.studio(now).camera().shutter())
                 .as("who wants the same may have it")
                 .isInstanceOf(shutter);
+    }
+
+    /** Nobody asked for it; what somebody chose stays. */
+    @Test
+    void theComparisonOfTheFirstSceneEndsWithIt() {
+        ComparePanel panel = comparePanel();
+        panel.begin(ComparePanel.Other.AT_REST);
+        model.set(model.studio().withVelocity(Velocity.REST));
+        assertThat(compared.view()).isEqualTo(Comparison.SPLIT);
+        model.open(Studios.sphere(), null);
+        assertThat(compared.view()).isEqualTo(Comparison.NONE);
+        panel.begin(ComparePanel.Other.AT_REST);
+        compareWith(panel, ComparePanel.Other.GALILEAN_CAMERA);
+        model.open(Studios.lattice(), null);
+        assertThat(compared.view()).isEqualTo(Comparison.SPLIT);
     }
 
     @Test

@@ -67,20 +67,14 @@ class QualityChartTest {
     @Test
     void aClickOnAPointIsTaken() {
         WindowDriver.onEventThread(() -> {
+            mouse(SAME, 40);
+            assertThat(state()).as("beside it").startsWith("Click a point");
+            assertThat(model.studio().settings().samples()).isEqualTo(1);
             mouse(SAME, 0);
             assertThat(model.studio().settings().samples()).isEqualTo(4);
             assertThat(state()).startsWith("The picture has this quality");
             mouse(NEEDED, 0);
             assertThat(model.studio().settings().targetError()).isEqualTo(0.001);
-        });
-    }
-
-    @Test
-    void besideThePointsNothingIsTaken() {
-        WindowDriver.onEventThread(() -> {
-            mouse(SAME, 40);
-            assertThat(state()).startsWith("Click a point");
-            assertThat(model.studio().settings().samples()).isEqualTo(1);
         });
     }
 

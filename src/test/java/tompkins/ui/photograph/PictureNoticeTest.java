@@ -6,8 +6,7 @@ import java.awt.Rectangle;
 import java.util.Arrays;
 import java.util.List;
 import javax.swing.JButton;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,29 +23,22 @@ import tompkins.studio.Studios;
 import tompkins.studio.UniformBackground;
 import tompkins.surface.LorentzWindow;
 import tompkins.ui.Components;
+import tompkins.ui.LightLook;
 import tompkins.ui.SilentListener;
 import tompkins.ui.WindowDriver;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Picture;
-import tompkins.ui.widget.Look;
 
 /** What is offered on a picture that is spoilt, without a display. */
+@LightLook
 @Timeout(120)
 class PictureNoticeTest {
 
     private final StudioModel model = new StudioModel(Studios.sphere(), null);
+
+    @AutoClose
     private final PhotographView view =
             WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener()));
-
-    @BeforeAll
-    static void look() {
-        Look.LIGHT.install();
-    }
-
-    @AfterEach
-    void close() {
-        view.close();
-    }
 
     @ParameterizedTest
     @CsvSource({"5, 3", "4, 2", "4.0001, 3", "1.5, 1", "1, 0", "Infinity, 128"})

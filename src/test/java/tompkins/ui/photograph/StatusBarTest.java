@@ -3,8 +3,9 @@ package tompkins.ui.photograph;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.geom.Point2D;
-import java.awt.image.BufferedImage;
 import java.lang.reflect.InvocationTargetException;
+import java.util.List;
+import java.util.stream.IntStream;
 import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
@@ -25,7 +26,6 @@ import tompkins.ui.picture.RenderController;
 import tompkins.ui.ray.PixelReading;
 import tompkins.ui.widget.Texts;
 
-/** The line under the photograph, without a display. */
 class StatusBarTest {
 
     private static final int SOON = 50;
@@ -87,11 +87,9 @@ class StatusBarTest {
         assertThat(what.getText()).isEqualTo(hint);
     }
 
-    private static int[] painted(JLabel label, int width) {
+    private static List<Integer> painted(JLabel label, int width) {
         label.setSize(width, 20);
-        BufferedImage image = new BufferedImage(width, 20, BufferedImage.TYPE_INT_RGB);
-        label.paint(image.getGraphics());
-        return image.getRGB(0, 0, width, 20, null, 0, width);
+        return IntStream.of(Pictures.painted(label)).boxed().toList();
     }
 
     /** A warning may not hide it: whoever measures waits for a click. */

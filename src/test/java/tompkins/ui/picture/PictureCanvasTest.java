@@ -8,7 +8,6 @@ import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
-import java.awt.image.BufferedImage;
 import java.beans.PropertyChangeEvent;
 import java.beans.PropertyChangeListener;
 import java.util.ArrayList;
@@ -21,6 +20,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
+import tompkins.ui.Components;
 
 /** The keys and the mouse on a picture that has more pixels than the canvas, without a display. */
 class PictureCanvasTest {
@@ -76,7 +76,7 @@ class PictureCanvasTest {
     }
 
     private void mouse(int event, Point at) {
-        canvas.dispatchEvent(new MouseEvent(canvas, event, 0, 0, at.x, at.y, 1, false, MouseEvent.BUTTON1));
+        Components.mouse(canvas, event, at.x, at.y);
     }
 
     private Point2D lastRead() {
@@ -86,17 +86,8 @@ class PictureCanvasTest {
     /** A picture that is black, and brighter where something is written. */
     private Rectangle written() {
         canvas.setSize(WIDTH, HEIGHT);
-        BufferedImage painted = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
-        canvas.paint(painted.createGraphics());
-        Rectangle found = new Rectangle(-1, -1);
-        for (int y = 0; y < HEIGHT; y++) {
-            for (int x = 0; x < WIDTH; x++) {
-                if ((painted.getRGB(x, y) & 0xff) > 128) {
-                    found = found.union(new Rectangle(x, y, 1, 1));
-                }
-            }
-        }
-        return found;
+        int[] painted = Pictures.painted(canvas);
+        return Pictures.around(WIDTH, HEIGHT, i -> (painted[i] & 0xff) > 128);
     }
 
     @Test

@@ -1,7 +1,11 @@
 package tompkins.ui.picture;
 
+import java.awt.Component;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
 import java.time.Duration;
 import java.util.List;
+import java.util.function.IntPredicate;
 import tompkins.image.LinearImage;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
@@ -26,5 +30,25 @@ public final class Pictures {
     public static Picture of(Studio studio, RenderPlan plan, LinearImage image, double error, String... warnings) {
         return new Picture(
                 studio, plan, image, null, true, Duration.ZERO, 1, error, List.of(warnings), Picture.Flaw.NONE);
+    }
+
+    /** The smallest rectangle around the pixels of a picture that are marked, by their number, row by row. */
+    public static Rectangle around(int width, int height, IntPredicate marked) {
+        Rectangle found = new Rectangle(-1, -1);
+        for (int i = 0; i < width * height; i++) {
+            if (marked.test(i)) {
+                found = found.union(new Rectangle(i % width, i / width, 1, 1));
+            }
+        }
+        return found;
+    }
+
+    /** The colours of what is painted of a component. */
+    public static int[] painted(Component component) {
+        int width = component.getWidth();
+        int height = component.getHeight();
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        component.paint(image.createGraphics());
+        return image.getRGB(0, 0, width, height, null, 0, width);
     }
 }

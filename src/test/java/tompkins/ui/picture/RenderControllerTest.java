@@ -10,7 +10,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -37,12 +37,9 @@ class RenderControllerTest {
 
     private final List<Picture> pictures = new CopyOnWriteArrayList<>();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
-    private final RenderController controller = new RenderController(pictures::add, failures::add);
 
-    @AfterEach
-    void close() {
-        controller.close();
-    }
+    @AutoClose
+    private final RenderController controller = new RenderController(pictures::add, failures::add);
 
     private static void await(BooleanSupplier condition) {
         Waiting.until("the pictures", condition);
@@ -143,15 +140,6 @@ class RenderControllerTest {
         return Thread.getAllStackTraces().values().stream()
                 .flatMap(Stream::of)
                 .anyMatch(call -> call.getClassName().equals(worker.getName()));
-    }
-
-    @Test
-    void aSlowPictureShowsSomethingAndGivesWay() throws InterruptedException {
-        show(controller, Studios.slow(), Pace.HAND);
-        await(() -> !pictures.isEmpty());
-        assertThat(last().complete()).isFalse();
-        show(controller, Studios.sphere(), Pace.HAND);
-        await(() -> last().studio().equals(Studios.sphere()) && last().complete());
     }
 
     /** In a ball of perfect mirrors a ray goes on until it is given up: even the coarsest pass takes long. */

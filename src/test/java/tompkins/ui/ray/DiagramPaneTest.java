@@ -12,23 +12,18 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.stream.IntStream;
 import javax.swing.UIManager;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import tompkins.trace.Frame;
+import tompkins.ui.LightLook;
 import tompkins.ui.WindowDriver;
-import tompkins.ui.widget.Look;
 
 /** What is painted where: the event at the lens in the middle near the top, light at 45 degrees, the past below. */
+@LightLook
 class DiagramPaneTest {
 
     private static final int SIZE = 200;
     private static final Point2D HERE = new Point2D.Double();
     private static final List<Point2D> LIGHT = List.of(new Point2D.Double(1, 1), new Point2D.Double(-1, 1));
-
-    @BeforeEach
-    void install() {
-        WindowDriver.onEventThread(() -> Look.LIGHT.install());
-    }
 
     private static DiagramPane pane(SpaceTimeDiagram diagram) {
         DiagramPane pane = new DiagramPane(10);

@@ -42,17 +42,6 @@ class PixelReadingTest {
         return sighting.hit() == null ? null : sighting.hit().object().description();
     }
 
-    @Test
-    void atRestBothFramesAgree() {
-        Sighting reading = read(Studios.sphere(), 32, 24);
-        assertThat(object(reading)).isEqualTo("sphere");
-        assertThat(reading.inScene()).isEqualTo(reading.inCamera());
-        assertThat(reading.inScene().z()).isCloseTo(9, within(1e-12));
-        assertThat(reading.inScene().time()).isCloseTo(-9, within(1e-12));
-        assertThat(Math.toDegrees(reading.cameraAngle())).isNaN();
-        assertThat(reading.dopplerFactor()).isEqualTo(1);
-    }
-
     /** Straight ahead nothing is bent: in the scene the light left at z = 9, t = -9, which is nearer for the camera. */
     @Test
     void straightAheadInMotion() {
@@ -136,13 +125,6 @@ class PixelReadingTest {
         }
         assertThat(ended).isPositive();
         assertThat(left).isPositive();
-    }
-
-    @Test
-    void theBackgroundIsNoObject() {
-        Sighting reading = read(Studios.sphere(), 0.5, 0.5);
-        assertThat(object(reading)).isNull();
-        assertThat(reading.inScene()).isNull();
     }
 
     /** Of the light that a slab before the lens reflects nothing is told. */

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JToggleButton;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import tompkins.camera.SamplePositions;
 import tompkins.measure.RayTubes;
@@ -20,13 +19,13 @@ import tompkins.studio.Studios;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleHistory;
 import tompkins.ui.Components;
+import tompkins.ui.LightLook;
 import tompkins.ui.WindowDriver;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Pictures;
-import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
-/** The section of the pinned ray, without a display. */
+@LightLook
 class RaySectionTest {
 
     private static final Studio STUDIO = Studios.sphere().withVelocity(Velocity.of(0, 0, 0.8));
@@ -39,11 +38,6 @@ class RaySectionTest {
     private final Container content = (Container) section.component();
     private final DiagramPane diagram = Components.find(content, DiagramPane.class, "Space-time diagram");
     private final JToggleButton camera = Components.find(content, JToggleButton.class, "Camera frame");
-
-    @BeforeAll
-    static void look() {
-        Look.LIGHT.install();
-    }
 
     private PixelReading reading() {
         return PixelReading.of(Pictures.black(STUDIO), new Point2D.Double(32, 24));

@@ -3,21 +3,17 @@ package tompkins.ui.widget;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import javax.swing.JTextField;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import tompkins.property.InvalidPropertyException;
+import tompkins.ui.LightLook;
 
 /** A field whose value may change elsewhere while something is typed. */
+@LightLook
 class EntryFieldTest {
 
     private final JTextField text = new JTextField();
     private int value = 1;
     private final EntryField field = new EntryField(text, "name", "tip", new Note(""), this::take);
-
-    @BeforeAll
-    static void look() {
-        Look.LIGHT.install();
-    }
 
     private void take(String typed) {
         try {

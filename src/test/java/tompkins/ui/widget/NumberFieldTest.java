@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Container;
 import javax.swing.JTextField;
 import org.joml.Vector3i;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -14,19 +13,16 @@ import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.RenderSettings;
 import tompkins.ui.Components;
+import tompkins.ui.LightLook;
 import tompkins.ui.editor.RecordForm;
 
 /** Fields for numbers, in forms and in the panel, used with the keys. */
+@LightLook
 class NumberFieldTest {
 
     private RenderSettings settings = RenderSettings.DEFAULT.withSamples(4);
     private final RecordForm form = new RecordForm(RenderSettings.class, component -> true, this::take);
     private final Container panel = (Container) form.component();
-
-    @BeforeAll
-    static void look() {
-        Look.LIGHT.install();
-    }
 
     private void take(Object changed) {
         settings = (RenderSettings) changed;

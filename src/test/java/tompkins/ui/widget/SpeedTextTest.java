@@ -4,11 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.property.InvalidPropertyException;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
@@ -96,35 +97,16 @@ class SpeedTextTest {
     }
 
     @ParameterizedTest
-    @ValueSource(
-            strings = {
-                "1.2",
-                "-0.1",
-                "gamma 0.5",
-                "warp 9",
-                "",
-                "fast",
-                "0,9,7",
-                "gamma 1,500",
-                "300000 km/s",
-                "km/s",
-                "gamma 1+-0.1",
-                "rapidity -1",
-                "101%",
-                "-5%",
-                "%",
-                "1e-2147483647%"
-            })
+    @MethodSource("noSpeeds")
     void whatIsNoSpeedIsRefusedWithAMessage(String text) {
         assertThatThrownBy(() -> SpeedText.parse(text, SpeedScale.BETA, ALONG_Z))
                 .isInstanceOf(InvalidPropertyException.class)
                 .hasMessageContaining("must be");
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"0,9,7", "gamma 1,500", "1-1,234"})
-    void aDecimalCommaIsNamed(String text) {
-        assertThatThrownBy(() -> SpeedText.parse(text, SpeedScale.BETA, ALONG_Z))
-                .hasMessageContaining("with a point, not a comma");
+    static Stream<String> noSpeeds() {
+        return Stream.of(("1.2;-0.1;gamma 0.5;warp 9;;fast;0,9,7;gamma 1,500"
+                        + ";300000 km/s;km/s;gamma 1+-0.1;rapidity -1;101%;-5%;%;1e-2147483647%")
+                .split(";"));
     }
 }

@@ -17,7 +17,7 @@ import tompkins.ui.picture.Picture;
 /**
  * Prints how fast the window is with a scene: milliseconds from a change of the speed to the first and to the complete
  * picture on the screen, and the pictures in a second while the speed is dragged. Needs a display: {@code xvfb-run -a
- * mvn -q test-compile exec:java -Dexec.classpathScope=test -Dexec.mainClass=tompkins.ui.WindowBenchmark
+ * mvn -q -Pbench test-compile exec:java -Dexec.classpathScope=test -Dexec.mainClass=tompkins.ui.WindowBenchmark
  * -Dexec.args="scenes/fig1b.json"}.
  */
 public final class WindowBenchmark {
