@@ -3,16 +3,13 @@ package tompkins.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.ThinLensCamera;
-import tompkins.light.AmbientLight;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
@@ -165,56 +162,6 @@ class WorldTest {
 
     private static LightSource lamp(double x) {
         return new PointLight(new Vector3d(x, 0, 0), Colour.WHITE, Colour.WHITE, 1);
-    }
-
-    /** Light that comes from everywhere has no place, and takes no buffer from a lamp. */
-    @Test
-    void firstLampsGetABuffer() {
-        List<LightSource> lights = new ArrayList<>();
-        lights.add(new AmbientLight(Colour.WHITE));
-        IntStream.rangeClosed(1, 17).forEach(i -> lights.add(lamp(10 * i)));
-        Studio studio = Lighting.of(studio(BALL), lights);
-
-        World world = world(studio);
-
-        assertThat(world.lamps().get(0).shadows()).isNull();
-        assertThat(IntStream.rangeClosed(1, 16))
-                .allMatch(i -> world.lamps().get(i).shadows() != null);
-        assertThat(world.lamps().get(17).shadows()).isNull();
-    }
-
-    @Test
-    void plainWorldSavesNoTime() {
-        Studio studio = Lighting.of(crowd(), List.of(lamp(50)));
-
-        World plain = new World(studio, frames(studio, AT_THE_ORIGIN), point -> Event.ORIGIN, true);
-
-        assertThat(plain.lamps().get(0).shadows()).isNull();
-        assertThat(plain.lamps().get(0).track(1)).isNull();
-    }
-
-    /** A lamp passes what moves; beside what rests with it it has a buffer. */
-    @Test
-    void lampHasATrackInOtherFrames() {
-        Studio studio = Lighting.of(crowd(), List.of(new AmbientLight(Colour.WHITE), lamp(50)));
-
-        World world = world(studio);
-
-        assertThat(world.lamps().get(0).track(1)).isNull();
-        assertThat(world.lamps().get(1).track(1)).isNotNull();
-        assertThat(world.lamps().get(1).track(0)).isNull();
-    }
-
-    /** Enough balls for a tree and a track, in motion past one ball at rest. */
-    private static Studio crowd() {
-        return studio(
-                BALL,
-                moving(
-                        0.6,
-                        0,
-                        IntStream.range(0, 100)
-                                .mapToObj(i -> new Sphere("", new Vector3d(3 * i, 0, 30), 1, COLOUR))
-                                .toArray(SceneObject[]::new)));
     }
 
     /** Lamps in motion light the camera's rest frame as if at rest, where they are at time 0. */
