@@ -26,12 +26,6 @@ class GoldenFramesTest {
         assertThat(quantity.worst(FrameMethod.PROGRAM)).matches(Worst::passes);
     }
 
-    @ParameterizedTest
-    @EnumSource
-    void naiveFormFails(FrameQuantity quantity) {
-        assertThat(quantity.worst(new NaiveFrames()).excess()).isGreaterThan(1);
-    }
-
     @Test
     void inverseIsTheTransformationWithTheOppositeVelocity() {
         assertThat(EVENTS).allSatisfy(row -> {
