@@ -52,34 +52,6 @@ class ObjectTreeTest {
         assertThat(list.hasTree()).isFalse();
     }
 
-    @ParameterizedTest
-    @ValueSource(ints = {1, 3, 50, 1000, 9000})
-    void raysTogetherFindWhatTheListFinds(int count) {
-        List<Primitive> primitives = spheres(count, new Random(count));
-        ObjectTree tree = new ObjectTree(primitives, 1);
-        ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
-        EntryNodes entries = new EntryNodes();
-        NearestHit inTree = new NearestHit(new RayCounts());
-        NearestHit inList = new NearestHit(new RayCounts());
-        Random random = new Random(11);
-
-        int hits = 0;
-        for (int i = 0; i < 100; i++) {
-            Ray[] rays = neighbours(ray(random), random.nextDouble(0.1), random);
-            assertThat(entries.find(tree, List.of(), block(rays), 0, rays.length))
-                    .isTrue();
-            for (Ray ray : rays) {
-                boolean hit = list.nearest(ray, inList);
-                hits += hit ? 1 : 0;
-
-                assertThat(tree.nearest(ray, Primitive.NO_HIT, entries, inTree)).isEqualTo(hit);
-                assertThat(order(inTree)).isEqualTo(order(inList));
-                assertThat(inTree.distance()).isEqualTo(inList.distance());
-            }
-        }
-        assertThat(hits).isBetween(1, 100 * EntryNodes.RAYS - 1);
-    }
-
     /** A block that meets too many rods leaves to its rays what it has found out on its way. */
     @Test
     void raysOfABlockThatGaveUpFindWhatTheListFinds() {
@@ -138,15 +110,6 @@ class ObjectTreeTest {
         assertThat(node.entry(1.5, 5, 0, 1 / 0.0, 1 / 0.0, 1, Primitive.NO_HIT)).isEqualTo(TreeNode.MISSED);
     }
 
-    @Test
-    void raysAllAroundDoNotEnterTheTreeTogether() {
-        ObjectTree tree = new ObjectTree(spheres(100, new Random(1)), 1);
-        Ray[] opposite = {Ray.from(0, 0, 0, 0, 0, 1, 0), Ray.from(0, 0, 0, 0, 0, -1, 0)};
-
-        assertThat(new EntryNodes().find(tree, List.of(), block(opposite), 0, 2))
-                .isFalse();
-    }
-
     private static RayPacket block(Ray... rays) {
         RayPacket block = new RayPacket(rays.length);
         block.begin(rays.length);
@@ -186,14 +149,6 @@ class ObjectTreeTest {
         assertThat(nearest.primitive().description()).isEqualTo("sphere 0");
     }
 
-    /** Large trees are built by several threads. */
-    @Test
-    void theTreeIsTheSameEachTime() {
-        List<Primitive> primitives = spheres(30_000, new Random(3));
-
-        assertThat(shape(tree(primitives))).isEqualTo(shape(tree(primitives)));
-    }
-
     /** Which primitive was found; the tree holds copies. */
     private static int order(NearestHit nearest) {
         return nearest.primitive() == null ? -1 : nearest.primitive().order();
@@ -201,26 +156,6 @@ class ObjectTreeTest {
 
     private static TreeNode tree(List<Primitive> primitives) {
         return TreeBuilder.build(primitives.toArray(Primitive[]::new), 2);
-    }
-
-    /** Numbers of primitives in the order of the leaves, with brackets for the nodes. */
-    private static String shape(TreeNode node) {
-        StringBuilder text = new StringBuilder();
-        append(text, node);
-        return text.toString();
-    }
-
-    private static void append(StringBuilder text, TreeNode node) {
-        text.append('(');
-        if (node.primitives == null) {
-            append(text, node.low);
-            append(text, node.high);
-        } else {
-            for (int i = node.from; i < node.to; i++) {
-                text.append(node.primitives[i].order()).append(' ');
-            }
-        }
-        text.append(')');
     }
 
     @Test

@@ -2,8 +2,6 @@ package tompkins.search;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -21,7 +19,6 @@ import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 import tompkins.sceneobject.Cylinder;
-import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -104,39 +101,6 @@ class QuickRejectionTest {
         return hits;
     }
 
-    /** Rays pass the axis of the rod, or the centre of the ball, at a distance that is known. */
-    @ParameterizedTest
-    @MethodSource("thinOnes")
-    void rayThatPassesHalfARadiusBesideIsTold(Primitive primitive) {
-        assertThat(overlapsOfRaysThatPass(primitive, 0.99)).allMatch(overlap -> overlap > 0);
-        assertThat(overlapsOfRaysThatPass(primitive, 1.5)).allMatch(overlap -> overlap < 0);
-    }
-
-    /** Two rays from one start, and two from different ones. */
-    private static List<Double> overlapsOfRaysThatPass(Primitive primitive, double radii) {
-        Vector3d middle = primitive.bounds().centre();
-        Vector3d axis = new Vector3d(7, 1, 1);
-        Vector3d direction = axis.cross(0, 0, 1, new Vector3d()).normalize();
-        Vector3d beside = axis.cross(direction, new Vector3d()).normalize(radii * RADIUS);
-        RayPacket rays = new RayPacket(2);
-        rays.begin(2);
-        RayStarts starts = new RayStarts();
-        List<Double> all = new ArrayList<>();
-        for (double apart : new double[] {0, 1}) {
-            for (int i = 0; i < 2; i++) {
-                Vector3d start =
-                        new Vector3d(direction).mul(-10 - i * apart).add(middle).add(beside);
-                rays.set(i, ray(start, direction));
-            }
-            starts.measure(rays, 0, 2);
-            double[] overlaps = new double[2];
-            assertThat(primitive.overlaps(rays, starts, overlaps)).isTrue();
-            all.add(overlaps[0]);
-            all.add(overlaps[1]);
-        }
-        return all;
-    }
-
     @Test
     void noRayThatHitsIsSurelyMissing() {
         for (Primitive primitive : primitives().toList()) {
@@ -187,17 +151,6 @@ class QuickRejectionTest {
         }
         assertThat(outwards).isGreaterThan(3000);
         assertThat(inwards).isGreaterThan(1000);
-    }
-
-    @Test
-    void planeTellsRaysThatGoAwayFromIt() {
-        Primitive floor = PrimitiveCollector.primitivesOf(
-                        new Plane("floor", new Vector3d(0, -1, 0), new Vector3d(0, 1, 0), ColouredSurface.DEFAULT))
-                .get(0);
-        Hit above = startOf(Ray.from(0, 2, 0, 1, 0, 0, 0));
-
-        assertThat(floor.leavesConvexShape(above, 0.6, 0.8, 0)).isTrue();
-        assertThat(floor.leavesConvexShape(above, 0.6, -0.8, 0)).isFalse();
     }
 
     private static Hit startOf(Ray ray) {
