@@ -3,25 +3,16 @@ package tompkins.trace;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
-import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.TestRun;
-import tompkins.camera.Camera;
-import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
-import tompkins.sceneobject.Hidden;
-import tompkins.sceneobject.SceneObject;
-import tompkins.shutter.Shutter;
-import tompkins.studio.DescribedTypes;
 import tompkins.studio.SceneFiles;
 import tompkins.studio.Studio;
-import tompkins.surface.Surface;
 
 /**
  * Everything that makes the search fast (trees, candidates of a block of rays, grids of lamps) leaves every colour as
@@ -57,17 +48,6 @@ class FastSearchTest {
     static Stream<Named<Studio>> studios() {
         return Stream.concat(VariedStudios.all(), SceneFiles.all())
                 .map(named -> Named.of(named.getName(), small(named.getPayload())));
-    }
-
-    /** All but what has no primitives. */
-    @Test
-    void everyTypeIsSearched() {
-        Set<Class<?>> described = DescribedTypes.in(VariedStudios.all().map(Named::getPayload));
-        assertThat(Stream.of(SceneObject.class, Surface.class, Shutter.class, Camera.class)
-                        .flatMap(family -> Descriptions.members(family).stream())
-                        .filter(type -> type != Hidden.class && !described.contains(type)))
-                .as("to be added to VariedStudios")
-                .isEmpty();
     }
 
     private static Studio small(Studio studio) {

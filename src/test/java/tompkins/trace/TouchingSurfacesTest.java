@@ -125,20 +125,6 @@ class TouchingSurfacesTest {
                 .isTrue();
     }
 
-    @Test
-    void lightPassesBothFilters() {
-        assertColour(
-                middle(studio(sheet(HALF_RED), sheet(HALF_GREEN), WHITE_WALL)).colour(), 0.5, 0.5, 1);
-        Studio before = studio(WHITE_WALL).withCameraFrame(List.of(sheet(HALF_RED), sheet(HALF_GREEN)));
-        assertColour(middle(before).colour(), 0.5, 0.5, 1);
-    }
-
-    @Test
-    void filtersOfOneColourCountEach() {
-        assertColour(
-                middle(studio(sheet(HALF_RED), sheet(HALF_RED), WHITE_WALL)).colour(), 0.25, 1, 1);
-    }
-
     /** The second one slides along the first. */
     @ParameterizedTest
     @ValueSource(doubles = {0.1, 0.9, 0.999})
@@ -166,18 +152,6 @@ class TouchingSurfacesTest {
                 List.of(new Disc("disc", new Vector3d(0.5, 0, 10), new Vector3d(0, 0, 1), 2, HALF_GREEN)));
         assertColour(life(studio(sheet(HALF_RED), turning, WHITE_WALL), 35, 30).colour(), 0.5, 0.5, 1);
         assertColour(life(studio(turning, sheet(HALF_RED), WHITE_WALL), 35, 30).colour(), 0.5, 0.5, 1);
-    }
-
-    @Test
-    void whatLetsLightPassLiesOnAWall() {
-        SceneObject wall = new Plane(
-                "wall",
-                new Vector3d(0, 0, 10),
-                new Vector3d(0, 0, -1),
-                new ColouredSurface(new Colour(0, 0, 1), Colour.BLACK));
-        SceneObject disc = new Disc("disc", new Vector3d(0, 0, 10), new Vector3d(0, 0, -1), 3, Clear.DEFAULT);
-        assertColour(middle(studio(disc, wall)).colour(), 0, 0, 1);
-        assertColour(middle(studio(wall, disc)).colour(), 0, 0, 1);
     }
 
     /** A mesh without an inside is a thin sheet, whose decal is seen from both sides of a wall. */
@@ -257,14 +231,6 @@ class TouchingSurfacesTest {
         assertThat(middle(looking).hits().stream()
                         .anyMatch(hit -> Math.abs(hit.event().position().z() - 9) < 1e-9))
                 .isEqualTo(passes);
-    }
-
-    @Test
-    void equalMediaHaveNoBoundary() {
-        List<SampleHistory.Encounter> hits = middle(studio(layer(4, 5, GLASS), layer(5, 7, GLASS), WHITE_WALL))
-                .mainHits();
-        assertThat(hits).hasSize(3);
-        assertThat(hits.get(2).fraction()).isCloseTo(0.96 * 0.96, within(1e-12));
     }
 
     @Test
