@@ -68,17 +68,6 @@ class CostForecastTest {
         assertThat(forecast.seconds()).isPositive();
     }
 
-    @Test
-    void aTimeLimitIsTheTime() throws InterruptedException {
-        RenderPlan plan = plan(Path.of("scenes/fig1b.json"), 160, 120);
-
-        CostForecast forecast = CostForecast.of(plan, new Quality.TimeLimit(100), RENDERER, NO_PATIENCE)
-                .orElseThrow();
-
-        assertThat(forecast.seconds()).isEqualTo(100);
-        assertThat(forecast.samplesPerPixel()).isGreaterThan(100);
-    }
-
     /** A cold part at 1000 samples in a second, half done, and a warm one at 4000; 0.5 s of planning. */
     @Test
     void whatIsLeftGoesAtTheGreatestSpeed() {

@@ -46,14 +46,6 @@ class FilmTest {
     }
 
     @Test
-    void withoutSamplesAPixelIsBlack() {
-        LinearImage image = new Film(2, 2, 1, true).image();
-
-        assertThat(image.value(1, 1, 0) + image.value(1, 0, 1) + image.value(0, 1, 2))
-                .isZero();
-    }
-
-    @Test
     void aPixelWithoutSampleIsInterpolatedBetweenCoarseOnes() {
         Film film = new Film(12, 12, 1, false);
         add(film, 0, 0, Colour.grey(1));
@@ -124,32 +116,6 @@ class FilmTest {
                 assertThat(image.value(column, row, 2)).isEqualTo(2f * right + 6f * down);
             }
         }
-    }
-
-    @Test
-    void meansOfARowStandBehindItsBorder() {
-        Film film = new Film(2, 3, 2, false);
-        Films.add(film, film.pixel(0, 2), 3, 6, 9, 1);
-        Films.add(film, film.pixel(0, 2), 1, 0, 3, 1);
-        Films.add(film, film.pixel(1, 2), 30, 60, 90, 3);
-        double[] means = new double[12];
-
-        film.means(2, means);
-
-        assertThat(means).containsExactly(0, 0, 0, 4, 6, 12, 20, 40, 60, 0, 0, 0);
-        film.means(0, means);
-        assertThat(means[3]).isNaN();
-        assertThat(film.height()).isEqualTo(3);
-        assertThat(film.width()).isEqualTo(2);
-    }
-
-    /** Three floats and an int for each pixel; three floats more for the half, and one for the squares. */
-    @Test
-    void memoryIsWhatItHolds() {
-        assertThat(Film.bytesPerPixel(false)).isEqualTo(16);
-        assertThat(Film.bytesPerPixel(true)).isEqualTo(32);
-        assertThat(new Film(1, 1, 1, true).comparesSamples()).isTrue();
-        assertThat(new Film(1, 1, 1, false).comparesSamples()).isFalse();
     }
 
     /**
