@@ -45,7 +45,6 @@ import tompkins.studio.View;
 import tompkins.surface.LuminousSurface;
 import tompkins.trace.Frame;
 import tompkins.trace.RenderPlan;
-import tompkins.trace.SampleHistory;
 
 /** What is drawn over pictures agrees with the traced picture within half a pixel, at three velocities. */
 class OverlaysTest {
@@ -75,17 +74,7 @@ class OverlaysTest {
 
     /** A point that is seen at a place from a distance, in the frame in which it rests. */
     private static Vector3d point(Studio studio, FrameMotion motion, double x, double y, double distance) {
-        SampleHistory life = SampleHistory.of(RenderPlan.of(studio.withScene(List.of())), x, y, 0, 0);
-        Event start = life.sceneStart();
-        Vector3d place = new Vector3d(life.sceneDirection()).mul(distance).add(start.position());
-        Event event = new Event(place.x, place.y, place.z, start.time() - distance * life.lastSlowness());
-        return motion == null
-                ? place
-                : studio.transformation()
-                        .sceneFromCamera(motion.velocity())
-                        .inverse()
-                        .transform(event)
-                        .position();
+        return ProjectionTest.point(RenderPlan.of(studio.withScene(List.of())), motion, x, y, distance);
     }
 
     private static SceneObject placed(FrameMotion motion, SceneObject object) {
@@ -115,6 +104,13 @@ class OverlaysTest {
 
     private static boolean hits(RenderPlan plan, double x, double y) {
         return Sighting.of(plan, x, y).hit() != null;
+    }
+
+    /** Whether something is hit within half a pixel in the row or in the column. */
+    private static boolean isNextTo(RenderPlan plan, Vector2dc place) {
+        return IntStream.rangeClosed(-16, 16)
+                .mapToDouble(step -> step * HALF / 16)
+                .anyMatch(step -> hits(plan, place.x() + step, place.y()) || hits(plan, place.x(), place.y() + step));
     }
 
     /** The object is seen a little nearer to (300, 260) than the places, and not a little farther away. */
@@ -187,11 +183,7 @@ class OverlaysTest {
             RenderPlan plan = RenderPlan.of(empty.withScene(List.of(placed(motion, thin))));
 
             assertThat(places).hasSizeGreaterThan(15);
-            assertThat(places)
-                    .allMatch(place -> IntStream.rangeClosed(-16, 16)
-                            .mapToDouble(step -> step * HALF / 16)
-                            .anyMatch(step -> hits(plan, place.x() + step, place.y())
-                                    || hits(plan, place.x(), place.y() + step)));
+            assertThat(places).allMatch(place -> isNextTo(plan, place));
         }
     }
 
@@ -210,11 +202,7 @@ class OverlaysTest {
                 RenderPlan plan = RenderPlan.of(seen.withScene(List.of(propeller(motion, centre, radius))));
 
                 assertThat(places).hasSizeGreaterThan(view == View.SEEN ? 15 : -1);
-                assertThat(places)
-                        .allMatch(place -> IntStream.rangeClosed(-16, 16)
-                                .mapToDouble(step -> step * HALF / 16)
-                                .anyMatch(step -> hits(plan, place.x() + step, place.y())
-                                        || hits(plan, place.x(), place.y() + step)));
+                assertThat(places).allMatch(place -> isNextTo(plan, place));
             }
         }
     }
