@@ -2,7 +2,6 @@ package tompkins.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
-import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.awt.image.BufferedImage;
@@ -190,24 +189,6 @@ class AnimationWriterTest {
 
         assertThat(first).hasBinaryContent(bytes);
         assertThat(Samples.names(folder)).hasSize(1);
-    }
-
-    @ParameterizedTest
-    @EnumSource(names = "MP4", mode = EnumSource.Mode.EXCLUDE)
-    void theOrderOfCallsIsKept(AnimationFormat format) throws IOException {
-        AnimationWriter animation = format.open(target(format), 25, true);
-        assertThatIllegalStateException().isThrownBy(animation::finish).withMessageContaining("must have a frame");
-        animation.add(Samples.levels(Samples.squares(22, 13, 0)), PhotographInfo.NONE);
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> animation.add(Samples.levels(Samples.squares(13, 22, 0)), PhotographInfo.NONE))
-                .withMessageContaining("22 x 13")
-                .withMessageContaining("13 x 22");
-        animation.finish();
-        assertThatIllegalStateException()
-                .isThrownBy(() -> animation.add(Samples.levels(Samples.squares(22, 13, 0)), PhotographInfo.NONE));
-        assertThatIllegalStateException().isThrownBy(animation::finish);
-        animation.close();
-        assertThat(target(format)).exists();
     }
 
     @Test

@@ -13,7 +13,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.zip.InflaterInputStream;
 import javax.imageio.ImageReader;
-import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.plugins.tiff.BaselineTIFFTagSet;
 import javax.imageio.plugins.tiff.TIFFDirectory;
 import org.junit.jupiter.api.BeforeEach;
@@ -22,7 +21,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.w3c.dom.NodeList;
 import tompkins.OnLinux;
 import tompkins.RunningJava;
 import tompkins.file.FileException;
@@ -138,21 +136,6 @@ class PhotographFileTest {
     }
 
     @Test
-    void theJdkFindsTheSceneInPng() throws IOException {
-        byte[] png = Files.readAllBytes(write(PictureFormat.PNG16, ToneCurve.LINEAR, Samples.INFO));
-
-        NodeList texts = ((IIOMetadataNode)
-                        Samples.jdkReader("png", png).getImageMetadata(0).getAsTree("javax_imageio_1.0"))
-                .getElementsByTagName("TextEntry");
-
-        assertThat(java.util.stream.IntStream.range(0, texts.getLength()).mapToObj(texts::item))
-                .anySatisfy(node -> {
-                    assertThat(((IIOMetadataNode) node).getAttribute("keyword")).isEqualTo("tompkins.scene");
-                    assertThat(((IIOMetadataNode) node).getAttribute("value")).isEqualTo(Samples.SCENE);
-                });
-    }
-
-    @Test
     void tiffKeepsTheSceneAsAsciiInTheDescription() throws IOException {
         byte[] tiff = Files.readAllBytes(write(PictureFormat.TIFF, ToneCurve.LINEAR, Samples.INFO));
 
@@ -180,16 +163,6 @@ class PhotographFileTest {
         Files.write(tiff, bytes);
 
         assertThat(PhotographFile.readScene(tiff)).isEmpty();
-    }
-
-    @Test
-    void replacesWhatWasThereAndLeavesNothingElse() throws IOException {
-        Files.writeString(file, "old");
-
-        PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO, true);
-
-        assertThat(PhotographFile.readScene(file)).contains(Samples.SCENE);
-        assertThat(Samples.names(folder)).containsExactly("photo.png");
     }
 
     @Test
@@ -223,15 +196,6 @@ class PhotographFileTest {
                 .isInstanceOf(FileException.class)
                 .hasMessage(file + ": cannot be written: it is a link to nothing that exists");
         assertThat(file).isSymbolicLink();
-    }
-
-    @Test
-    void aNameThatDoesNotFitTheFormatIsRefused() {
-        assertThatThrownBy(() ->
-                        PhotographFile.write(file, image, PictureFormat.HDR, ToneCurve.LINEAR, Samples.INFO, true))
-                .isInstanceOf(FileException.class)
-                .hasMessage(file + ": the name of a Radiance picture must end in .hdr or .pic");
-        assertThat(file).doesNotExist();
     }
 
     @Test
