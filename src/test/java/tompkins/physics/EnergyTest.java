@@ -3,7 +3,6 @@ package tompkins.physics;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -12,8 +11,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.fuzz.RandomStudio;
 import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
-import tompkins.ray.Hit;
-import tompkins.ray.Ray;
 import tompkins.render.RenderReport;
 import tompkins.sceneobject.SampleShapes;
 import tompkins.sceneobject.SceneObject;
@@ -28,7 +25,6 @@ import tompkins.surface.LorentzWindow;
 import tompkins.surface.Mirror;
 import tompkins.surface.Mixture;
 import tompkins.surface.Refractive;
-import tompkins.surface.Shadow;
 import tompkins.surface.Surface;
 import tompkins.surface.Tiling;
 import tompkins.surface.TwoSided;
@@ -118,46 +114,6 @@ class EnergyTest {
                         .isBetween(0.0, most * (1 + 1e-6));
             }
         }
-    }
-
-    /** What asks neither for coordinates nor for the time, and yet for the point, must look at the side. */
-    @ParameterizedTest
-    @MethodSource("surfaces")
-    void shadowsAgreeWithTheirKind(Class<?> type) {
-        for (int seed = 0; seed < 10; seed++) {
-            Surface surface = RandomStudio.surface(seed, type);
-            boolean byPoint = surface.shadow() == Shadow.BY_POINT;
-            boolean bySide = !surface.usesCoordinates() && !surface.showsTime();
-            if (byPoint && bySide) {
-                assertThat(throwsShadowAlongNormal(surface, 1))
-                        .as("from outside and from inside: %s", surface)
-                        .isNotEqualTo(throwsShadowAlongNormal(surface, -1));
-            }
-        }
-    }
-
-    @ParameterizedTest
-    @MethodSource("surfaces")
-    void shadowsOfTwoSidesAgreeWithTheirKind(Class<?> type) {
-        Stream<Surface> opaque = IntStream.range(0, 30)
-                .mapToObj(seed -> RandomStudio.surface(seed, type))
-                .filter(surface -> surface.shadow() == Shadow.ALWAYS && !surface.usesCoordinates())
-                .filter(surface -> surface.parts().noneMatch(Refractive.class::isInstance));
-
-        assertThat(opaque).allSatisfy(surface -> {
-            Surface outside = new TwoSided(surface, Clear.DEFAULT);
-            Surface inside = new TwoSided(Clear.DEFAULT, surface);
-            assertThat(List.of(outside.shadow(), inside.shadow())).containsOnly(Shadow.BY_POINT);
-            assertThat(throwsShadowAlongNormal(outside, -1)).isTrue();
-            assertThat(throwsShadowAlongNormal(outside, 1)).isFalse();
-            assertThat(throwsShadowAlongNormal(inside, -1)).isFalse();
-            assertThat(throwsShadowAlongNormal(inside, 1)).isTrue();
-        });
-    }
-
-    private static boolean throwsShadowAlongNormal(Surface surface, double side) {
-        Ray ray = Ray.from(0, 0, -side, 0, 0, side, 0);
-        return surface.throwsShadowAt(ray, Hit.blank().set(ray, 1, 0, 0, 1, null, 0, null));
     }
 
     private static Photograph glowing(List<SceneObject> scene, Velocity velocity, int size) {

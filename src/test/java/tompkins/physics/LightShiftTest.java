@@ -92,20 +92,6 @@ class LightShiftTest {
         }
     }
 
-    @Test
-    void searchlightFallsToTheSides() {
-        double beta = 0.6;
-        Studio studio = shell(
-                Photograph.pinhole(new Vector3d(0, 0, 1), 100, 0), Velocity.of(0, 0, beta), ColourLaw.SEARCHLIGHT);
-        Photograph photograph = new Photograph(studio);
-        for (int column = 0; column < WIDTH; column += 7) {
-            double cosine = photograph.cameraDirection(new Vector2d(column + 0.5, 12.5)).z;
-            double expected = Math.pow((1 - beta) / (1 - beta * cosine), 4);
-            assertThat(photograph.image().value(column, 12, 2))
-                    .isCloseTo((float) expected, within((float) (1e-6 * expected)));
-        }
-    }
-
     /** A camera that looks to the side, where light is a little red, and is metered there. */
     @Test
     void skyIsBlueAheadAndRedBehind() {
@@ -155,12 +141,6 @@ class LightShiftTest {
                 .withTransformation(law);
         assertThat(picture(studio).rgb())
                 .isEqualTo(picture(studio.withColours(ColourLaw.UNCHANGED)).rgb());
-    }
-
-    @Test
-    void cameraAtRestSeesTheSceneAsItIs() {
-        Studio studio = shell(Photograph.wholeSky(), Velocity.REST, ColourLaw.SEARCHLIGHT);
-        assertThat(picture(studio).rgb()).containsOnly(1);
     }
 
     static Stream<SceneObject> beforeTheLens() {
