@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.TestRun;
 import tompkins.camera.Camera;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
@@ -46,7 +47,7 @@ import tompkins.surface.LuminousSurface;
 import tompkins.trace.Frame;
 import tompkins.trace.RenderPlan;
 
-/** What is drawn over pictures agrees with the traced picture within half a pixel, at three velocities. */
+/** What is drawn over pictures agrees with the traced picture within half a pixel, at several velocities. */
 class OverlaysTest {
 
     private static final double HALF = 0.5;
@@ -54,8 +55,9 @@ class OverlaysTest {
     private static final FrameMotion MOTION = new FrameMotion(null, Velocity.of(-0.4, 0.1, 0.2), new Event(0, 0, 0, 0));
 
     static Stream<Arguments> cameras() {
-        List<Velocity> velocities =
-                List.of(Velocity.of(0.3, -0.2, 0.6), Velocity.of(0, 0.1, -0.5), Velocity.of(0.2, -0.1, 0.97));
+        List<Velocity> velocities = List.of(
+                        Velocity.of(0.3, -0.2, 0.6), Velocity.of(0.2, -0.1, 0.97), Velocity.of(0, 0.1, -0.5))
+                .subList(0, TestRun.cases(2, 3));
         Vector3d position = new Vector3d(0.4, 0.3, -0.6);
         ThinLensCamera lens = Descriptions.with(
                 Descriptions.with(ThinLensCamera.DEFAULT, "position", position), "horizontalAngleDegrees", 50.0);

@@ -68,11 +68,11 @@ class PreviewFilmTest {
         return known;
     }
 
-    /** Differences to the whole pictures on the ride of the first scene, every four seconds, moving and at rest. */
+    /** Differences to the whole pictures on the ride of the first scene, every six seconds, moving and at rest. */
     private static List<Double> differences(double samples) throws Exception {
         RideFilm film = new RideFilm(StudioReader.read(Path.of("scenes/town-square.json")));
         List<Double> differences = new ArrayList<>();
-        for (double time = 0; time <= film.seconds(); time += 4) {
+        for (double time = 0; time <= film.seconds(); time += 6) {
             RideMoment moment = film.moment(time);
             for (Studio studio : List.of(moment.studio(), moment.atRest())) {
                 RenderPlan plan = plan(studio);

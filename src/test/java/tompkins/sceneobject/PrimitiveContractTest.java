@@ -328,7 +328,7 @@ class PrimitiveContractTest {
         NearestHit fromTree = new NearestHit(new RayCounts());
         NearestHit fromList = new NearestHit(new RayCounts());
         int hits = 0;
-        for (int i = 0; i < 100_000; i++) {
+        for (int i = 0; i < 40_000; i++) {
             Bounds bounds = primitives.get((int) aims.mix(0, primitives.size())).bounds();
             boolean edge = i % 2 == 0;
             Vector3d target = new Vector3d(
@@ -348,7 +348,7 @@ class PrimitiveContractTest {
                 assertThat(fromTree.distance()).isEqualTo(fromList.distance());
             }
         }
-        assertThat(hits).isGreaterThan(20_000);
+        assertThat(hits).isGreaterThan(8_000);
     }
 
     /** Not several, so that the list stays short; planes, which have no bounds, lie in no tree. */

@@ -22,7 +22,7 @@ import tompkins.studio.Studio;
 class FastSearchTest {
 
     /** No multiple of the side of a block of rays, nor of half of it. */
-    private static final int WIDTH = TestRun.cases(34, 77);
+    private static final int WIDTH = TestRun.cases(27, 77);
 
     @ParameterizedTest
     @MethodSource("studios")

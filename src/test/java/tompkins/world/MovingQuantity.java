@@ -42,8 +42,8 @@ enum MovingQuantity {
         this.excess = excess;
     }
 
-    /** The largest excess of the quantity over a row: infinite if something is hit that should not be, or not. */
-    double excess(GoldenRow row, boolean measures) {
+    /** What the ray of a row hits; null if nothing. */
+    static FoundHit find(GoldenRow row, boolean measures) {
         Event camera = new Event(row.number("ox"), row.number("oy"), row.number("oz"), row.number("ot"));
         MovingRow scene = MovingRow.of(
                 List.of(MovingRow.moving(
@@ -51,7 +51,11 @@ enum MovingQuantity {
                 row.vector("beta_"),
                 camera,
                 row.has("law", "galilean"));
-        FoundHit hit = scene.find(scene.inScene(camera, row.vector("d"), measures));
+        return scene.find(scene.inScene(camera, row.vector("d"), measures));
+    }
+
+    /** The excess of the quantity over a row: infinite if something is hit that should not be, or not. */
+    double excess(GoldenRow row, FoundHit hit, boolean measures) {
         boolean decidable = row.number("decidable_eps") >= 16 * U;
         if (hit == null || row.has("hit", "0")) {
             return (hit == null) == row.has("hit", "0") || !decidable ? 0 : Double.POSITIVE_INFINITY;
