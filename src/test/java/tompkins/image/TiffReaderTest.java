@@ -14,7 +14,6 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.ProcessorTime;
@@ -294,18 +293,6 @@ class TiffReaderTest {
         assertThat(pixels.height()).isEqualTo(upright ? 3 : 2);
         assertThat(pixels.rgba()[4 * (y * pixels.width() + x)]).isEqualTo(1);
         assertThat(pixels.rgba()[4 * (lastY * pixels.width() + lastX)]).isEqualTo(0.2f);
-    }
-
-    @ParameterizedTest
-    @EnumSource
-    void turningKeepsEveryPixel(Orientation orientation) {
-        float[] rgba = new float[4 * 12];
-        for (int i = 0; i < rgba.length; i++) {
-            rgba[i] = i;
-        }
-        float[] turned = orientation.turn(new Pixels(4, 3, rgba)).rgba().clone();
-        Arrays.sort(turned);
-        assertThat(turned).containsExactly(rgba);
     }
 
     @ParameterizedTest

@@ -27,10 +27,6 @@ class ExtremeVelocitiesTest {
         Ray ray = rest.transform(Ray.from(1, 2, 3, 0.6, 0, 0.8, 5));
         assertThat(new Vector3d(ray.dx, ray.dy, ray.dz).distance(0.6, 0, 0.8)).isLessThan(2 * U);
         assertThat(rest.fixedPointTime(new Vector3d(1, 2, 3))).isZero();
-        NaiveFrames naive = new NaiveFrames();
-        assertThat(naive.event(new Vector3d(), event).x()).isNaN();
-        assertThat(NaiveFrames.fixedPointTime(new Vector3d(), new Vector3d(1, 2, 3)))
-                .isNaN();
     }
 
     @ParameterizedTest
@@ -43,10 +39,6 @@ class ExtremeVelocitiesTest {
         double expected = -speed * 3 / 2 * (1 + speed * speed / 4);
         double time = new LorentzTransformation(velocity).fixedPointTime(new Vector3d(3, 1, 1));
         assertThat(time).isEqualTo(expected, within(Math.abs(expected) * 4 * U + Double.MIN_VALUE));
-        double naive = NaiveFrames.fixedPointTime(beta, new Vector3d(3, 1, 1));
-        if (speed <= 1e-8) {
-            assertThat(Math.abs(naive - expected) < 0.4 * Math.abs(expected)).isFalse();
-        }
     }
 
     @ParameterizedTest
@@ -80,9 +72,6 @@ class ExtremeVelocitiesTest {
         }) {
             assertThatThrownBy(() -> Velocity.of(beta)).isInstanceOf(InvalidPropertyException.class);
         }
-        // naive: 1 - beta^2 < 0 lets light itself and no numbers pass
-        assertThat(1 - new Vector3d(1, 0, 0).lengthSquared() < 0).isFalse();
-        assertThat(1 - new Vector3d(Double.NaN, 0, 0).lengthSquared() < 0).isFalse();
     }
 
     @Test
@@ -91,7 +80,5 @@ class ExtremeVelocitiesTest {
         assertThat(velocity.gamma()).isCloseTo(707106.9579628198, within(707106 * 1e-6));
         double exact = 1 / Math.sqrt(1e-12 * (2 - 1e-12));
         assertThat(velocity.gamma()).isEqualTo(exact);
-        assertThat(Math.abs(1 / Math.sqrt(1 - 0.999999999999 * 0.999999999999) - exact))
-                .isGreaterThan(1);
     }
 }
