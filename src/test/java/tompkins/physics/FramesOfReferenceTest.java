@@ -12,9 +12,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.Camera;
-import tompkins.camera.Cameras;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
+import tompkins.property.Descriptions;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
@@ -125,16 +125,10 @@ class FramesOfReferenceTest {
     /** Spread of the places at which the rays of one pixel pass the point in focus, along the velocity. */
     private static double spread(Shutter shutter, int rimPoints, boolean alongVelocity) {
         Vector3d image = new Vector3d(0.3, -0.2, 8);
-        ThinLensCamera camera = Cameras.lens(
-                new Vector3d(),
-                new Vector3d(0, 0, 1),
-                new Vector3d(0, 1, 0),
-                20,
-                0,
-                0.05,
-                new Plane("focus", image, new Vector3d(0, 0, 1), Photograph.WHITE),
-                0,
-                shutter);
+        Plane focus = new Plane("focus", image, new Vector3d(0, 0, 1), Photograph.WHITE);
+        Camera camera = Descriptions.with(
+                        Descriptions.with(ThinLensCamera.DEFAULT, "apertureRadius", 0.05), "focus", focus)
+                .withShutter(shutter);
         Photograph photograph = Photograph.of(List.of(), camera, Velocity.of(PAPER), 400, 400);
         double pixelsPerSlope = 200 / Math.tan(Math.toRadians(10));
         double x = 200 + image.x / image.z * pixelsPerSlope;

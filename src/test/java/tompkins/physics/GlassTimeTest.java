@@ -8,14 +8,12 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import tompkins.camera.Cameras;
 import tompkins.camera.ThinLensCamera;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
-import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
@@ -118,16 +116,7 @@ class GlassTimeTest {
         Studio studio = Studio.DEFAULT
                 .withScene(List.of(seen))
                 .withCameraFrame(media)
-                .withCamera(Cameras.lens(
-                        new Vector3d(),
-                        view,
-                        new Vector3d(0, 0, 1),
-                        20,
-                        0,
-                        0,
-                        ThinLensCamera.DEFAULT.focus(),
-                        0,
-                        AperturePlaneShutter.DEFAULT))
+                .withCamera(Photograph.pinhole(view, 20, 0))
                 .withVelocity(Velocity.of(0, 0, 0.8))
                 .withSettings(Studio.DEFAULT.settings().withSize(99, 99));
         return SampleHistory.of(RenderPlan.of(studio), 49.5, 49.5, 0, 0);

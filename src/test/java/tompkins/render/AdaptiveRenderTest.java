@@ -18,8 +18,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import tompkins.camera.Cameras;
+import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Plane;
@@ -321,24 +322,16 @@ class AdaptiveRenderTest {
     private static float[] reference(Studio studio, long seed) {
         try {
             Studio other = studio.withSettings(studio.settings().withSeed(seed));
-            return render(other, new Quality.Samples(512)).image().rgb();
+            return render(other, new Quality.Samples(256)).image().rgb();
         } catch (InterruptedException interrupted) {
             throw new AssertionError(interrupted);
         }
     }
 
     private static Studio studio(List<SceneObject> scene, double apertureRadius) {
-        ThinLensCamera plain = ThinLensCamera.DEFAULT;
-        ThinLensCamera camera = Cameras.lens(
-                plain.position(),
-                plain.viewDirection(),
-                plain.topDirection(),
-                plain.horizontalAngleDegrees(),
-                0,
-                apertureRadius,
-                new Plane("focus", new Vector3d(0, 0, 8), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT),
-                0,
-                plain.shutter());
+        Plane focus = new Plane("focus", new Vector3d(0, 0, 8), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT);
+        Camera camera = Descriptions.with(
+                Descriptions.with(ThinLensCamera.DEFAULT, "apertureRadius", apertureRadius), "focus", focus);
         return Studio.DEFAULT.withScene(scene).withCamera(camera).withSettings(SMALL);
     }
 

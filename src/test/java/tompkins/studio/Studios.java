@@ -2,13 +2,12 @@ package tompkins.studio;
 
 import java.util.List;
 import org.joml.Vector3d;
-import tompkins.camera.Cameras;
+import tompkins.camera.FieldOfView;
 import tompkins.camera.ThinLensCamera;
 import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Sphere;
-import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Velocity;
 
 /** Studios for tests. */
@@ -46,15 +45,9 @@ public final class Studios {
         Vector3d ahead = new Vector3d(0, 0, 1);
         Sphere focus = new Sphere("focus", ahead, 0.6, Sphere.DEFAULT.surface());
         return Descriptions.with(Studio.DEFAULT, "background", StarSky.DEFAULT)
-                .withCamera(Cameras.lens(
-                        new Vector3d(),
-                        ahead,
-                        new Vector3d(0, 1, 0),
-                        90,
-                        0,
-                        0.5,
-                        focus,
-                        0,
-                        AperturePlaneShutter.DEFAULT));
+                .withCamera(Descriptions.with(
+                        Descriptions.with(FieldOfView.with(ThinLensCamera.DEFAULT, 90), "apertureRadius", 0.5),
+                        "focus",
+                        focus));
     }
 }

@@ -12,8 +12,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.TestRun;
-import tompkins.camera.Cameras;
+import tompkins.camera.CameraMotion;
+import tompkins.camera.ThinLensCamera;
 import tompkins.light.AmbientLight;
+import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
 import tompkins.ray.RayCounts;
@@ -28,7 +30,6 @@ import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.sceneobject.Triangle;
 import tompkins.sceneobject.TriangleMesh;
-import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Lighting;
 import tompkins.studio.Studio;
@@ -93,16 +94,8 @@ class TouchingSurfacesTest {
 
     private static Studio studio(SceneObject... objects) {
         return Lighting.of(Studios.dark().withScene(List.of(objects)), List.of(new AmbientLight(Colour.WHITE)))
-                .withCamera(Cameras.lens(
-                        new Vector3d(),
-                        new Vector3d(0, 0, 1),
-                        new Vector3d(0, 1, 0),
-                        20,
-                        0,
-                        0,
-                        new Sphere("focus", new Vector3d(), 5, Clear.DEFAULT),
-                        0,
-                        new AperturePlaneShutter(0)))
+                .withCamera(Descriptions.with(
+                        ThinLensCamera.DEFAULT, "focus", new Sphere("focus", new Vector3d(), 5, Clear.DEFAULT)))
                 .withSettings(Studio.DEFAULT.settings().withSize(SIZE, SIZE));
     }
 
@@ -217,17 +210,9 @@ class TouchingSurfacesTest {
         SceneObject glass = new Box("glass", new Vector3d(-900, -900, -9), new Vector3d(900, 900, 5), GLASS);
         SceneObject water = new Box("water", new Vector3d(-900, -900, 5), new Vector3d(900, 900, 9), WATER);
         double angle = Math.toRadians(degrees);
-        Studio looking = studio(water, glass)
-                .withCamera(Cameras.lens(
-                        new Vector3d(),
-                        new Vector3d(Math.sin(angle), 0, Math.cos(angle)),
-                        new Vector3d(0, 1, 0),
-                        20,
-                        0,
-                        0,
-                        new Sphere("focus", new Vector3d(), 5, Clear.DEFAULT),
-                        0,
-                        new AperturePlaneShutter(0)));
+        Studio ahead = studio(water, glass);
+        Studio looking = ahead.withCamera(CameraMotion.turned(
+                ahead.camera(), new Vector3d(Math.sin(angle), 0, Math.cos(angle)), new Vector3d(0, 1, 0)));
         assertThat(middle(looking).hits().stream()
                         .anyMatch(hit -> Math.abs(hit.event().position().z() - 9) < 1e-9))
                 .isEqualTo(passes);
