@@ -12,7 +12,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
-import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.LorentzTransformation;
 import tompkins.spacetime.Nearby;
@@ -140,36 +139,5 @@ class FarCameraTest {
         assertThat(ray.hits()).hasSize(1);
         assertThat(Math.abs(ray.hits().get(0).distance() - expectedDistance(lens, centre, ray.sceneDirection())))
                 .isLessThan(1e-12);
-    }
-
-    /** All the pixels of a picture of a ball that is near, far from the origin. */
-    @ParameterizedTest
-    @ValueSource(doubles = {1e6, 1e12})
-    void pictureIsThatOfTheSameObjectsAtTheOrigin(double time) {
-        BigDecimal[] lens = lensPlace(time);
-        Vector3dc direction = photograph(new Vector3d(), time).trace(5, 5).sceneDirection();
-        Vector3d farCentre = ballCentre(lens, direction);
-        Vector3d nearCentre = new Vector3d();
-        for (int axis = 0; axis < 3; axis++) {
-            nearCentre.setComponent(
-                    axis,
-                    new BigDecimal(farCentre.get(axis)).subtract(lens[axis]).doubleValue());
-        }
-        Photograph there = wide(farCentre, time);
-        Photograph here = wide(nearCentre, 0);
-        int different = 0;
-        int lit = 0;
-        for (int i = 0; i < there.image().rgb().length; i++) {
-            different += there.image().rgb()[i] == here.image().rgb()[i] ? 0 : 1;
-            lit += there.image().rgb()[i] > 0 ? 1 : 0;
-        }
-        assertThat(lit).isBetween(300, 20_000);
-        assertThat(different).isZero();
-    }
-
-    private static Photograph wide(Vector3dc centre, double time) {
-        SceneObject ball = new Sphere("ball", centre, 0.5, Photograph.WHITE);
-        var camera = Photograph.pinhole(new Vector3d(0, 0, 1), 3, 0).withShutter(new AperturePlaneShutter(time));
-        return Photograph.of(List.of(ball), camera, Velocity.of(BETA), 100, 100);
     }
 }

@@ -138,18 +138,6 @@ class FlashFactsTest {
                 .isCloseTo(6.5, within(1e-6));
     }
 
-    /** The picture of a long exposure has the share of the light: a flash of 0.5 in an exposure of 2. */
-    @Test
-    void exposureIsTheShareOfTheLight() {
-        Studio studio = studio(wall(2), lamp(CENTRE, new Pulse(0, 0.5, 0)));
-        ThinLensCamera camera = Photograph.pinhole(new Vector3d(0, 0, 1), 1, 3);
-        Studio exposed = studio.withCamera(camera.withExposureTime(2))
-                .withSettings(studio.settings().withSamples(64));
-
-        assertThat(RenderPlan.of(exposed).blursInTime()).isTrue();
-        assertThat(new Photograph(exposed).image().value(1, 1, 0)).isCloseTo(0.25f, within(1 / 64f));
-    }
-
     /** From the first light to the last in sight, for the window: a wall 2 away, seen up to 45 degrees. */
     @Test
     void litTimesOfThePicture() {

@@ -9,7 +9,6 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import tompkins.camera.ThinLensCamera;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
@@ -57,45 +56,22 @@ class WorldTest {
         return world(before).isOf(after, frames(after, lens));
     }
 
+    /** A law of motion matters only to what moves, be it an object or a lamp; coordinates begin near the camera. */
     @Test
-    void worldServesAnotherCamera() {
-        Studio studio = studio(BALL, moving(0.6, 2, BALL));
-        Studio moved = studio.withVelocity(Velocity.of(0, 0.3, 0)).withCamera(ThinLensCamera.DEFAULT);
-
-        assertThat(serves(studio, moved, new Event(5, 0, 0, 3))).isTrue();
-    }
-
-    @Test
-    void worldServesNoOtherScene() {
-        Studio studio = studio(BALL);
-
-        assertThat(serves(studio, studio(BALL, BALL), AT_THE_ORIGIN)).isFalse();
-        assertThat(serves(studio, Lighting.of(studio, List.of()), AT_THE_ORIGIN))
-                .isFalse();
-    }
-
-    /** Coordinates begin near a moving camera that is far away. */
-    @Test
-    void worldServesNoCameraFarAway() {
-        Studio studio = studio(BALL).withVelocity(Velocity.of(0, 0.3, 0));
-
-        assertThat(serves(studio, studio, AT_THE_ORIGIN)).isTrue();
-        assertThat(serves(studio, studio, FAR_AWAY)).isFalse();
-    }
-
-    /** A law of motion matters only to what moves, be it an object or a lamp. */
-    @Test
-    void worldAtRestServesEveryLaw() {
-        Studio rest = studio(BALL);
-        Studio motion = studio(moving(0.6, 0, BALL));
+    void worldServesWhatChangesNothingInIt() {
+        Studio rest = studio(BALL).withVelocity(Velocity.of(0, 0.3, 0));
+        Studio motion = rest.withScene(List.of(moving(0.6, 0, BALL)));
         Studio lamp = Lighting.of(rest, List.of(MovingLights.DEFAULT));
-        Studio empty = studio(moving(0.6, 0));
+        Studio galilean = rest.withTransformation(TransformationLaw.GALILEAN);
 
-        assertThat(serves(rest, rest.withTransformation(TransformationLaw.GALILEAN), AT_THE_ORIGIN))
+        assertThat(serves(motion, motion.withVelocity(Velocity.REST), new Event(5, 0, 0, 3)))
                 .isTrue();
-        assertThat(List.of(motion, lamp, empty))
-                .noneMatch(
-                        studio -> serves(studio, studio.withTransformation(TransformationLaw.GALILEAN), AT_THE_ORIGIN));
+        assertThat(serves(rest, galilean, AT_THE_ORIGIN)).isTrue();
+        assertThat(serves(rest, rest, FAR_AWAY)).isFalse();
+        assertThat(List.of(motion, Lighting.of(rest, List.of())))
+                .noneMatch(other -> serves(rest, other, AT_THE_ORIGIN));
+        assertThat(List.of(motion, lamp, rest.withScene(List.of(moving(0.6, 0)))))
+                .noneMatch(each -> serves(each, each.withTransformation(TransformationLaw.GALILEAN), AT_THE_ORIGIN));
     }
 
     @Test
