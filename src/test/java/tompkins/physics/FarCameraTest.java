@@ -1,6 +1,7 @@
 package tompkins.physics;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
@@ -10,6 +11,8 @@ import org.joml.Vector3dc;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.camera.Camera;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Event;
@@ -139,5 +142,26 @@ class FarCameraTest {
         assertThat(ray.hits()).hasSize(1);
         assertThat(Math.abs(ray.hits().get(0).distance() - expectedDistance(lens, centre, ray.sceneDirection())))
                 .isLessThan(1e-12);
+    }
+
+    /** A ball in a train of which another part passed the camera long ago, or will. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e6 / 7, -1e9 / 7, 1e12 / 7})
+    void partsOfALongTrainKeepTheirDigits(double time) {
+        double place = -0.75 * time - 4;
+        BigDecimal passing = new BigDecimal(-0.75).multiply(new BigDecimal(time));
+        double fromThere = new BigDecimal(place).subtract(passing).doubleValue();
+
+        assertThat(distanceInTrain(place, time)).isCloseTo(distanceInTrain(fromThere, 0), within(1e-12));
+    }
+
+    private static double distanceInTrain(double place, double time) {
+        // gamma beta = 0.75 is a double
+        Velocity velocity = Velocity.of(SpeedScale.GAMMA, 1.25, new Vector3d(1, 0, 0));
+        SceneObject ball = new Sphere("ball", new Vector3d(place, 1, 8), 3, Photograph.WHITE);
+        SceneObject train = new Moving("train", velocity, new Vector3d(), 0, List.of(ball));
+        Camera camera = Photograph.pinhole(new Vector3d(-0.8, 0.1, 0.8), 1, time);
+        Photograph photograph = Photograph.of(List.of(train), camera, Velocity.REST, 10, 10);
+        return photograph.trace(5, 5).hits().get(0).distance();
     }
 }

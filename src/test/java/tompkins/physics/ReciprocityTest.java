@@ -244,30 +244,6 @@ class ReciprocityTest {
         assertSame(render(camera), render(world));
     }
 
-    /** A late camera, and what comes by then: both are far from where the coordinates begin. */
-    @ParameterizedTest
-    @ValueSource(doubles = {1e3, 1e6, 1e9})
-    void lateObjectLooksAsAnEarlyOne(double time) {
-        // 0.5 is a double, so the place at a time that is a whole number is exact
-        Velocity velocity = Velocity.of(0.5, 0, 0);
-        Studio early = moving(world(), velocity, REST, 1, ColourLaw.UNCHANGED);
-        Vector3d place = new Vector3d(-0.5 * time, 0, 0);
-        double gamma = 1 / Math.sqrt(0.75);
-        List<SceneObject> withoutClock = world().stream()
-                .filter(object -> !object.description().equals("clock"))
-                .toList();
-        Studio late = studio(
-                List.of(
-                        new Moving("cube", velocity, place, 0, withoutClock),
-                        new Moving("cube", velocity, place, -time / gamma, List.of(world().get(7)))),
-                List.of(new MovingLights(velocity, place, lamps())),
-                REST,
-                1 + time,
-                ColourLaw.UNCHANGED);
-
-        assertSame(render(early), render(late));
-    }
-
     /** The velocity turns with what is placed, its place turns and is scaled, and so is its size. */
     @Test
     void placementTurnsMotion() {
