@@ -8,10 +8,10 @@ import org.junit.jupiter.api.Named;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.TestRun;
+import tompkins.io.BundledScenes;
 import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
-import tompkins.studio.SceneFiles;
 import tompkins.studio.Studio;
 
 /**
@@ -46,7 +46,9 @@ class FastSearchTest {
     }
 
     static Stream<Named<Studio>> studios() {
-        return Stream.concat(VariedStudios.all(), SceneFiles.all())
+        Stream<Named<Studio>> scenes =
+                BundledScenes.named().entrySet().stream().map(scene -> Named.of(scene.getKey(), scene.getValue()));
+        return Stream.concat(VariedStudios.all(), scenes)
                 .map(named -> Named.of(named.getName(), small(named.getPayload())));
     }
 
