@@ -187,14 +187,18 @@ class PhotographFileTest {
         assertThat(PhotographFile.readScene(real)).contains(Samples.SCENE);
     }
 
+    private void assertRefused(Path target, String reason) {
+        assertThatThrownBy(() ->
+                        PhotographFile.write(target, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO, true))
+                .isInstanceOf(FileException.class)
+                .hasMessage(target + ": cannot be written: " + reason);
+    }
+
     @Test
     @OnLinux
     void aLinkToNothingIsRefused() throws IOException {
         Files.createSymbolicLink(file, file);
-        assertThatThrownBy(() ->
-                        PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO, true))
-                .isInstanceOf(FileException.class)
-                .hasMessage(file + ": cannot be written: it is a link to nothing that exists");
+        assertRefused(file, "it is a link to nothing that exists");
         assertThat(file).isSymbolicLink();
     }
 
@@ -202,10 +206,7 @@ class PhotographFileTest {
     void aFolderIsNotOverwritten() throws IOException {
         Files.createDirectory(file);
 
-        assertThatThrownBy(() ->
-                        PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO, true))
-                .isInstanceOf(FileException.class)
-                .hasMessage(file + ": cannot be written: it is a folder; name a file in it");
+        assertRefused(file, "it is a folder; name a file in it");
         assertThat(Samples.names(folder)).containsExactly("photo.png");
     }
 
@@ -213,10 +214,7 @@ class PhotographFileTest {
     void aMissingFolderIsNamed() {
         Path lost = folder.resolve("lost").resolve("photo.png");
 
-        assertThatThrownBy(() ->
-                        PhotographFile.write(lost, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO, true))
-                .isInstanceOf(FileException.class)
-                .hasMessage(lost + ": cannot be written: there is no folder " + folder.resolve("lost"));
+        assertRefused(lost, "there is no folder " + folder.resolve("lost"));
     }
 
     @Test
@@ -229,10 +227,7 @@ class PhotographFileTest {
         boolean administrator = Files.isWritable(closed);
         Path target = (administrator ? Path.of("/sys") : closed).resolve("photo.png");
 
-        assertThatThrownBy(() ->
-                        PhotographFile.write(target, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO, true))
-                .isInstanceOf(FileException.class)
-                .hasMessage(target + ": cannot be written: there is no permission");
+        assertRefused(target, "there is no permission");
     }
 
     /** A real failure in the middle: the shell lets no file of the process grow beyond 2 blocks of 512 bytes. */
