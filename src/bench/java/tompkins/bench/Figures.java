@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.Renderer;
@@ -72,7 +73,8 @@ final class Figures {
                     "fig1a, as good as with --error 0.01: processor time of POV-Ray " + version
                             + " to that of Tompkins",
                     "x",
-                    secondsTo(0.01, others) / secondsTo(0.01, points)));
+                    costTo(0.01, others, point -> point.seconds().middle())
+                            / costTo(0.01, points, point -> point.seconds().middle())));
             points.addAll(others);
         }
         Chart chart = Chart.errorAgainstTime(PROBLEM, "Fig. 1(a), " + WIDTH + " x " + HEIGHT + ", one thread", OWN);
@@ -206,17 +208,23 @@ final class Figures {
         return new StudyPoint(PROBLEM, method, setting, 1, Spread.of(seconds), Spread.exact(error), error, 0);
     }
 
-    /** The seconds to an error, on the straight line of the logarithms through the two points around it. */
-    private static double secondsTo(double error, List<StudyPoint> points) {
-        for (int i = 1; i < points.size(); i++) {
-            StudyPoint before = points.get(i - 1);
-            StudyPoint after = points.get(i);
+    /**
+     * The cost of an error, on the straight line of the logarithms through the two points around it; that of the
+     * cheapest point if it is as good already.
+     */
+    static double costTo(double error, List<StudyPoint> points, ToDoubleFunction<StudyPoint> cost) {
+        StudyPoint before = points.get(0);
+        if (before.error().middle() <= error) {
+            return cost.applyAsDouble(before);
+        }
+        for (StudyPoint after : points) {
             if (after.error().middle() <= error) {
                 double part = Math.log(before.error().middle() / error)
                         / Math.log(before.error().middle() / after.error().middle());
-                return before.seconds().middle()
-                        * Math.pow(after.seconds().middle() / before.seconds().middle(), part);
+                return cost.applyAsDouble(before)
+                        * Math.pow(cost.applyAsDouble(after) / cost.applyAsDouble(before), part);
             }
+            before = after;
         }
         return Double.NaN;
     }

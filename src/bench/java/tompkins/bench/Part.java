@@ -14,6 +14,8 @@ enum Part {
     DRAG,
     /** Samples that a wide aperture needs. */
     LENS,
+    /** Samples for an error, beside the fewest that any choice of samples takes. */
+    SAMPLES,
     /** Time and memory with more and more objects. */
     GROWTH,
     /** What it costs that objects move. */

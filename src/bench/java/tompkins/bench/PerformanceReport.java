@@ -98,6 +98,9 @@ final class PerformanceReport {
             case DRAG -> Drag.measure(quick ? 3 : 30, measures);
             case LENS ->
                 (quick ? new Convergence(160, 200, 4096) : new Convergence(640, 4000, 16384)).measure(measures);
+            case SAMPLES ->
+                SamplesForError.measure(
+                        quick ? 60 : 120, quick ? 1 : 5, page().resolveSibling("performance"), measures);
             case GROWTH -> details.append(Growth.measure(quick ? 1 : 3, measures));
             case MOTION -> MotionCost.measure(quick ? 1 : 5, measures);
             case START -> ColdStart.measure(quick ? 1 : 7, measures);

@@ -77,10 +77,7 @@ public record Animation(StudioNumber number, double from, double to, double seco
         return ratio > 1 ? (int) Math.min(MOST_DIGITS, DIGITS + Math.floor(Math.log10(ratio))) : DIGITS;
     }
 
-    /**
-     * The time at which the animation has a value; an end for values that it does not reach, and the time nearer to a
-     * given one if there are two.
-     */
+    /** The time at which it has a value: an end if it does not reach it, and of two that nearer to a given one. */
     public double time(double value, double near) {
         double part = from == to ? 0 : Math.max(0, Math.min(1, (value - from) / (to - from)));
         return switch (course) {

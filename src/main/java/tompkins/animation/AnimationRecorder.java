@@ -3,14 +3,16 @@ package tompkins.animation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import tompkins.file.FileException;
 import tompkins.image.AnimationWriter;
 import tompkins.image.FrameFolder;
 import tompkins.image.FramePicture;
 import tompkins.image.PhotographInfo;
-import tompkins.image.PictureDecoration;
+import tompkins.image.PictureLabel;
 import tompkins.io.SelfDescription;
 import tompkins.property.OneLine;
 import tompkins.render.PhotographTaker;
@@ -32,7 +34,7 @@ import tompkins.studio.Studio;
 public record AnimationRecorder(
         FrameSequence film,
         FrameSequence.Caption caption,
-        Function<Studio, PictureDecoration> decorations,
+        Function<Studio, Consumer<FramePicture>> decorations,
         int threads) {
 
     /** What a folder has under the name of a frame: nothing or a damaged picture; the same frame; or anything else. */
@@ -57,8 +59,8 @@ public record AnimationRecorder(
      * @throws FileException if the file cannot be written
      */
     public List<String> record(AnimationWriter writer, Progress progress) throws FileException, InterruptedException {
-        Store file = (frame, picture, info) -> writer.add(picture.image(), info);
-        return record(FrameSelection.all(film.frames()), frame -> false, file, progress);
+        Store file = (frame, picture, info) -> writer.add(picture.image());
+        return record(allFrames(), frame -> false, file, progress);
     }
 
     /**
@@ -67,9 +69,14 @@ public record AnimationRecorder(
      *
      * @param skips whether frames are left out that another process has meanwhile taken
      */
-    public List<String> record(FrameSelection frames, FrameFolder folder, boolean skips, Progress progress)
+    public List<String> record(List<Integer> frames, FrameFolder folder, boolean skips, Progress progress)
             throws FileException, InterruptedException {
         return record(frames, frame -> skips && found(folder, frame) == Found.SAME, folder::write, progress);
+    }
+
+    /** The numbers of all photographs. */
+    public List<Integer> allFrames() {
+        return IntStream.range(0, film.frames()).boxed().toList();
     }
 
     /** What is in a folder under the name of a frame. */
@@ -88,14 +95,14 @@ public record AnimationRecorder(
         }
     }
 
-    private List<String> record(FrameSelection frames, IntPredicate isThere, Store store, Progress progress)
+    private List<String> record(List<Integer> frames, IntPredicate isThere, Store store, Progress progress)
             throws FileException, InterruptedException {
         List<String> warnings = new ArrayList<>();
         int warned = 0;
-        int count = frames.frames().size();
+        int count = frames.size();
         try (PhotographTaker taker = new PhotographTaker(threads)) {
             for (int i = 0; i < count; i++) {
-                int frame = frames.frames().get(i);
+                int frame = frames.get(i);
                 if (isThere.test(frame)) {
                     continue;
                 }
@@ -125,11 +132,14 @@ public record AnimationRecorder(
     }
 
     private FramePicture painted(RenderJob photograph, Studio moment, int frame) {
-        return FramePicture.of(
-                photograph.image(),
-                moment.settings().toneCurve(),
-                decorations.apply(moment),
-                caption.of(moment, frame));
+        FramePicture picture =
+                FramePicture.of(photograph.image(), moment.settings().toneCurve());
+        decorations.apply(moment).accept(picture);
+        String words = caption.of(moment, frame);
+        if (!words.isEmpty()) {
+            PictureLabel.paint(picture.image(), words);
+        }
+        return picture;
     }
 
     private PhotographInfo info(int frame, Studio moment) {

@@ -1,5 +1,7 @@
 package tompkins.animation;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.SortedSet;
@@ -10,7 +12,6 @@ import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
 import tompkins.image.FrameFolder;
 import tompkins.image.FramePicture;
-import tompkins.image.PhotographInfo;
 import tompkins.property.MistakeException;
 import tompkins.render.Progress;
 
@@ -22,7 +23,7 @@ public final class FilmAssembly {
     private final FrameFolder folder;
     private final Optional<FramePlace> place;
     private final int count;
-    private final FrameSelection missing;
+    private final List<Integer> missing;
 
     /**
      * Looks at the frames of a folder.
@@ -47,10 +48,10 @@ public final class FilmAssembly {
             throw new MistakeException(folder.file(whole.last()) + ": is a frame of a film of " + count
                     + " frames; a film has at most " + MOST_FRAMES);
         }
-        missing = new FrameSelection(IntStream.range(0, count)
+        missing = IntStream.range(0, count)
                 .filter(frame -> !whole.contains(frame))
                 .boxed()
-                .toList());
+                .toList();
     }
 
     private Optional<FramePlace> place(int frame) throws FileException {
@@ -76,9 +77,30 @@ public final class FilmAssembly {
         return place.map(known -> OptionalInt.of(known.frameRate())).orElse(OptionalInt.empty());
     }
 
-    /** The frames that are not there, or are damaged. */
-    public FrameSelection missing() {
-        return missing;
+    /**
+     * The numbers of the frames that are not there, or are damaged, such as {@code 3,5-8,10-90x10}; empty if all are.
+     */
+    public String missing() {
+        return text(missing);
+    }
+
+    /** Numbers in order, as short as ranges make them. */
+    static String text(List<Integer> frames) {
+        List<String> parts = new ArrayList<>();
+        for (int i = 0; i < frames.size(); ) {
+            int step = i + 1 < frames.size() ? frames.get(i + 1) - frames.get(i) : 1;
+            int end = i;
+            while (end + 1 < frames.size() && frames.get(end + 1) - frames.get(end) == step) {
+                end++;
+            }
+            boolean isRange = end > i + 1 || end == i + 1 && step == 1;
+            parts.add(
+                    isRange
+                            ? frames.get(i) + "-" + frames.get(end) + (step == 1 ? "" : "x" + step)
+                            : frames.get(i).toString());
+            i = isRange ? end + 1 : i + 1;
+        }
+        return String.join(",", parts);
     }
 
     /**
@@ -95,7 +117,7 @@ public final class FilmAssembly {
                 throw new MistakeException(folder.file(frame) + ": must have the size of the first frame, "
                         + first.size() + ", was " + picture.size());
             }
-            writer.add(picture.image(), PhotographInfo.NONE);
+            writer.add(picture.image());
             progress.setProgress((frame + 1.0) / count);
         }
     }

@@ -2,6 +2,7 @@ package tompkins.app;
 
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
@@ -21,7 +22,6 @@ import picocli.CommandLine.ParseResult;
 import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
 import tompkins.animation.FilmAssembly;
-import tompkins.animation.FrameSelection;
 import tompkins.animation.FrameSequence;
 import tompkins.animation.RideFilm;
 import tompkins.explain.Explanation;
@@ -29,7 +29,6 @@ import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
 import tompkins.image.Fonts;
 import tompkins.image.FrameFolder;
-import tompkins.image.PictureDecoration;
 import tompkins.io.Assignment;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.MistakeException;
@@ -67,7 +66,7 @@ final class AnimateCommand extends ProgramCommand {
             names = {"-o", "--output"},
             paramLabel = "FILE",
             description = "the animation: .gif (256 colours) or .mp4 (if ffmpeg is installed); a name"
-                    + " without an ending is a new folder of PNG pictures")
+                    + " without an ending is a folder of PNG pictures")
     private Path output;
 
     @Option(
@@ -114,7 +113,7 @@ final class AnimateCommand extends ProgramCommand {
     private boolean captioned;
 
     @Mixin
-    private FrameOptions frames;
+    private ManyPictures frames;
 
     @Option(
             names = "--assemble",
@@ -139,13 +138,13 @@ final class AnimateCommand extends ProgramCommand {
         if (captioned) {
             Fonts.require();
         }
-        AnimationRecorder recorder = new AnimationRecorder(
-                recording.film, recording.caption, moment -> PictureDecoration.NONE, threads.number());
+        AnimationRecorder recorder =
+                new AnimationRecorder(recording.film, recording.caption, moment -> picture -> {}, threads.number());
         Set<String> warnings = new LinkedHashSet<>(requirePossible(recording.film));
-        if (frames.areGiven()) {
-            requireFolder();
+        if (format() == AnimationFormat.NUMBERED_PNG) {
             OutputOption.inFolder(output, () -> takeFrames(recorder, warnings));
         } else {
+            requireWhole();
             takeFilm(recorder, warnings);
         }
         Photographer.tellFilesToKeep(studio, err());
@@ -192,28 +191,47 @@ final class AnimateCommand extends ProgramCommand {
         });
     }
 
-    /** Takes frames into a folder to which other processes may add. */
+    /** Takes all or some frames into a folder, to which other processes may add. */
     private int takeFrames(AnimationRecorder recorder, Set<String> warnings) throws Exception {
         FrameFolder folder = new FrameFolder(output);
-        FrameSelection chosen = frames.choose(recorder.film().frames());
-        FrameSelection left = frames.left(chosen, recorder, folder);
+        List<Integer> left = left(recorder, folder);
         Studio studio = recorder.film().studio(0);
-        left.frames().forEach(frame -> NamedFile.requireNotRead(folder.file(frame), NamedFile.ofScene(studio, scene)));
-        if (!left.frames().isEmpty()) {
-            Photographer.requireWritable(folder.file(left.frames().get(0)));
+        left.forEach(frame -> NamedFile.requireNotRead(folder.file(frame), NamedFile.ofScene(studio, scene)));
+        if (!left.isEmpty()) {
+            Photographer.requireWritable(folder.file(left.get(0)));
         }
-        report(left.frames().size() + " of " + recorder.film().frames() + " pictures", warnings, progress -> {
+        report(left.size() + " of " + recorder.film().frames() + " pictures", warnings, progress -> {
             warnings.addAll(recorder.record(left, folder, frames.skips(), progress));
             return output;
         });
         return 0;
     }
 
+    /** The frames that are still to be taken; refuses what is in their place, unless it is replaced. */
+    private List<Integer> left(AnimationRecorder recorder, FrameFolder folder) {
+        List<Integer> left = new ArrayList<>();
+        for (int frame : frames.own(recorder.allFrames())) {
+            AnimationRecorder.Found found = recorder.found(folder, frame);
+            boolean isDone = found == AnimationRecorder.Found.SAME && frames.skips();
+            if (!isDone && found != AnimationRecorder.Found.NOTHING && !frames.force()) {
+                throw new MistakeException(folder.file(frame)
+                        + (frames.skips()
+                                ? ": is not this frame with these settings; --force replaces it"
+                                : ": there is a file of this name already; --force replaces it, --skip-existing leaves"
+                                        + " it if it is the same frame"));
+            }
+            if (!isDone) {
+                left.add(frame);
+            }
+        }
+        return left;
+    }
+
     private int assemble() throws Exception {
         FilmAssembly film = NamedFile.used(() -> new FilmAssembly(new FrameFolder(assembled)));
-        if (!film.missing().frames().isEmpty()) {
+        if (!film.missing().isEmpty()) {
             err().println(assembled + ": of the frames 0-" + (film.count() - 1) + " some are missing or damaged;"
-                    + " animate SCENE --skip-existing --frames LIST takes these:");
+                    + " animate SCENE --skip-existing takes these:");
             out().println(film.missing());
             return Failures.INCOMPLETE;
         }
@@ -358,9 +376,9 @@ final class AnimateCommand extends ProgramCommand {
         }
     }
 
-    private void requireFolder() {
-        if (format() != AnimationFormat.NUMBERED_PNG) {
-            throw new MistakeException("--frames, --part and --skip-existing take frames into a folder: give -o a name"
+    private void requireWhole() {
+        if (frames.hasPart() || frames.skips()) {
+            throw new MistakeException("--part and --skip-existing take frames into a folder: give -o a name"
                     + " without an ending, was " + output + "; --assemble makes the film of them");
         }
     }

@@ -85,12 +85,6 @@ final class Failures {
                 + " MB; start java with a larger -Xmx";
     }
 
-    /** Reports that output of the program was lost, and returns the exit code. */
-    static int reportLostOutput(IOException failure, PrintWriter err, int code) {
-        err.println("the output cannot be written: " + failure.getMessage());
-        return code == 0 ? FAILURE : code;
-    }
-
     /** Reports a mistake in the arguments, with the name that may have been meant. */
     static int reportUsage(ParameterException exception, String... arguments) {
         CommandLine commandLine = exception.getCommandLine();

@@ -40,7 +40,8 @@ public final class Main {
         PrintWriter err = printer(System.err);
         int code = run(printer(out), err, Displays::usable, arguments);
         if (out.failure() != null) {
-            code = Failures.reportLostOutput(out.failure(), err, code);
+            err.println("the output cannot be written: " + out.failure().getMessage());
+            code = code == 0 ? Failures.FAILURE : code;
         }
         if (code != Failures.WINDOW_IS_OPEN) {
             System.exit(code);

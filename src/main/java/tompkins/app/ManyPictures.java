@@ -4,7 +4,7 @@ import java.util.List;
 import picocli.CommandLine.Option;
 
 /** Options of commands that take many pictures, so that several processes can share the work. */
-class ManyPictures {
+final class ManyPictures {
 
     @Option(names = "--part", paramLabel = "I/N", description = "take each N-th picture from I on, counted from 0")
     private WorkPart part;
@@ -18,22 +18,22 @@ class ManyPictures {
     private boolean force;
 
     /** Those of all pictures that are to be taken. */
-    final <T> List<T> own(List<T> all) {
+    <T> List<T> own(List<T> all) {
         return part == null ? all : part.of(all);
     }
 
     /** Whether a part of them was asked for. */
-    final boolean hasPart() {
+    boolean hasPart() {
         return part != null;
     }
 
     /** Whether pictures are left that are there. */
-    final boolean skips() {
+    boolean skips() {
         return skips;
     }
 
     /** Whether files are replaced that are there. */
-    final boolean force() {
+    boolean force() {
         return force;
     }
 }

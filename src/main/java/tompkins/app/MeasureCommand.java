@@ -3,7 +3,6 @@ package tompkins.app;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.joml.Vector2d;
@@ -77,9 +76,7 @@ final class MeasureCommand extends ProgramCommand {
     }
 
     private MeasureKind kind() {
-        return Arrays.stream(MeasureKind.values())
-                .filter(kind -> kind.toString().equals(what))
-                .findFirst()
+        return MeasureKind.named(what)
                 .orElseThrow(() -> new MistakeException(
                         "WHAT must be one of between, profile, circle, line, lesson; was " + OptionValues.shown(what)));
     }
@@ -121,7 +118,7 @@ final class MeasureCommand extends ProgramCommand {
     /** The plan of what is measured, after its warnings are told. */
     private RenderPlan planned(Studio studio) {
         RenderPlan plan = ScenePlan.of(studio, scene);
-        ScenePlan.warn(plan, err());
+        ScenePlan.warn(ScenePlan.warnings(plan), err());
         return plan;
     }
 
@@ -130,7 +127,7 @@ final class MeasureCommand extends ProgramCommand {
         if (measured.profile() != null) {
             return table(
                     RayTable.headings(),
-                    measured.profile().points().stream().map(RayTable::row).toList());
+                    measured.profile().stream().map(RayTable::row).toList());
         }
         if (output.isJson()) {
             return Stream.of(FactJson.measured(measured.facts()));

@@ -17,9 +17,6 @@ import tompkins.file.PendingFile;
 /** What the option {@code -o} of the commands means besides a name. */
 final class OutputOption {
 
-    /** The name of the standard output. */
-    static final Path PIPE = Path.of("-");
-
     private static final String NAME = "--output";
 
     private OutputOption() {}

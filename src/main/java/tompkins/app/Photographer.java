@@ -8,8 +8,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
-import java.util.function.Predicate;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import tompkins.file.FileException;
@@ -73,30 +73,13 @@ final class Photographer implements AutoCloseable {
     }
 
     /**
-     * Takes the picture of a scene file into a folder, under its own name or, where that is taken, with a number. A
-     * photograph of the same scene is replaced, and nothing else.
+     * Takes the picture of a scene file into a folder. A photograph of the same scene is replaced, and nothing else.
      */
     void takeDefault(Path file, Path folder) throws IOException, InterruptedException {
         reads();
         Studio studio = StudioReader.read(file);
-        Order wanted = order(file, studio, targetOf(file, folder));
-        Path target = free(wanted.target, place -> Files.exists(place) && !wanted.isAt(place));
-        take(order(file, studio, target), () -> wanted.isAt(target));
-    }
-
-    private static Order order(Path file, Studio studio, Path target) throws FileException {
-        return new Order(file, studio, Quality.of(studio), target, PictureFormat.of(target));
-    }
-
-    /** The name of a picture; if it is taken, the same name with the first free number before its ending. */
-    private static Path free(Path target, Predicate<Path> isTaken) {
-        String name = target.getFileName().toString();
-        int dot = name.lastIndexOf('.');
-        Path free = target;
-        for (int number = 2; isTaken.test(free); number++) {
-            free = target.resolveSibling(name.substring(0, dot) + "-" + number + name.substring(dot));
-        }
-        return free;
+        Order order = new Order(file, studio, Quality.of(studio), targetOf(file, folder), PictureFormat.PNG);
+        take(order, () -> order.isAt(order.target));
     }
 
     /**
@@ -118,7 +101,7 @@ final class Photographer implements AutoCloseable {
     void take(Order order, BooleanSupplier mayReplace) throws IOException, InterruptedException {
         Studio studio = order.studio;
         Path target = order.target;
-        boolean isPiped = target.equals(OutputOption.PIPE);
+        boolean isPiped = target.equals(StudioReader.PIPE);
         if (isPiped) {
             Renderer.requireMemory(studio.settings(), order.quality);
         } else {
@@ -128,8 +111,12 @@ final class Photographer implements AutoCloseable {
         PhotographInfo before = info(studio, order.scene);
         progress.begin("preparing the objects of the scene");
         RenderPlan plan = ScenePlan.of(studio, order.scene);
+        // beside the rays, so that nobody waits for it at the end
+        CompletableFuture<List<String>> warnings = CompletableFuture.supplyAsync(() -> ScenePlan.warnings(plan));
         RenderJob job = traced(plan, order.quality);
         progress.clear();
+        // while the file is written, which takes as long
+        CompletableFuture<RenderReport> report = CompletableFuture.supplyAsync(job::report);
         ToneCurve curve = studio.settings().toneCurve();
         RenderSettings kept = kept(job, order);
         PhotographInfo info = kept == studio.settings() ? before : info(studio.withSettings(kept), order.scene);
@@ -139,8 +126,8 @@ final class Photographer implements AutoCloseable {
         Path place = isPiped
                 ? target
                 : PhotographFile.write(target, job.image(), order.format, curve, info, mayReplace.getAsBoolean());
-        ScenePlan.warn(plan, err);
-        report(place, job.report(), studio.view());
+        ScenePlan.warn(warnings.join(), err);
+        report(place, report.join(), studio.view());
         if (order.quality instanceof Quality.TimeLimit) {
             err.println("note: taken again it has " + samples(kept.samples()) + " of each pixel");
         }
@@ -245,7 +232,7 @@ final class Photographer implements AutoCloseable {
 
     private void report(Path target, RenderReport report, View view) throws IOException {
         double seconds = report.time().toNanos() / 1e9;
-        boolean isPiped = target.equals(OutputOption.PIPE);
+        boolean isPiped = target.equals(StudioReader.PIPE);
         (isPiped ? err : out)
                 .println(String.format(
                         Locale.ROOT,
@@ -268,7 +255,7 @@ final class Photographer implements AutoCloseable {
      * file's name allows it; or the usual one for the name.
      */
     static PictureFormat formatFor(Path file, PictureFormat wish, Path scene) {
-        if (file.equals(OutputOption.PIPE)) {
+        if (file.equals(StudioReader.PIPE)) {
             return wish == null ? PictureFormat.PNG : wish;
         }
         return NamedFile.used(() -> {

@@ -181,7 +181,7 @@ final class RenderCommand extends ProgramCommand {
     }
 
     private Path target(Path scene) throws IOException {
-        if (OutputOption.PIPE.equals(output)) {
+        if (StudioReader.PIPE.equals(output)) {
             return output;
         }
         if (output == null) {

@@ -36,9 +36,9 @@ final class ScenePlan {
         return warnings;
     }
 
-    /** Prints the {@link #warnings}. */
-    static void warn(RenderPlan plan, PrintWriter err) {
-        warnings(plan).forEach(warning -> err.println("warning: " + warning));
+    /** Prints {@link #warnings}. */
+    static void warn(List<String> warnings, PrintWriter err) {
+        warnings.forEach(warning -> err.println("warning: " + warning));
     }
 
     /** What may be wrong with the picture of a plan, and with what is measured in it. */

@@ -72,20 +72,14 @@ final class TextOutput {
         Photographer.requirePlace(target, force, NamedFile.ofScene(studio, scene));
     }
 
-    /**
-     * Saves a scene file, which appears only when it is complete; unless it is to be replaced, a file that took its
-     * name meanwhile stays.
-     *
-     * @throws IOException if it cannot be written
-     */
+    /** Saves a scene file; unless it is to be replaced, a file that took its name meanwhile stays. */
     void save(Studio studio, Path target) throws IOException {
         StudioWriter.save(studio, target, force);
     }
 
     /**
-     * Prints lines, or writes them into the file, which appears only when it is complete. Unless it is to be replaced,
-     * a file that took its name meanwhile stays, and this one gets the same with a number. Once a printed line is lost,
-     * because nobody reads on, those behind it are not asked for.
+     * Prints lines, or writes them into the file; unless it is to be replaced, a file that took its name meanwhile
+     * stays. Once a printed line is lost, because nobody reads on, those behind it are not asked for.
      *
      * @throws FileException if it cannot be written
      */

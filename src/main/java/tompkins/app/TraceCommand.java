@@ -99,7 +99,7 @@ final class TraceCommand extends ProgramCommand {
             output.check(drawn, studio, scene);
         }
         RenderPlan plan = ScenePlan.of(studio, scene);
-        ScenePlan.warn(plan, err());
+        ScenePlan.warn(ScenePlan.warnings(plan), err());
         if (drawn != null) {
             draw(plan, choice, lens);
         }

@@ -1,28 +1,23 @@
 package tompkins.app;
 
+import java.io.FilterOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.util.Locale;
 
 /** Passes on what the program prints, and remembers why that failed; a print writer only knows that it failed. */
-final class WatchedStream extends OutputStream {
+final class WatchedStream extends FilterOutputStream {
 
-    private final OutputStream stream;
     private IOException failure;
 
     WatchedStream(OutputStream stream) {
-        this.stream = stream;
-    }
-
-    @Override
-    public void write(int single) throws IOException {
-        write(new byte[] {(byte) single}, 0, 1);
+        super(stream);
     }
 
     @Override
     public void write(byte[] bytes, int offset, int length) throws IOException {
         try {
-            stream.write(bytes, offset, length);
+            out.write(bytes, offset, length);
         } catch (IOException lost) {
             failure = lost;
             throw lost;

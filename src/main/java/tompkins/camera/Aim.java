@@ -122,10 +122,7 @@ public record Aim(double right, double up) {
             return new Vector3d(rays.between().chiefDirection(x - view.column(), y - view.row()));
         }
 
-        /**
-         * The position at which a camera sees a unit direction, in each of its pictures; without those that lie behind
-         * its lens.
-         */
+        /** Where a camera sees a unit direction, in each of its pictures that has it. */
         public static List<Vector2dc> of(Camera camera, Vector3dc direction, int width, int height) {
             return new PictureRays(camera, width, height, new IdentityTransformation()).positions(direction);
         }

@@ -8,10 +8,7 @@ import tompkins.math.Vectors;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Require;
 
-/**
- * The axes of a camera as unit vectors: right = up x forward, which in left-handed axes is x for a camera that looks
- * along z with y up.
- */
+/** The axes of a camera as unit vectors: right = up x forward, x for one that looks along z with y up. */
 record CameraAxes(Vector3dc right, Vector3dc up, Vector3dc forward) {
 
     /** The axes of a camera that looks along {@code view} with {@code top} as near to up as possible. */

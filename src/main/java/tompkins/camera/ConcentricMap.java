@@ -1,9 +1,6 @@
 package tompkins.camera;
 
-/**
- * The concentric map of the unit square to the unit disc (Shirley and Chiu 1997): it keeps fractions of the area, and
- * squares stay compact.
- */
+/** The concentric map of the unit square to the unit disc (Shirley and Chiu 1997), which keeps fractions of areas. */
 public final class ConcentricMap {
 
     private ConcentricMap() {}

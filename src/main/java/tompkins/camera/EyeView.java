@@ -13,10 +13,7 @@ import java.util.List;
  */
 public record EyeView(Camera camera, int column, int row, int width, int height) {
 
-    /**
-     * The pictures in that of a camera: one, or first that of the left eye and then that of the right eye. If an odd
-     * number of columns or rows is halved, the last one shows more of the second than its own picture has.
-     */
+    /** The pictures in that of a camera: one, or that of the left eye and then that of the right eye. */
     public static List<EyeView> of(Camera camera, int width, int height) {
         StereoLayout layout = camera.stereo().layout();
         if (!layout.hasBothEyes()) {

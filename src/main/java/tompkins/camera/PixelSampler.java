@@ -11,18 +11,12 @@ import tompkins.ray.RayPacket;
  *
  * <p>The positions are the points of a five-dimensional Sobol sequence, scrambled differently in each pixel (Owen
  * scrambling by hashing: Laine and Karras 2011): the first 2^n samples fill pixel, lens and exposure time evenly for
- * every n. Among the samplers that were compared on the renderer's own way it needs the least time for the same error
- * of a picture (see the charts of the aperture in docs/speed-and-accuracy.md; on the lens alone, at an edge, a spiral
- * needs fewer samples, but no photograph is spread over the lens alone). It works through a block in short loops, from
- * which the compiler makes instructions for several pixels at once; this takes two thirds of the time of one pixel
- * after the other.
+ * every n (see the charts of the aperture in docs/speed-and-accuracy.md). It works through a block in short loops, from
+ * which the compiler makes instructions for several pixels at once.
  */
 public final class PixelSampler extends Padded implements Sampler {
 
-    /**
-     * The number of the sample in the centre of the pixel and of the lens, in the middle of the exposure time: the one
-     * that stands for all where one is enough.
-     */
+    /** The number of the sample in the centre of pixel and lens, in the middle of the exposure time. */
     public static final int CENTRE = -1;
 
     private final int seed;
@@ -33,13 +27,7 @@ public final class PixelSampler extends Padded implements Sampler {
     private final int[] points = new int[RayPacket.MOST];
     private final int[] fractions = new int[RayPacket.MOST];
 
-    // the same for up to 256 samples of the same pixels
-    private final int[][] seeds = new int[SobolPoints.DIMENSIONS][RayPacket.MOST];
-    private final int[][] upper = new int[SobolPoints.DIMENSIONS][RayPacket.MOST];
-    private SamplePositions known;
-    private int knownChanges;
-    private int knownSamples;
-    private boolean isNew;
+    private final int[] seeds = new int[RayPacket.MOST];
 
     /**
      * A sampler for one picture.
@@ -76,13 +64,7 @@ public final class PixelSampler extends Padded implements Sampler {
             }
             return;
         }
-        isNew = known != positions || knownChanges != positions.changes() || knownSamples != sample >>> Byte.SIZE;
-        if (isNew) {
-            known = positions;
-            knownChanges = positions.changes();
-            knownSamples = sample >>> Byte.SIZE;
-            hashPixels(positions, count);
-        }
+        hashPixels(positions, count);
         SobolPoints.shuffle(sample, pixels, points, count);
         // the first dimensions fill their square or cube best; they go to what blurs most
         if (wideAperture) {
@@ -94,8 +76,7 @@ public final class PixelSampler extends Padded implements Sampler {
             coordinates(2, positions.x, count);
             coordinates(3, positions.y, count);
         } else if (wideAperture) {
-            // among the last three, 2 and 4 combine worst, so that neither is the moment, which blurs more than the
-            // pixel
+            // of the last three, 2 and 4 combine worst, so that neither is the moment, which blurs more than the pixel
             coordinates(3, positions.moments, count);
             coordinates(2, positions.x, count);
             coordinates(4, positions.y, count);
@@ -124,14 +105,11 @@ public final class PixelSampler extends Padded implements Sampler {
     }
 
     private void coordinates(int dimension, double[] coordinates, int count) {
-        if (isNew) {
-            for (int i = 0; i < count; i++) {
-                seeds[dimension][i] = pixels[i] + dimension + 1;
-            }
-            hash(seeds[dimension], count);
-            SobolPoints.upperFractions(dimension, points, upper[dimension], count);
+        for (int i = 0; i < count; i++) {
+            seeds[i] = pixels[i] + dimension + 1;
         }
-        SobolPoints.fractions(dimension, points, upper[dimension], seeds[dimension], fractions, count);
+        hash(seeds, count);
+        SobolPoints.fractions(dimension, points, seeds, fractions, count);
         for (int i = 0; i < count; i++) {
             coordinates[i] = SobolPoints.number(fractions[i]);
         }

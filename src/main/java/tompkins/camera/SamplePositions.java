@@ -6,24 +6,34 @@ import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import tompkins.ray.Padded;
 
-/**
- * The samples of a block: their pixels, and where they lie in the picture, on the lens and in the exposure time. One
- * for each thread, filled again for each block.
- */
+/** The samples of a block: their pixels, and where they lie in picture, lens and exposure. One for each thread. */
 public final class SamplePositions extends Padded {
 
     /** The moment in the middle of the exposure time. */
     public static final double MIDDLE = 0.5;
 
-    final int[] columns;
-    final int[] rows;
-    final double[] x;
-    final double[] y;
-    final double[] lensX;
-    final double[] lensY;
-    final double[] moments;
+    /** The columns of the pixels of the samples. */
+    public final int[] columns;
+
+    /** The rows of these pixels. */
+    public final int[] rows;
+
+    /** Where the samples lie in the picture, in pixels from its left edge. */
+    public final double[] x;
+
+    /** In pixels from the upper edge. */
+    public final double[] y;
+
+    /** Where they lie on the lens, in units of its radius, to the right. */
+    public final double[] lensX;
+
+    /** Up. */
+    public final double[] lensY;
+
+    /** The part of the exposure time that has passed, from 0 to 1. */
+    public final double[] moments;
+
     private int count;
-    private int changes;
 
     /** Without positions, with room for {@code most}. */
     public SamplePositions(int most) {
@@ -57,7 +67,6 @@ public final class SamplePositions extends Padded {
     /** Removes all positions. */
     public void clear() {
         count = 0;
-        changes++;
     }
 
     /** Adds a pixel; a {@link PixelSampler} chooses the position in it. */
@@ -65,12 +74,6 @@ public final class SamplePositions extends Padded {
         columns[count] = column;
         rows[count] = row;
         count++;
-        changes++;
-    }
-
-    /** Differs from that of before if the pixels do. */
-    int changes() {
-        return changes;
     }
 
     /**
@@ -104,55 +107,5 @@ public final class SamplePositions extends Padded {
         lensY[count] = others.lensY[index];
         moments[count] = others.moments[index];
         addPixel(others.columns[index], others.rows[index]);
-    }
-
-    /**
-     * Chooses a position in a pixel that was added.
-     *
-     * @param acrossPixel from 0 to 1
-     * @param downPixel from 0 to 1
-     * @param pupilX as for {@link #add}, and so are the others
-     */
-    public void choose(int index, double acrossPixel, double downPixel, double pupilX, double pupilY, double moment) {
-        x[index] = columns[index] + acrossPixel;
-        y[index] = rows[index] + downPixel;
-        lensX[index] = pupilX;
-        lensY[index] = pupilY;
-        moments[index] = moment;
-    }
-
-    /** The column of the pixel of a position. */
-    public int column(int index) {
-        return columns[index];
-    }
-
-    /** The row of the pixel of a position. */
-    public int row(int index) {
-        return rows[index];
-    }
-
-    /** Where a position lies in the picture, in pixels from the left edge. */
-    public double x(int index) {
-        return x[index];
-    }
-
-    /** Where a position lies in the picture, in pixels from the upper edge. */
-    public double y(int index) {
-        return y[index];
-    }
-
-    /** Where a position lies on the lens, in units of its radius, to the right. */
-    public double lensX(int index) {
-        return lensX[index];
-    }
-
-    /** Where a position lies on the lens, in units of its radius, up. */
-    public double lensY(int index) {
-        return lensY[index];
-    }
-
-    /** The part of the exposure time that has passed at a position's moment, from 0 to 1. */
-    public double moment(int index) {
-        return moments[index];
     }
 }

@@ -3,10 +3,7 @@ package tompkins.camera;
 import tompkins.ray.RayPacket;
 import tompkins.shutter.RollingShutter;
 
-/**
- * What is added to the time that the shutter model gives: the delay of the line on which a sample lies, and the part of
- * the exposure time that has passed at its moment.
- */
+/** What is added to the time of the shutter model: the delay of the line, and the exposure time that has passed. */
 final class ShutterDelays {
 
     private final double exposureTime;

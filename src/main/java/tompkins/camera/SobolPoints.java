@@ -71,27 +71,21 @@ final class SobolPoints {
         reverse(points, count);
     }
 
-    /** What the upper bytes of points add to a coordinate. Points whose places differ in the lowest byte share them. */
-    static void upperFractions(int dimension, int[] points, int[] upper, int count) {
-        int[][] table = REVERSED_FRACTIONS[dimension];
-        for (int i = 0; i < count; i++) {
-            int point = points[i];
-            upper[i] = table[1][point >>> 8 & 0xff] ^ table[2][point >>> 16 & 0xff] ^ table[3][point >>> 24];
-        }
-    }
-
     /**
      * One coordinate of each of some points, scrambled, as fractions of 32 bits.
      *
      * @param points their numbers
-     * @param upper what {@link #upperFractions} has made of them
      * @param seeds says how they are scrambled; a number for each
      * @param fractions gets the coordinates
      */
-    static void fractions(int dimension, int[] points, int[] upper, int[] seeds, int[] fractions, int count) {
-        int[] table = REVERSED_FRACTIONS[dimension][0];
+    static void fractions(int dimension, int[] points, int[] seeds, int[] fractions, int count) {
+        int[][] table = REVERSED_FRACTIONS[dimension];
         for (int i = 0; i < count; i++) {
-            fractions[i] = upper[i] ^ table[points[i] & 0xff];
+            int point = points[i];
+            fractions[i] = table[0][point & 0xff]
+                    ^ table[1][point >>> 8 & 0xff]
+                    ^ table[2][point >>> 16 & 0xff]
+                    ^ table[3][point >>> 24];
         }
         scramble(fractions, seeds, count);
         reverse(fractions, count);
@@ -114,10 +108,7 @@ final class SobolPoints {
         }
     }
 
-    /**
-     * Reverses the bits. Done in two loops of shifts, because there is no instruction that does it for several numbers
-     * at once, and long loops stay slow.
-     */
+    /** Reverses the bits, by shifts, which the compiler makes for several numbers at once. */
     private static void reverse(int[] values, int count) {
         for (int i = 0; i < count; i++) {
             int bits = values[i];

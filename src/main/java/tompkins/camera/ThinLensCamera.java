@@ -81,10 +81,7 @@ public record ThinLensCamera(
             RollingShutter.DEFAULT,
             Stereo.DEFAULT);
 
-    /**
-     * Checks all values; a plane in focus must not pass through the lens centre, and no surface may be of an unusable
-     * size.
-     */
+    /** Checks all values; a plane in focus must not pass through the lens centre. */
     public ThinLensCamera {
         position = Require.position("position", position);
         viewDirection = Require.direction("viewDirection", viewDirection);

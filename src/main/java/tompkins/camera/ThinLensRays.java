@@ -140,35 +140,15 @@ final class ThinLensRays implements CameraRays {
         delays.addTo(rays, positions);
     }
 
-    /**
-     * Sets all directions to those through the centre of the lens. Short loops, because the compiler makes no
-     * instructions for several rays at once from a long one.
-     */
+    /** Sets all directions to those through the centre of the lens. */
     private void aim(SamplePositions positions, RayPacket rays) {
-        int count = positions.count();
-        // slopes and scales first, where the directions will be
-        double[] toRight = rays.dx;
-        double[] upwards = rays.dy;
-        double[] scale = rays.dz;
-        for (int i = 0; i < count; i++) {
-            toRight[i] = (positions.x[i] - middleX) * slopePerColumn;
-        }
-        for (int i = 0; i < count; i++) {
-            upwards[i] = (middleY - positions.y[i]) * slopePerRow;
-        }
-        for (int i = 0; i < count; i++) {
-            scale[i] = 1 / Math.sqrt(1 + toRight[i] * toRight[i] + upwards[i] * upwards[i]);
-        }
-        for (int i = 0; i < count; i++) {
-            double dx = (forward.x + toRight[i] * right.x + upwards[i] * up.x) * scale[i];
-            double dy = (forward.y + toRight[i] * right.y + upwards[i] * up.y) * scale[i];
-            double dz = (forward.z + toRight[i] * right.z + upwards[i] * up.z) * scale[i];
-            rays.dx[i] = dx;
-            rays.dy[i] = dy;
-            rays.dz[i] = dz;
-        }
-        for (int i = 0; i < count; i++) {
-            double cosine = rays.dx[i] * forward.x + rays.dy[i] * forward.y + rays.dz[i] * forward.z;
+        for (int i = 0; i < positions.count(); i++) {
+            double toRight = (positions.x[i] - middleX) * slopePerColumn;
+            double upwards = (middleY - positions.y[i]) * slopePerRow;
+            double cosine = 1 / Math.sqrt(1 + toRight * toRight + upwards * upwards);
+            rays.dx[i] = (forward.x + toRight * right.x + upwards * up.x) * cosine;
+            rays.dy[i] = (forward.y + toRight * right.y + upwards * up.y) * cosine;
+            rays.dz[i] = (forward.z + toRight * right.z + upwards * up.z) * cosine;
             rays.spread[i] = pixelAngle * cosine * cosine;
         }
     }

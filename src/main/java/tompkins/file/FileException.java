@@ -29,12 +29,12 @@ public final class FileException extends IOException {
         return wrap(file, "cannot be written", cause);
     }
 
-    /** The failure of reading a file, in words. */
-    public static FileException cannotRead(Object file, IOException cause) {
+    /** The failure of reading a file, or of a library that trusted it, in words. */
+    public static FileException cannotRead(Object file, Exception cause) {
         return wrap(file, "cannot be read", cause);
     }
 
-    private static FileException wrap(Object file, String problem, IOException cause) {
+    private static FileException wrap(Object file, String problem, Exception cause) {
         if (cause instanceof FileException clear) {
             return clear;
         }

@@ -6,6 +6,7 @@ import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.stream.Stream;
 
 /**
  * A folder for files that are about to be written. It is made if there is none. If nothing has come into it, it is
@@ -20,7 +21,8 @@ public final class OutputFolder implements Closeable {
         this.folder = folder;
         made = !Files.isDirectory(folder);
         if (made) {
-            Unfinished.begin(this);
+            // Java removes no folder that has something in it
+            folder.toFile().deleteOnExit();
             Files.createDirectory(folder);
         }
     }
@@ -46,6 +48,23 @@ public final class OutputFolder implements Closeable {
         }
     }
 
+    /**
+     * A folder of some name that has nothing in it yet; otherwise as {@link #at}.
+     *
+     * @throws FileException if there is something in it, or it cannot be made
+     */
+    public static OutputFolder emptyAt(Path folder) throws FileException {
+        OutputFolder output = at(folder);
+        try (Stream<Path> content = Files.list(folder)) {
+            if (content.findAny().isPresent()) {
+                throw new FileException(folder + ": cannot be written: it exists; name a new or an empty folder");
+            }
+        } catch (IOException refused) {
+            throw FileException.cannotWrite(folder, refused);
+        }
+        return output;
+    }
+
     @Override
     public void close() throws FileException {
         try {
@@ -56,8 +75,6 @@ public final class OutputFolder implements Closeable {
             // as it should be
         } catch (IOException failure) {
             throw FileException.cannotWrite(folder, failure);
-        } finally {
-            Unfinished.end(this);
         }
     }
 }

@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
 import java.nio.channels.FileChannel;
-import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
@@ -17,7 +16,10 @@ import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ThreadLocalRandom;
+import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
  * An atomic write: the content goes into a hidden file beside its place, and {@link #commit} moves it there when it is
@@ -28,6 +30,15 @@ public final class PendingFile implements Closeable {
 
     private static final int BUFFER = 1 << 16;
 
+    /** Those that the end of the program, for instance by Ctrl-C, must not leave behind. */
+    private static final Set<PendingFile> OPEN = ConcurrentHashMap.newKeySet();
+
+    private static final AtomicBoolean STOPPED = new AtomicBoolean();
+
+    static {
+        Runtime.getRuntime().addShutdownHook(new Thread(PendingFile::closeAll, "tompkins-remove"));
+    }
+
     private final boolean replaces;
     private final Path target;
     private final Path temporary;
@@ -37,10 +48,16 @@ public final class PendingFile implements Closeable {
 
     private boolean ended;
 
-    private PendingFile(boolean replaces, Path target, Path temporary) {
+    private PendingFile(boolean replaces, Path target) throws IOException {
         this.replaces = replaces;
         this.target = target;
-        this.temporary = temporary;
+        Path folder = target.toAbsolutePath().getParent();
+        if (folder == null || !Files.isDirectory(folder)) {
+            throw new FileException(target + ": cannot be written: there is no folder " + folder);
+        }
+        requireName(target);
+        temporary = folder.resolve(
+                ".tompkins-" + Long.toHexString(ThreadLocalRandom.current().nextLong()) + ".part");
     }
 
     /**
@@ -53,7 +70,34 @@ public final class PendingFile implements Closeable {
      */
     public static PendingFile at(Path target, boolean replace) throws IOException {
         requireReplaceable(target);
-        return beside(replace, replace ? followed(target) : target);
+        PendingFile pending = new PendingFile(replace, replace ? followed(target) : target);
+        try {
+            pending.create();
+        } catch (IOException refused) {
+            pending.close();
+            throw refused;
+        }
+        return pending;
+    }
+
+    private synchronized void create() throws IOException {
+        OPEN.add(this);
+        ended = STOPPED.get();
+        requireOpen();
+        // Not Files.createTempFile, which hides from everybody but the owner.
+        Files.createFile(temporary);
+    }
+
+    /** Ends all work at the end of the program; nothing new is begun then. */
+    private static void closeAll() {
+        STOPPED.set(true);
+        for (PendingFile pending : OPEN) {
+            try {
+                pending.close();
+            } catch (IOException | RuntimeException kept) {
+                // there is nobody left to tell
+            }
+        }
     }
 
     /** Writes into a stream. */
@@ -103,29 +147,6 @@ public final class PendingFile implements Closeable {
             throw new FileException(target + ": cannot be written: it is a link to nothing that exists");
         }
         return target.toRealPath();
-    }
-
-    private static PendingFile beside(boolean replaces, Path target) throws IOException {
-        Path folder = target.toAbsolutePath().getParent();
-        if (folder == null || !Files.isDirectory(folder)) {
-            throw new FileException(target + ": cannot be written: there is no folder " + folder);
-        }
-        requireName(target);
-        String name =
-                ".tompkins-" + Long.toHexString(ThreadLocalRandom.current().nextLong()) + ".part";
-        PendingFile pending = new PendingFile(replaces, target, folder.resolve(name));
-        try {
-            Unfinished.begin(pending);
-            synchronized (pending) {
-                pending.requireOpen();
-                // Not Files.createTempFile, which hides from everybody but the owner.
-                Files.createFile(pending.temporary);
-            }
-        } catch (IOException refused) {
-            pending.close();
-            throw refused;
-        }
-        return pending;
     }
 
     /** Refuses a name that no file of the folder can have, such as one that is too long, before the work begins. */
@@ -193,7 +214,7 @@ public final class PendingFile implements Closeable {
         }
         Path place = replaces ? target : freeName();
         try {
-            move(place);
+            Files.move(temporary, place, StandardCopyOption.ATOMIC_MOVE);
         } catch (IOException failure) {
             if (!replaces) {
                 Files.deleteIfExists(place);
@@ -202,14 +223,6 @@ public final class PendingFile implements Closeable {
         }
         close();
         return place;
-    }
-
-    private void move(Path place) throws IOException {
-        try {
-            Files.move(temporary, place, StandardCopyOption.ATOMIC_MOVE);
-        } catch (AtomicMoveNotSupportedException | FileAlreadyExistsException e) {
-            Files.move(temporary, place, StandardCopyOption.REPLACE_EXISTING);
-        }
     }
 
     /** Takes the first name that is free with an empty file, which only one program can make. */
@@ -230,18 +243,14 @@ public final class PendingFile implements Closeable {
     @Override
     public synchronized void close() throws IOException {
         ended = true;
-        try {
-            for (Closeable writer : writers) {
-                try {
-                    writer.close();
-                } catch (IOException e) {
-                    // it is thrown away, so it need not be complete
-                }
+        OPEN.remove(this);
+        for (Closeable writer : writers) {
+            try {
+                writer.close();
+            } catch (IOException thrownAway) {
+                // it need not be complete
             }
-            writers.clear();
-            Files.deleteIfExists(temporary);
-        } finally {
-            Unfinished.end(this);
         }
+        Files.deleteIfExists(temporary);
     }
 }

@@ -56,44 +56,28 @@ public enum AnimationFormat {
         return NUMBERED_PNG;
     }
 
-    /** The most frames a second that this format can show. */
-    public int fastest() {
-        return this == GIF ? GifWriter.FASTEST : FASTEST;
-    }
-
     /**
-     * Begins an animation.
+     * Begins an animation in one file; a {@link FrameFolder} takes numbered pictures.
      *
-     * @param target the file, or for numbered pictures the folder, which must be new or empty
      * @param framesPerSecond from 1 to {@link #FASTEST}
      * @param replace whether it replaces the file that has its name; otherwise, if that is taken when the animation is
      *     complete, it gets a name with a number
      * @throws FileException if the name does not fit the format, the format cannot show so many frames, nothing can be
      *     written there, or ffmpeg is missing
-     * @throws IllegalArgumentException if {@code framesPerSecond} is out of range
      */
     public AnimationWriter open(Path target, int framesPerSecond, boolean replace) throws FileException {
-        if (framesPerSecond < 1 || framesPerSecond > FASTEST) {
-            throw new IllegalArgumentException(
-                    "framesPerSecond must be a whole number from 1 to " + FASTEST + ", was " + framesPerSecond);
-        }
-        if (!endings.isEmpty()) {
-            FileEndings.require(target, endings, description);
-        }
-        if (framesPerSecond > fastest()) {
-            throw new FileException(target + ": " + description + " can show at most " + fastest()
+        FileEndings.require(target, endings, description);
+        if (this == GIF && framesPerSecond > GifWriter.FASTEST) {
+            throw new FileException(target + ": " + description + " can show at most " + GifWriter.FASTEST
                     + " pictures a second, the film has " + framesPerSecond
                     + "; give the film fewer, or save it as .mp4 or as a folder of pictures");
         }
         try {
-            return switch (this) {
-                case GIF -> new GifWriter(target, PendingFile.at(target, replace), framesPerSecond);
-                case MP4 -> {
-                    Path program = Mp4Writer.program(Objects.requireNonNullElse(System.getenv("PATH"), ""));
-                    yield new Mp4Writer(target, PendingFile.at(target, replace), framesPerSecond, program);
-                }
-                case NUMBERED_PNG -> NumberedPngWriter.in(target);
-            };
+            if (this == GIF) {
+                return new GifWriter(PendingFile.at(target, replace), framesPerSecond);
+            }
+            Path program = Mp4Writer.program(Objects.requireNonNullElse(System.getenv("PATH"), ""));
+            return new Mp4Writer(program, PendingFile.at(target, replace), framesPerSecond);
         } catch (IOException e) {
             throw FileException.cannotWrite(target, e);
         }

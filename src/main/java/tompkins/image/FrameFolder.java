@@ -2,9 +2,7 @@ package tompkins.image;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
-import java.io.BufferedInputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -26,14 +24,9 @@ public record FrameFolder(Path folder) {
 
     private static final Pattern NAME = Pattern.compile("frame([0-9]{4,9})\\.png");
 
-    /** The name of a frame, which is counted from 0. */
-    static String name(int frame) {
-        return String.format(Locale.ROOT, "frame%04d.png", frame);
-    }
-
-    /** Where a frame lies, or would lie. */
+    /** Where a frame, counted from 0, lies or would lie. */
     public Path file(int frame) {
-        return folder.resolve(name(frame));
+        return folder.resolve(String.format(Locale.ROOT, "frame%04d.png", frame));
     }
 
     /** The numbers of the frames that are there, in order. */
@@ -70,13 +63,11 @@ public record FrameFolder(Path folder) {
     /** The scene and the description of a frame. */
     public PhotographInfo info(int frame) throws FileException {
         Path file = file(frame);
-        try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {
-            return PngFile.readInfo(in);
-        } catch (IOException failure) {
-            throw FileException.cannotRead(file, failure);
-        } catch (RuntimeException damaged) {
+        try {
+            return PngFile.readInfo(WholeFile.read(file));
+        } catch (IOException | RuntimeException damaged) {
             // texts of other programs may be anything
-            throw FileException.cannotRead(file, new IOException(damaged));
+            throw FileException.cannotRead(file, damaged);
         }
     }
 
@@ -95,14 +86,8 @@ public record FrameFolder(Path folder) {
         }
     }
 
-    /** Writes a frame, in place of one that is there. The folder is made if there is none. */
+    /** Writes a frame, in place of one that is there. The folder must exist. */
     public void write(int frame, FramePicture picture, PhotographInfo info) throws FileException {
-        Path file = file(frame);
-        try {
-            Files.createDirectories(folder);
-            PendingFile.save(file, true, out -> PngFile.write(out, picture.image(), info));
-        } catch (IOException failure) {
-            throw FileException.cannotWrite(file, failure);
-        }
+        PendingFile.save(file(frame), true, out -> PngFile.write(out, picture.image(), info));
     }
 }

@@ -25,23 +25,6 @@ public record FramePicture(BufferedImage image) {
         return new FramePicture(image);
     }
 
-    /**
-     * The frame of a photograph.
-     *
-     * @param curve how its light becomes colours
-     * @param decoration draws over it
-     * @param caption what is written into its lower left corner; nothing if it is empty
-     */
-    public static FramePicture of(
-            LinearImage photograph, ToneCurve curve, PictureDecoration decoration, String caption) {
-        BufferedImage image = BufferedImages.toBufferedImage(photograph, curve);
-        decoration.paint(image);
-        if (!caption.isEmpty()) {
-            PictureLabel.paint(image, caption);
-        }
-        return new FramePicture(image);
-    }
-
     /** Its size in pixels: {@code 640 x 480}. */
     public String size() {
         return image.getWidth() + " x " + image.getHeight();

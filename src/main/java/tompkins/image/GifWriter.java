@@ -3,7 +3,6 @@ package tompkins.image;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.file.Path;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageTypeSpecifier;
 import javax.imageio.ImageWriteParam;
@@ -18,30 +17,28 @@ import tompkins.file.PendingFile;
 final class GifWriter extends AnimationWriter {
 
     private static final String NATIVE = "javax_imageio_gif_image_1.0";
-    private static final int LARGEST_SIDE = 65535;
 
     /** Delays are hundredths of a second, and browsers take those below two for mistakes and play slowly. */
     static final int FASTEST = 50;
 
-    private final PendingFile pending;
     private final int framesPerSecond;
     private final OutputStream out;
     private final ImageOutputStream stream;
     private final ImageWriter writer;
 
-    GifWriter(Path target, PendingFile pending, int framesPerSecond) throws IOException {
-        super(target, pending);
-        this.pending = pending;
+    GifWriter(PendingFile pending, int framesPerSecond) throws IOException {
+        super(pending);
         this.framesPerSecond = framesPerSecond;
-        this.writer = ImageProviders.gifWriter();
+        this.writer = ImageProviders.writer(PictureEncoding.GIF);
         this.out = pending.open();
         this.stream = new MemoryCacheImageOutputStream(out);
     }
 
     @Override
-    void write(BufferedImage picture, PhotographInfo info, int index) throws IOException {
+    void write(BufferedImage picture, int index) throws IOException {
         if (index == 0) {
-            begin(picture);
+            writer.setOutput(stream);
+            writer.prepareWriteSequence(null);
         }
         BufferedImage frame = Palette.reduced(picture);
         IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(frame), null);
@@ -55,15 +52,6 @@ final class GifWriter extends AnimationWriter {
         rowAfterRow.setProgressiveMode(ImageWriteParam.MODE_DISABLED);
         writer.writeToSequence(new IIOImage(frame, null, metadata), rowAfterRow);
         stream.flush();
-    }
-
-    private void begin(BufferedImage frame) throws IOException {
-        if (frame.getWidth() > LARGEST_SIDE || frame.getHeight() > LARGEST_SIDE) {
-            throw new IllegalArgumentException("a GIF must have at most " + LARGEST_SIDE + " pixels a side, was "
-                    + frame.getWidth() + " x " + frame.getHeight());
-        }
-        writer.setOutput(stream);
-        writer.prepareWriteSequence(null);
     }
 
     /** Whole hundredths of a second whose sum keeps up with the time. */
@@ -89,12 +77,11 @@ final class GifWriter extends AnimationWriter {
     }
 
     @Override
-    Path complete() throws IOException {
+    void complete() throws IOException {
         writer.endWriteSequence();
         writer.dispose();
         try (out) {
             stream.close();
         }
-        return pending.commit();
     }
 }

@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Locale;
 import javax.imageio.ImageReader;
 import javax.imageio.ImageWriter;
 import javax.imageio.spi.IIORegistry;
@@ -23,38 +24,23 @@ import javax.imageio.stream.ImageInputStream;
  */
 final class ImageProviders {
 
-    private static final String JDK = "com.sun.imageio.plugins.";
-
     private ImageProviders() {}
 
-    static ImageWriter pngWriter() throws IOException {
-        return provider(ImageWriterSpi.class, JDK + "png.PNGImageWriterSpi").createWriterInstance();
+    /** The JDK's writer; that for TIFF alone writes 16 bits and floating point. */
+    static ImageWriter writer(PictureEncoding encoding) throws IOException {
+        return provider(ImageWriterSpi.class, encoding, "ImageWriterSpi").createWriterInstance();
     }
 
-    static ImageWriter gifWriter() throws IOException {
-        return provider(ImageWriterSpi.class, JDK + "gif.GIFImageWriterSpi").createWriterInstance();
-    }
-
-    /** The JDK's, which alone writes 16 bits and floating point. */
-    static ImageWriter tiffWriter() throws IOException {
-        return provider(ImageWriterSpi.class, JDK + "tiff.TIFFImageWriterSpi").createWriterInstance();
-    }
-
-    /** The reader for the pixels of an encoding. */
+    /** The JDK's reader, but for TIFF. */
     static ImageReader reader(PictureEncoding encoding) throws IOException {
-        return switch (encoding) {
-            case PNG -> jdkReader("png.PNGImageReaderSpi");
-            case JPEG -> jdkReader("jpeg.JPEGImageReaderSpi");
-            case TIFF -> new TIFFImageReaderSpi().createReaderInstance();
-            case GIF, BMP, HDR -> throw new IllegalArgumentException("no library reads such pictures rightly");
-        };
+        return encoding == PictureEncoding.TIFF
+                ? new TIFFImageReaderSpi().createReaderInstance()
+                : provider(ImageReaderSpi.class, encoding, "ImageReaderSpi").createReaderInstance();
     }
 
-    private static ImageReader jdkReader(String className) throws IOException {
-        return provider(ImageReaderSpi.class, JDK + className).createReaderInstance();
-    }
-
-    private static <T> T provider(Class<T> category, String className) {
+    private static <T> T provider(Class<T> category, PictureEncoding encoding, String kind) {
+        String name = encoding.name();
+        String className = "com.sun.imageio.plugins." + name.toLowerCase(Locale.ROOT) + "." + name + kind;
         Iterator<T> providers = IIORegistry.getDefaultInstance().getServiceProviders(category, false);
         while (providers.hasNext()) {
             T provider = providers.next();

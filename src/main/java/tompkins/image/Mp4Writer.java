@@ -16,14 +16,12 @@ import tompkins.file.PendingFile;
 final class Mp4Writer extends AnimationWriter {
 
     private final Path program;
-    private final PendingFile pending;
     private final int framesPerSecond;
     private Process process;
     private CompletableFuture<String> complaints;
 
-    Mp4Writer(Path target, PendingFile pending, int framesPerSecond, Path program) {
-        super(target, pending);
-        this.pending = pending;
+    Mp4Writer(Path program, PendingFile pending, int framesPerSecond) {
+        super(pending);
         this.program = program;
         this.framesPerSecond = framesPerSecond;
     }
@@ -41,7 +39,7 @@ final class Mp4Writer extends AnimationWriter {
     }
 
     @Override
-    void write(BufferedImage frame, PhotographInfo info, int index) throws IOException {
+    void write(BufferedImage frame, int index) throws IOException {
         int[] colours = frame.getRGB(0, 0, frame.getWidth(), frame.getHeight(), null, 0, frame.getWidth());
         if (index == 0) {
             start(frame.getWidth() + "x" + frame.getHeight());
@@ -77,7 +75,7 @@ final class Mp4Writer extends AnimationWriter {
     }
 
     @Override
-    Path complete() throws IOException {
+    void complete() throws IOException {
         try {
             process.getOutputStream().close();
         } catch (IOException consequence) {
@@ -86,7 +84,6 @@ final class Mp4Writer extends AnimationWriter {
         if (process.onExit().join().exitValue() != 0) {
             throw failure();
         }
-        return pending.commit();
     }
 
     /** The reason is what ffmpeg says; that it no longer reads is only a consequence. */

@@ -1,7 +1,5 @@
 package tompkins.image;
 
-import java.io.BufferedInputStream;
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -44,13 +42,15 @@ public final class PhotographFile {
      * @throws IOException if the file cannot be read
      */
     public static boolean isPicture(Path file) throws IOException {
-        if (FileEndings.match(file, PICTURE_ENDINGS)) {
-            return true;
-        }
         try (InputStream in = Files.newInputStream(file)) {
-            return PictureEncoding.of(in.readNBytes(PictureEncoding.LONGEST_START))
-                    .isPresent();
+            return isPicture(file, in.readNBytes(PictureEncoding.LONGEST_START));
         }
+    }
+
+    /** Whether a file is a picture, by its name or by its first bytes, at least. */
+    public static boolean isPicture(Path file, byte[] content) {
+        return FileEndings.match(file, PICTURE_ENDINGS)
+                || PictureEncoding.of(content).isPresent();
     }
 
     /**
@@ -88,36 +88,31 @@ public final class PhotographFile {
      */
     public static Optional<String> readScene(Path file) throws FileException {
         try {
-            return scene(file, encoding(file).orElseThrow(() -> notAPhotograph(file, "not a picture")));
-        } catch (IOException e) {
-            throw FileException.cannotRead(file, e);
-        } catch (RuntimeException e) {
-            // The readers trust the file, and can fail in any way if it is damaged.
-            throw FileException.cannotRead(file, new IOException(e));
+            return readScene(WholeFile.read(file), file.toString());
+        } catch (IOException failure) {
+            throw FileException.cannotRead(file, failure);
         }
     }
 
-    /** Whether bytes are a picture, by how they begin. */
-    public static boolean isPicture(byte[] content) {
-        return PictureEncoding.of(content).isPresent();
-    }
-
-    /**
-     * The scene in the bytes of a PNG photograph; otherwise as {@link #readScene(Path)}.
-     *
-     * @param name for messages
-     * @throws FileException if the picture is damaged, or of another kind
-     */
+    /** As above, for the bytes of a file; its name is for messages. */
     public static Optional<String> readScene(byte[] content, String name) throws FileException {
-        PictureEncoding encoding = PictureEncoding.of(content).orElse(null);
-        if (encoding != PictureEncoding.PNG) {
-            throw new FileException(name + ": only PNG photographs can be read through a pipe; name the file");
-        }
+        PictureEncoding encoding = PictureEncoding.of(content).orElseThrow(() -> notAPhotograph(name, "not a picture"));
         try {
-            return PngFile.readScene(new ByteArrayInputStream(content));
+            return switch (encoding) {
+                case PNG -> PngFile.readScene(content);
+                case TIFF -> TiffFile.readScene(content);
+                case HDR -> RadianceFile.readScene(content);
+                case JPEG, GIF, BMP -> throw notAPhotograph(name, "a " + encoding.label() + " picture");
+            };
         } catch (IOException | RuntimeException damaged) {
-            throw new FileException(name + ": the picture is damaged: " + FileException.reason(damaged), damaged);
+            // The readers trust the file, and can fail in any way if it is damaged.
+            throw FileException.cannotRead(name, damaged);
         }
+    }
+
+    private static FileException notAPhotograph(String name, String what) {
+        return new FileException(
+                name + ": " + what + "; a photograph that holds its scene is a PNG, TIFF or Radiance HDR picture");
     }
 
     /**
@@ -127,18 +122,18 @@ public final class PhotographFile {
      * @throws FileException if the file cannot be read, or is damaged
      */
     public static Optional<PictureFormat> format(Path file) throws FileException {
-        try (InputStream in = Files.newInputStream(file)) {
-            byte[] start = in.readNBytes(PngFile.BIT_DEPTH_AT + 1);
-            PictureEncoding encoding = PictureEncoding.of(start).orElse(null);
-            if (encoding == PictureEncoding.PNG && start.length > PngFile.BIT_DEPTH_AT) {
-                return Optional.of(start[PngFile.BIT_DEPTH_AT] == 16 ? PictureFormat.PNG16 : PictureFormat.PNG);
-            }
-            if (encoding == PictureEncoding.TIFF) {
-                return Optional.of(TiffFile.isFloatingPoint(file) ? PictureFormat.TIFF_FLOAT : PictureFormat.TIFF);
-            }
-            return encoding == PictureEncoding.HDR ? Optional.of(PictureFormat.HDR) : Optional.empty();
-        } catch (IOException e) {
-            throw FileException.cannotRead(file, e);
+        try {
+            byte[] content = WholeFile.read(file);
+            PictureEncoding encoding = PictureEncoding.of(content).orElse(PictureEncoding.GIF);
+            return switch (encoding) {
+                case PNG -> Optional.of(content[PngFile.BIT_DEPTH_AT] == 16 ? PictureFormat.PNG16 : PictureFormat.PNG);
+                case TIFF ->
+                    Optional.of(TiffFile.isFloatingPoint(content) ? PictureFormat.TIFF_FLOAT : PictureFormat.TIFF);
+                case HDR -> Optional.of(PictureFormat.HDR);
+                case JPEG, GIF, BMP -> Optional.empty();
+            };
+        } catch (IOException | RuntimeException damaged) {
+            throw FileException.cannotRead(file, damaged);
         }
     }
 
@@ -150,36 +145,15 @@ public final class PhotographFile {
      */
     public static void requireWhole(Path file) throws FileException {
         try {
-            PictureEncoding encoding = encoding(file).orElse(null);
-            if (encoding != null) {
-                PictureFile.pixels(encoding, WholeFile.read(file), file.toString());
+            byte[] content = WholeFile.read(file);
+            Optional<PictureEncoding> encoding = PictureEncoding.of(content);
+            if (encoding.isPresent()) {
+                PictureFile.pixels(encoding.get(), content, file.toString());
             }
         } catch (FileException e) {
             throw e;
         } catch (IOException | RuntimeException e) {
             throw new FileException(file + ": the picture is damaged: " + FileException.reason(e), e);
         }
-    }
-
-    private static Optional<PictureEncoding> encoding(Path file) throws IOException {
-        try (InputStream in = Files.newInputStream(file)) {
-            return PictureEncoding.of(in.readNBytes(PictureEncoding.LONGEST_START));
-        }
-    }
-
-    private static Optional<String> scene(Path file, PictureEncoding encoding) throws IOException {
-        try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {
-            return switch (encoding) {
-                case PNG -> PngFile.readScene(in);
-                case TIFF -> TiffFile.readScene(file);
-                case HDR -> RadianceFile.readScene(in);
-                default -> throw notAPhotograph(file, "a " + encoding.label() + " picture");
-            };
-        }
-    }
-
-    private static FileException notAPhotograph(Path file, String what) {
-        return new FileException(
-                file + ": " + what + "; a photograph that holds its scene is a PNG, TIFF or Radiance HDR picture");
     }
 }

@@ -31,25 +31,16 @@ public record PhotographInfo(
     public static final PhotographInfo NONE = new PhotographInfo("", "", "");
 
     /**
-     * Checks the texts.
+     * Checks the scene.
      *
-     * @throws InvalidPropertyException if the scene is too long
-     * @throws IllegalArgumentException if the scene does not begin as a JSON object, or a text holds a control
-     *     character that the formats cannot keep (the scene may hold tabs and line ends)
+     * @throws InvalidPropertyException if it is too long
      */
     public PhotographInfo {
-        requireText("title", title, "");
-        requireText("software", software, "");
-        requireText("sceneJson", sceneJson, "\t\n\r");
-        requireText("description", description, "");
         if (sceneJson.length() > LONGEST_SCENE) {
             throw new InvalidPropertyException(
                     "scene",
                     "at most " + LONGEST_SCENE + " characters long, with its pictures, to travel inside a photograph",
                     sceneJson.length());
-        }
-        if (!sceneJson.isEmpty() && !sceneJson.stripLeading().startsWith("{")) {
-            throw new IllegalArgumentException("sceneJson must be a JSON object, which begins with {, or empty");
         }
     }
 
@@ -61,15 +52,5 @@ public record PhotographInfo(
     /** The same with another description. */
     public PhotographInfo withDescription(String other) {
         return new PhotographInfo(title, software, sceneJson, panorama, stereoPair, other);
-    }
-
-    private static void requireText(String name, String text, String allowedControls) {
-        for (int i = 0; i < text.length(); i++) {
-            char letter = text.charAt(i);
-            if (letter < ' ' && allowedControls.indexOf(letter) < 0) {
-                throw new IllegalArgumentException(
-                        name + " must not hold control characters, has code " + (int) letter + " at " + i);
-            }
-        }
     }
 }

@@ -53,12 +53,9 @@ public final class PictureFile {
             throw e;
         } catch (IOException | RuntimeException e) {
             // The readers trust the file, and can fail in any way if it is damaged.
-            throw damaged(encoding, name, FileException.reason(e), e);
+            throw new FileException(
+                    name + ": " + encoding.label() + " picture cannot be read: " + FileException.reason(e), e);
         }
-    }
-
-    private static FileException damaged(PictureEncoding encoding, String name, String reason, Throwable cause) {
-        return new FileException(name + ": " + encoding.label() + " picture cannot be read: " + reason, cause);
     }
 
     /**

@@ -2,7 +2,6 @@ package tompkins.image;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
-import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -30,10 +29,7 @@ final class PngFile {
 
     static final String SCENE_KEYWORD = "tompkins.scene";
 
-    /**
-     * The byte of a file that holds the bits of a channel: after signature, length and name of the header, width and
-     * height.
-     */
+    /** The byte of a file that holds the bits of a channel, behind width and height. */
     static final int BIT_DEPTH_AT = 24;
 
     private static final String TITLE_KEYWORD = "Title";
@@ -53,7 +49,7 @@ final class PngFile {
     private PngFile() {}
 
     static void write(OutputStream out, BufferedImage image, PhotographInfo info) throws IOException {
-        ImageWriter writer = ImageProviders.pngWriter();
+        ImageWriter writer = ImageProviders.writer(PictureEncoding.PNG);
         try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
             IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(image), null);
             describe(metadata, info, image);
@@ -124,14 +120,13 @@ final class PngFile {
     }
 
     /** The scene in a PNG file, which is read only that far. */
-    static Optional<String> readScene(InputStream file) throws IOException {
-        return Optional.ofNullable(
-                readTexts(file, Set.of(SCENE_KEYWORD), "IEND").get(SCENE_KEYWORD));
+    static Optional<String> readScene(byte[] png) throws IOException {
+        return Optional.ofNullable(readTexts(png, Set.of(SCENE_KEYWORD), "IEND").get(SCENE_KEYWORD));
     }
 
     /** The scene and the description in a PNG file, which is read up to its pixels; empty where it has none. */
-    static PhotographInfo readInfo(InputStream file) throws IOException {
-        Map<String, String> texts = readTexts(file, Set.of(SCENE_KEYWORD, DESCRIPTION_KEYWORD), "IDAT");
+    static PhotographInfo readInfo(byte[] png) throws IOException {
+        Map<String, String> texts = readTexts(png, Set.of(SCENE_KEYWORD, DESCRIPTION_KEYWORD), "IDAT");
         return new PhotographInfo("", "", texts.getOrDefault(SCENE_KEYWORD, ""))
                 .withDescription(OneLine.of(texts.getOrDefault(DESCRIPTION_KEYWORD, "")));
     }
@@ -140,35 +135,26 @@ final class PngFile {
      * The texts with some keywords, read until all are found or a chunk of the last type comes; the JDK is not used,
      * because it cuts texts at 256 kB.
      */
-    private static Map<String, String> readTexts(InputStream file, Set<String> keywords, String lastType)
-            throws IOException {
+    private static Map<String, String> readTexts(byte[] png, Set<String> keywords, String lastType) throws IOException {
         Map<String, String> texts = new HashMap<>();
-        DataInputStream in = new DataInputStream(file);
-        long place = PngChunk.skipSignature(in);
+        int place = PngChunk.SIGNATURE.length;
         while (!texts.keySet().equals(keywords)) {
-            int length = in.readInt();
-            String type = PngChunk.readType(in);
-            if (length < 0) {
-                throw PngChunk.damaged(place);
-            }
-            if (type.equals(lastType)) {
+            PngChunk chunk = PngChunk.at(png, place);
+            if (chunk.type().equals(lastType)) {
                 break;
             }
-            if ((type.equals("iTXt") || type.equals("tEXt")) && length <= PhotographInfo.LONGEST_STORED_SCENE) {
-                ByteArrayInputStream text = new ByteArrayInputStream(
-                        PngChunk.read(in, type, length, place).data());
+            if (chunk.type().equals("iTXt") || chunk.type().equals("tEXt")) {
+                ByteArrayInputStream text = new ByteArrayInputStream(chunk.data());
                 String keyword = nullTerminated(text);
                 if (keywords.contains(keyword) && !texts.containsKey(keyword)) {
                     texts.put(
                             keyword,
-                            type.equals("iTXt")
+                            chunk.type().equals("iTXt")
                                     ? international(text)
                                     : new String(text.readAllBytes(), StandardCharsets.ISO_8859_1));
                 }
-            } else {
-                in.skipNBytes(length + 4L);
             }
-            place += length + PngChunk.FRAME;
+            place += chunk.size();
         }
         return texts;
     }

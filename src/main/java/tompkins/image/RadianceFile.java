@@ -1,9 +1,8 @@
 package tompkins.image;
 
-import java.io.ByteArrayOutputStream;
-import java.io.EOFException;
+import java.io.ByteArrayInputStream;
+import java.io.DataInputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
@@ -20,20 +19,15 @@ final class RadianceFile {
     /** Some readers keep a header line in a small buffer. */
     private static final int LONGEST_PIECE = 200;
 
-    /** The widths for which the format has run lengths; other rows are written as they are. */
-    static final int NARROWEST_PACKED = 8;
-
-    static final int WIDEST_PACKED = 0x7fff;
-
     private static final int LONGEST_RUN = 127;
     private static final int SHORTEST_RUN = 4;
     private static final int LONGEST_LITERAL = 128;
 
     private RadianceFile() {}
 
-    /** Whether the rows of a picture of this width are packed into runs. */
+    /** Whether the format has run lengths for pictures of this width; other rows are written as they are. */
     static boolean isPacked(int width) {
-        return width >= NARROWEST_PACKED && width <= WIDEST_PACKED;
+        return width >= 8 && width <= 0x7fff;
     }
 
     static void write(OutputStream out, LinearImage image, PhotographInfo info) throws IOException {
@@ -151,31 +145,17 @@ final class RadianceFile {
     }
 
     /** The scene in the header, with line ends as line feeds. */
-    static Optional<String> readScene(InputStream file) throws IOException {
+    static Optional<String> readScene(byte[] file) throws IOException {
         StringBuilder scene = new StringBuilder();
         boolean found = false;
-        for (String line = readLine(file); !line.isBlank(); line = readLine(file)) {
+        for (String line : RadianceReader.header(new DataInputStream(new ByteArrayInputStream(file)))) {
             if (line.startsWith(SCENE_LINE)) {
                 scene.append(found ? "\n" : "").append(line, SCENE_LINE.length(), line.length());
                 found = true;
             } else if (line.startsWith(SCENE_CONTINUES)) {
                 scene.append(line, SCENE_CONTINUES.length(), line.length());
             }
-            if (scene.length() > PhotographInfo.LONGEST_STORED_SCENE) {
-                throw new IOException("the scene in it is too long");
-            }
         }
         return found ? Optional.of(AsciiText.unescape(scene.toString())) : Optional.empty();
-    }
-
-    private static String readLine(InputStream in) throws IOException {
-        ByteArrayOutputStream line = new ByteArrayOutputStream();
-        for (int letter = in.read(); letter != '\n'; letter = in.read()) {
-            if (letter < 0 || line.size() > PhotographInfo.LONGEST_STORED_SCENE) {
-                throw new EOFException("its header has no end");
-            }
-            line.write(letter);
-        }
-        return line.toString(StandardCharsets.ISO_8859_1);
     }
 }

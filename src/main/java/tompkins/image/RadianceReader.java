@@ -4,6 +4,8 @@ import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import tompkins.file.FileException;
@@ -11,8 +13,8 @@ import tompkins.property.NumberText;
 
 /**
  * Reads Radiance pictures (G. Ward, "Real pixels", Graphics Gems II, 1991, and the Radiance file formats): rows in any
- * of the eight orientations, with the run lengths of either kind or none, and with exposures divided out. The library's
- * reader knows only one orientation, one kind of run lengths, and no exposure.
+ * of the eight orientations, and with exposures divided out. The library's reader knows only one orientation, and no
+ * exposure.
  */
 final class RadianceReader {
 
@@ -39,10 +41,10 @@ final class RadianceReader {
     private RadianceReader(InputStream file, String name) throws IOException {
         this.in = new DataInputStream(file);
         this.name = name;
-        for (String line = readLine(); !line.isEmpty(); line = readLine()) {
+        for (String line : header(in)) {
             readHeaderLine(line);
         }
-        String resolution = readLine();
+        String resolution = readLine(in);
         Matcher sides = RESOLUTION.matcher(resolution);
         if (!sides.matches() || sides.group(2).equals(sides.group(5))) {
             throw new FileException(
@@ -73,7 +75,16 @@ final class RadianceReader {
         return reader.orientation.turn(reader.readRows());
     }
 
-    private String readLine() throws IOException {
+    /** The lines of the header, up to the empty one at its end. */
+    static List<String> header(DataInputStream in) throws IOException {
+        List<String> lines = new ArrayList<>();
+        for (String line = readLine(in); !line.isEmpty(); line = readLine(in)) {
+            lines.add(line);
+        }
+        return lines;
+    }
+
+    private static String readLine(DataInputStream in) throws IOException {
         StringBuilder line = new StringBuilder();
         for (int letter = in.readUnsignedByte(); letter != '\n'; letter = in.readUnsignedByte()) {
             if (line.length() == LONGEST_LINE) {
@@ -177,13 +188,10 @@ final class RadianceReader {
     private void readRow() throws IOException {
         int columns = row.length / 4;
         in.readFully(row, 0, 4);
-        boolean planes = columns >= RadianceFile.NARROWEST_PACKED
-                && columns <= RadianceFile.WIDEST_PACKED
-                && row[0] == 2
-                && row[1] == 2
-                && row[2] >= 0;
+        boolean planes = RadianceFile.isPacked(columns) && row[0] == 2 && row[1] == 2 && row[2] >= 0;
         if (!planes) {
-            readPixels();
+            in.readFully(row, 4, row.length - 4);
+            requireUnpacked();
         } else if (row[2] << 8 != (columns & 0xff00) || row[3] != (byte) columns) {
             throw new IOException("a row has another number of pixels than its header says");
         } else {
@@ -209,35 +217,14 @@ final class RadianceReader {
         }
     }
 
-    /** Reads whole pixels after the first, which was read already; (1, 1, 1, n) repeats the one before n times. */
-    private void readPixels() throws IOException {
-        int to = 0;
-        int shift = 0;
-        byte[] pixel = {row[0], row[1], row[2], row[3]};
-        while (true) {
-            if (pixel[0] == 1 && pixel[1] == 1 && pixel[2] == 1) {
-                to = repeatPixel(to, (long) (pixel[3] & 0xff) << shift);
-                shift = Math.min(shift + 8, 32);
-            } else {
-                System.arraycopy(pixel, 0, row, to, 4);
-                to += 4;
-                shift = 0;
-            }
-            if (to == row.length) {
-                return;
-            }
-            in.readFully(pixel);
+    /** Refuses rows in which (1, 1, 1, n), which no light has, repeats the pixel before n times. */
+    private void requireUnpacked() throws FileException {
+        for (int at = 0; at < row.length; at += 4) {
+            PictureEncoding.HDR.require(
+                    row[at] != 1 || row[at + 1] != 1 || row[at + 2] != 1,
+                    name,
+                    "has runs of whole pixels",
+                    "have runs in each channel, or none");
         }
-    }
-
-    private int repeatPixel(int to, long count) throws IOException {
-        if (to == 0 || count > (row.length - to) / 4) {
-            throw new IOException("a run of pixels is longer than its row");
-        }
-        int end = to + 4 * (int) count;
-        for (int i = to; i < end; i++) {
-            row[i] = row[i - 4];
-        }
-        return end;
     }
 }

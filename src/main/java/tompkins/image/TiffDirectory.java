@@ -41,13 +41,8 @@ final class TiffDirectory {
     /** Reads the tags of a file, or of a part of one, that begins with the header of TIFF. */
     static TiffDirectory read(byte[] file) throws IOException {
         try (ImageInputStream stream = new ByteArrayImageInputStream(file)) {
-            return read(stream);
+            return new TiffDirectory(stream);
         }
-    }
-
-    /** Reads the tags of a file that begins with the header of TIFF. */
-    static TiffDirectory read(ImageInputStream file) throws IOException {
-        return new TiffDirectory(file);
     }
 
     /** The orientation in Exif data; damaged Exif data do not turn the picture. */

@@ -4,7 +4,6 @@ import com.twelvemonkeys.imageio.metadata.tiff.TIFF;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.file.Path;
 import java.util.Optional;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageTypeSpecifier;
@@ -14,8 +13,6 @@ import javax.imageio.plugins.tiff.BaselineTIFFTagSet;
 import javax.imageio.plugins.tiff.TIFFDirectory;
 import javax.imageio.plugins.tiff.TIFFField;
 import javax.imageio.plugins.tiff.TIFFTag;
-import javax.imageio.stream.FileImageInputStream;
-import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
@@ -25,7 +22,7 @@ final class TiffFile {
     private TiffFile() {}
 
     static void write(OutputStream out, BufferedImage image, PhotographInfo info) throws IOException {
-        ImageWriter writer = ImageProviders.tiffWriter();
+        ImageWriter writer = ImageProviders.writer(PictureEncoding.TIFF);
         try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
             ImageWriteParam compression = writer.getDefaultWriteParam();
             compression.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
@@ -53,23 +50,19 @@ final class TiffFile {
     }
 
     /** Whether the channels are stored as floating point. */
-    static boolean isFloatingPoint(Path file) throws IOException {
-        try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
-            return TiffDirectory.read(stream).number(TIFF.TAG_SAMPLE_FORMAT, 0)
-                    == BaselineTIFFTagSet.SAMPLE_FORMAT_FLOATING_POINT;
-        }
+    static boolean isFloatingPoint(byte[] file) throws IOException {
+        return TiffDirectory.read(file).number(TIFF.TAG_SAMPLE_FORMAT, 0)
+                == BaselineTIFFTagSet.SAMPLE_FORMAT_FLOATING_POINT;
     }
 
     /**
      * The image description, if it is a JSON object; other programs put other things there. The JDK is not used,
      * because it cuts texts at 64 kB.
      */
-    static Optional<String> readScene(Path file) throws IOException {
-        try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
-            return TiffDirectory.read(stream).value(TIFF.TAG_IMAGE_DESCRIPTION) instanceof String text
-                            && text.stripLeading().startsWith("{")
-                    ? Optional.of(AsciiText.unescape(text))
-                    : Optional.empty();
-        }
+    static Optional<String> readScene(byte[] file) throws IOException {
+        return TiffDirectory.read(file).value(TIFF.TAG_IMAGE_DESCRIPTION) instanceof String text
+                        && text.stripLeading().startsWith("{")
+                ? Optional.of(AsciiText.unescape(text))
+                : Optional.empty();
     }
 }

@@ -23,8 +23,6 @@ final class MeshFaces {
 
     private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d++\\.?\\d*+|\\.\\d++)([eE][+-]?\\d++)?");
 
-    private static final Pattern NO_NUMBER = Pattern.compile("[+-]?(nan|inf|infinity)", Pattern.CASE_INSENSITIVE);
-
     /** Names and groups, which say nothing of what is seen. */
     private static final Set<String> SILENT = Set.of("g", "o", "s", "mg");
 
@@ -110,10 +108,8 @@ final class MeshFaces {
             }
             double coordinate = number(statement);
             if (!Double.isFinite(coordinate)) {
-                String word = statement.word();
-                throw Double.isNaN(coordinate) && !NO_NUMBER.matcher(word).matches()
-                        ? statement.unclear()
-                        : statement.mistake("coordinates must be finite, one was " + Problems.shortened(word));
+                throw statement.mistake(
+                        "coordinates must be finite numbers, one was " + Problems.shortened(statement.word()));
             }
             coordinates.addElement(coordinate);
         }
@@ -175,22 +171,14 @@ final class MeshFaces {
             throw statement.unclear();
         }
         int vertices = coordinates.getNumElements() / 3;
-        if (vertex > Integer.MAX_VALUE) {
-            throw missing(statement, ", and numbers end at " + Integer.MAX_VALUE);
-        }
-        if (vertex < -vertices) {
-            throw missing(statement, ", but there are only " + vertices + " above it");
+        if (vertex > Integer.MAX_VALUE || vertex < -vertices) {
+            String word = statement.word().replaceFirst("/.*", "");
+            throw statement.mistake("a face names vertex " + Problems.shortened(word) + ", but there are only "
+                    + vertices + " above it");
         }
         corners.add(index(vertex, vertices));
         textureCorners.add(index(texture, textureCoordinates.getNumElements() / 2));
         normalCorners.add(index(normal, normals.getNumElements() / 3));
-    }
-
-    private static ObjMistake missing(ObjStatements statement, String reason) {
-        String word = statement.word();
-        int end = word.indexOf('/');
-        String vertex = end < 0 ? word : word.substring(0, end);
-        return statement.mistake("a face names vertex " + Problems.shortened(vertex) + reason);
     }
 
     /** A number counted from 1, or backwards from the last so far, as one counted from 0; -1 if there is none. */

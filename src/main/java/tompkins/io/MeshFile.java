@@ -8,10 +8,7 @@ import tompkins.io.ObjStatements.ObjMistake;
 import tompkins.ray.MeshData;
 import tompkins.ray.MeshDetail;
 
-/**
- * Reads triangle meshes from OBJ files: faces, which are cut into triangles, their normals, texture coordinates and
- * materials.
- */
+/** Reads triangle meshes from OBJ files: faces, cut into triangles, normals, texture coordinates and materials. */
 public final class MeshFile {
 
     /** The bytes of smaller files are kept, so that photographs hold the mesh. */

@@ -1,10 +1,8 @@
 package tompkins.io;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.CharsetDecoder;
 import java.nio.charset.CoderResult;
 import java.nio.charset.CodingErrorAction;
@@ -15,6 +13,7 @@ import java.util.Locale;
 import java.util.Optional;
 import tompkins.file.FileException;
 import tompkins.file.FileFailure;
+import tompkins.file.WholeFile;
 import tompkins.image.PhotographFile;
 import tompkins.property.MistakeException;
 
@@ -48,7 +47,10 @@ final class SceneText {
             requireFile();
         }
         try {
-            return isPiped ? piped() : PhotographFile.isPicture(file) ? fromPhotograph() : decoded(content());
+            byte[] content = isPiped ? System.in.readNBytes(WholeFile.LARGEST) : WholeFile.read(file);
+            return PhotographFile.isPicture(file, content)
+                    ? PhotographFile.readScene(content, file.toString()).orElseThrow(this::noScene)
+                    : decoded(content);
         } catch (FileException unusable) {
             String start = file + ": ";
             String message = unusable.getMessage();
@@ -76,35 +78,9 @@ final class SceneText {
         }
     }
 
-    private String piped() throws IOException {
-        byte[] content = limited(System.in);
-        return PhotographFile.isPicture(content)
-                ? PhotographFile.readScene(content, file.toString()).orElseThrow(this::noScene)
-                : decoded(content);
-    }
-
-    private String fromPhotograph() throws FileException {
-        Optional<String> scene = PhotographFile.readScene(file);
-        return scene.orElseThrow(this::noScene);
-    }
-
     private MistakeException noScene() {
         return problems.wholeFile("the picture holds no scene; only photographs saved by"
                 + " this program do, and only until another program saves them again");
-    }
-
-    private byte[] content() throws IOException {
-        try (InputStream in = Files.newInputStream(file)) {
-            return limited(in);
-        }
-    }
-
-    private byte[] limited(InputStream in) throws IOException {
-        byte[] content = in.readNBytes(LARGEST + 1);
-        if (content.length > LARGEST) {
-            throw problems.wholeFile("a scene file may have at most " + LARGEST + " bytes, has more");
-        }
-        return content;
     }
 
     /** What is wrong with a text in UTF-16 or UTF-32, which some editors call Unicode; empty if it is in neither. */
@@ -123,7 +99,10 @@ final class SceneText {
                 : Optional.empty();
     }
 
-    private String decoded(byte[] content) throws CharacterCodingException {
+    private String decoded(byte[] content) {
+        if (content.length > LARGEST) {
+            throw problems.wholeFile("a scene file may have at most " + LARGEST + " bytes, has " + content.length);
+        }
         Optional<String> wrong = wrongEncoding(content);
         if (wrong.isPresent()) {
             throw problems.wholeFile(wrong.get());

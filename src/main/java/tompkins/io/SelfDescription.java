@@ -14,10 +14,7 @@ import tompkins.property.OneLine;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
 
-/**
- * What the file of a photograph says about itself: its title, the program that took it, and the scene, to take it
- * again.
- */
+/** What the file of a photograph says: its title, the program that took it, and the scene, to take it again. */
 public final class SelfDescription {
 
     private static final String PROPERTIES = "Program.properties";

@@ -15,7 +15,7 @@ import tompkins.studio.StudioPath;
 /** Reads studios from scene files and from saved photographs. */
 public final class StudioReader {
 
-    /** The name of the standard input, which may hold a scene or a PNG photograph, once. */
+    /** The name of the standard input, which may hold a scene or a photograph, once; and of the standard output. */
     public static final Path PIPE = Path.of("-");
 
     /** The version of the format. */
@@ -104,9 +104,7 @@ public final class StudioReader {
     }
 
     private static boolean isKnown(JsonValue version) {
-        // as for all whole numbers, 1.0 is as good as 1; what ends with a letter, like NaN, is no version
-        return version instanceof JsonNumber number
-                && !Character.isLetter(number.text().charAt(number.text().length() - 1))
-                && Double.parseDouble(number.text()) == VERSION;
+        // as for all whole numbers, 1.0 is as good as 1
+        return version instanceof JsonNumber number && number.text().matches(VERSION + "(\\.0+)?");
     }
 }

@@ -3,14 +3,11 @@ package tompkins.io;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
-import java.util.concurrent.atomic.LongAdder;
-import java.util.function.Consumer;
 import java.util.function.Predicate;
 import tompkins.file.FileException;
 import tompkins.file.PendingFile;
@@ -31,7 +28,7 @@ public final class StudioWriter {
 
     /** The text of a scene file that names its pictures and meshes; they must lie beside it when it is read. */
     static String write(Studio studio) {
-        return text(studio, picture -> false);
+        return text(studio, content -> false);
     }
 
     /**
@@ -44,48 +41,46 @@ public final class StudioWriter {
 
     /** The names of the files that {@link #writeSelfContained} only names; each once. */
     public static List<String> filesOnlyNamed(Studio studio) {
-        Set<String> named = new LinkedHashSet<>();
         Predicate<FileContent> held = heldInPhotographs(studio);
+        return contents(studio).stream()
+                .filter(content -> !held.test(content))
+                .map(FileContent::name)
+                .distinct()
+                .toList();
+    }
+
+    /** The pictures and meshes of a studio, one for each place where it has one. */
+    private static List<FileContent> contents(Studio studio) {
+        List<FileContent> contents = new ArrayList<>();
         members(studio, content -> {
-            if (!held.test(content)) {
-                named.add(content.name());
-            }
+            contents.add(content);
             return false;
         });
-        return List.copyOf(named);
+        return contents;
     }
 
     private static Predicate<FileContent> heldInPhotographs(Studio studio) {
-        LongAdder length = new LongAdder();
-        Map<String, Object> bare = members(studio, content -> {
-            length.add(isKept(content) ? lengthInside(content) : 0);
-            return false;
-        });
+        long length = contents(studio).stream()
+                .filter(StudioWriter::isKept)
+                .mapToLong(StudioWriter::lengthInside)
+                .sum();
         // the text of a large scene takes long
-        boolean fits = length.sum() == 0 || text(bare).length() + length.sum() <= PhotographInfo.LONGEST_SCENE;
+        boolean fits = length == 0 || write(studio).length() + length <= PhotographInfo.LONGEST_SCENE;
         return content -> isKept(content) && (fits || content.name().isEmpty());
     }
 
     /** The names of the pictures and meshes of a studio, as scene files write them; each once. */
-    public static Set<String> files(Studio studio) {
-        Set<String> names = new LinkedHashSet<>();
-        members(studio, content -> {
-            names.add(content.name());
-            return false;
-        });
-        return names;
+    public static List<String> files(Studio studio) {
+        return contents(studio).stream().map(FileContent::name).distinct().toList();
     }
 
     /** What the meshes of a studio say in their files that is not shown. */
     public static List<String> notes(Studio studio) {
-        Set<String> notes = new LinkedHashSet<>();
-        members(studio, content -> {
-            if (content instanceof MeshData mesh) {
-                notes.addAll(mesh.detail().notes());
-            }
-            return false;
-        });
-        return List.copyOf(notes);
+        return contents(studio).stream()
+                .filter(MeshData.class::isInstance)
+                .flatMap(mesh -> ((MeshData) mesh).detail().notes().stream())
+                .distinct()
+                .toList();
     }
 
     /** How much longer a text is at most for holding a file instead of naming it: four characters for three bytes. */
@@ -93,18 +88,9 @@ public final class StudioWriter {
         return 4 * ((content.length() + 2L) / 3) + LONGEST_FRAME;
     }
 
-    /**
-     * The text of a scene file that holds all files but large meshes, however long. Scenes with the same text can
-     * differ only in such meshes.
-     */
-    public static String writeComplete(Studio studio) {
-        return text(studio, StudioWriter::isKept);
-    }
-
     /** The text that {@link #save} writes to a file. */
     public static String write(Studio studio, Path file) {
-        Predicate<FileContent> kept = StudioWriter::isKept;
-        return text(studio, kept.and(isNotIn(folderOf(file))));
+        return text(studio, isToBeHeld(folderOf(file)));
     }
 
     /**
@@ -127,14 +113,15 @@ public final class StudioWriter {
     /** The text of a scene file, which can be read again. */
     private static byte[] checkedText(Studio studio, Path file) throws IOException {
         SceneFolder folder = folderOf(file);
-        Set<FileContent> large = new LinkedHashSet<>();
-        byte[] text = text(studio, notingLarge(large::add, isNotIn(folder))).getBytes(StandardCharsets.UTF_8);
+        byte[] text = text(studio, isToBeHeld(folder)).getBytes(StandardCharsets.UTF_8);
         if (text.length > SceneText.LARGEST) {
             throw new IOException(file + ": not saved: a scene file may have at most " + SceneText.LARGEST
                     + " bytes, with its pictures it would have " + text.length + "; put them into its folder first");
         }
-        for (FileContent content : large) {
-            requireIn(folder, content, file);
+        for (FileContent content : contents(studio)) {
+            if (!isKept(content)) {
+                requireIn(folder, content, file);
+            }
         }
         return text;
     }
@@ -161,21 +148,11 @@ public final class StudioWriter {
         }
     }
 
-    /** Notes files that are too large to be embedded, and asks about the others. */
-    private static Predicate<FileContent> notingLarge(Consumer<FileContent> large, Predicate<FileContent> embedded) {
-        return content -> {
-            if (isKept(content)) {
-                return embedded.test(content);
-            }
-            large.accept(content);
-            return false;
-        };
-    }
-
-    private static Predicate<FileContent> isNotIn(SceneFolder folder) {
+    /** What a scene file must hold: whose bytes are kept, and do not lie in its folder. */
+    private static Predicate<FileContent> isToBeHeld(SceneFolder folder) {
         return content -> {
             try {
-                return !Arrays.equals(folder.bytes(content.name(), A_FILE), content.file());
+                return isKept(content) && !Arrays.equals(folder.bytes(content.name(), A_FILE), content.file());
             } catch (IOException missing) {
                 return true;
             }
@@ -188,11 +165,7 @@ public final class StudioWriter {
     }
 
     private static String text(Studio studio, Predicate<FileContent> embedded) {
-        return text(members(studio, embedded));
-    }
-
-    private static String text(Map<String, Object> members) {
-        return JsonLayout.text(members) + "\n";
+        return JsonLayout.text(members(studio, embedded)) + "\n";
     }
 
     /** The keys of a scene file, and their values. */

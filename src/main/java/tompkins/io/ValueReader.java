@@ -1,5 +1,6 @@
 package tompkins.io;
 
+import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -23,8 +24,8 @@ import tompkins.studio.StudioPath;
 /** Makes plain values from JSON: numbers, texts, vectors, colours. A method notes a mistake and returns null. */
 final class ValueReader {
 
-    /** Beyond this whole numbers are no longer exact as floating-point numbers. */
-    private static final double LARGEST_EXACT = 1L << 53;
+    /** More digits take long to read, and no whole number needs them. */
+    private static final int MOST_DIGITS = 100;
 
     private final Problems problems;
 
@@ -81,25 +82,14 @@ final class ValueReader {
     }
 
     Long longNumber(JsonValue value, String path) {
-        if (!(value instanceof JsonNumber number)) {
+        if (!(value instanceof JsonNumber number) || number.text().length() > MOST_DIGITS) {
             return refuse(value, path, "a whole number");
         }
         try {
-            return Long.parseLong(number.text());
-        } catch (NumberFormatException notPlain) {
-            // perhaps 1e6 or 640.0
+            return new BigDecimal(number.text()).longValueExact();
+        } catch (ArithmeticException | NumberFormatException notWhole) {
+            return refuse(value, path, "a whole number from -2^63 to 2^63 - 1");
         }
-        Double result = number(value, path);
-        if (result == null) {
-            return null;
-        }
-        if (result != Math.rint(result)) {
-            return refuse(value, path, "a whole number");
-        }
-        boolean exact = Math.abs(result) <= LARGEST_EXACT;
-        return exact
-                ? (Long) result.longValue()
-                : refuse(value, path, "a whole number from -2^63 to 2^63 - 1, written with all its digits beyond 2^53");
     }
 
     Boolean flag(JsonValue value, String path) {

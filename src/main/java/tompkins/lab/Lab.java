@@ -163,9 +163,7 @@ public final class Lab implements AutoCloseable {
      * @param pixels column and row of each pixel, one after the other
      */
     public Measured measure(Studio studio, String kind, double... pixels) {
-        MeasureKind wanted = Arrays.stream(MeasureKind.values())
-                .filter(each -> each.toString().equals(kind))
-                .findFirst()
+        MeasureKind wanted = MeasureKind.named(kind)
                 .orElseThrow(() -> new MistakeException("kind must be one of "
                         + Arrays.stream(MeasureKind.values())
                                 .map(MeasureKind::toString)

@@ -3,10 +3,7 @@ package tompkins.lesson;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 
-/**
- * The angular radius of the circle on the sphere of directions that fits the outline of something best. A sphere has
- * exactly such an outline, in every frame.
- */
+/** The angular radius of the circle of directions that fits an outline best; that of a sphere is one in every frame. */
 @Meaning(
         "The angular radius, in degrees, of the circle that fits an outline best; the outline is where the first edge is met"
                 + " on the way outwards from a point, in many directions")

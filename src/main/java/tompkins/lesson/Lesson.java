@@ -84,10 +84,7 @@ public record Lesson(
         }
     }
 
-    /**
-     * The predictions in the order in which they are offered. It is the same each time, and tells nothing about which
-     * one is right.
-     */
+    /** The predictions in the order in which they are offered: always the same, whichever is right. */
     public List<Prediction> shuffled() {
         List<Prediction> mixed = new ArrayList<>(predictions);
         Collections.shuffle(mixed, new Random(question.hashCode() + reveal.hashCode()));

@@ -20,9 +20,6 @@ final class LampShiftTable {
     /** For each edge factor the three channels of what lies above the first edge, then of that above the second. */
     private static final int NUMBERS = 6;
 
-    /** A fraction of a band that is nearer to 0 or 1 counts as 0 or 1. */
-    private static final double NEGLIGIBLE = 1e-9;
-
     private final List<BlackBodyColours.SpectralPoint> spectrum;
     private final int stepsPerUnit;
     private final int edgeEntries;
@@ -88,46 +85,19 @@ final class LampShiftTable {
     }
 
     private double[] row(double temperatureFactor) {
-        int points = spectrum.size();
-        // the sums of all wavelengths from each on
-        double[] red = new double[points + 1];
-        double[] green = new double[points + 1];
-        double[] blue = new double[points + 1];
-        for (int i = points - 1; i >= 0; i--) {
+        double[] row = new double[NUMBERS * edgeEntries];
+        for (int i = 0; i < spectrum.size(); i++) {
             Vector3dc weight = spectrum.get(i).weight();
             double planck =
                     BlackBodyColours.planck(temperatureFactor, spectrum.get(i).wavelength());
-            red[i] = red[i + 1] + planck * weight.x();
-            green[i] = green[i + 1] + planck * weight.y();
-            blue[i] = blue[i + 1] + planck * weight.z();
-        }
-        double[] row = new double[NUMBERS * edgeEntries];
-        for (int entry = 0; entry < edgeEntries; entry++) {
-            sum(red, green, blue, aboveFirst, entry * points, row, entry * NUMBERS);
-            sum(red, green, blue, aboveSecond, entry * points, row, entry * NUMBERS + NUMBERS / 2);
+            for (int entry = 0; entry < edgeEntries; entry++) {
+                int at = entry * spectrum.size() + i;
+                for (int channel = 0; channel < 3; channel++) {
+                    row[NUMBERS * entry + channel] += planck * weight.get(channel) * aboveFirst[at];
+                    row[NUMBERS * entry + 3 + channel] += planck * weight.get(channel) * aboveSecond[at];
+                }
+            }
         }
         return row;
-    }
-
-    /**
-     * What lies above an edge: all from where its fraction is 1, and what the edge leaves of the wavelengths before.
-     */
-    private static void sum(
-            double[] red, double[] green, double[] blue, double[] fractions, int from, double[] row, int index) {
-        int whole = red.length - 1;
-        while (whole > 0 && fractions[from + whole - 1] > 1 - NEGLIGIBLE) {
-            whole--;
-        }
-        double sumRed = red[whole];
-        double sumGreen = green[whole];
-        double sumBlue = blue[whole];
-        for (int i = whole - 1; i >= 0 && fractions[from + i] > NEGLIGIBLE; i--) {
-            sumRed += (red[i] - red[i + 1]) * fractions[from + i];
-            sumGreen += (green[i] - green[i + 1]) * fractions[from + i];
-            sumBlue += (blue[i] - blue[i + 1]) * fractions[from + i];
-        }
-        row[index] = sumRed;
-        row[index + 1] = sumGreen;
-        row[index + 2] = sumBlue;
     }
 }

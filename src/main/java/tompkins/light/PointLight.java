@@ -6,11 +6,7 @@ import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.Colour;
 
-/**
- * A small bright light that throws sharp shadows and highlights and does not fade with distance. The reflected light is
- * the sum of a diffuse part, proportional to the cosine between normal and light, and a highlight, a power of the
- * cosine between the mirrored light and the ray (Phong's model).
- */
+/** A small bright light that throws sharp shadows and highlights (Phong's model) and does not fade with distance. */
 @Meaning("A small bright light that throws sharp shadows and highlights and does not fade with distance")
 public record PointLight(
         @Meaning(value = "Where the light is", unit = "length")

@@ -1,5 +1,2 @@
-/**
- * Arithmetic that keeps its digits: differences of products, unit vectors, bases. It knows nothing of rays or
- * relativity.
- */
+/** Numerically stable arithmetic: differences of products, unit vectors, bases. */
 package tompkins.math;

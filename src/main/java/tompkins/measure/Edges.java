@@ -26,10 +26,7 @@ final class Edges {
     /** The least difference of colours at an edge; see {@link #difference}. */
     private static final double JUMP = 0.1;
 
-    /**
-     * Added to the brightness with which a difference is compared, so that noise in the dark is not an edge; white is
-     * 1.
-     */
+    /** Added to the brightness with which a difference is compared, so that noise in the dark is no edge. */
     private static final double DARK = 0.02;
 
     /** The difference between different objects, whatever their colours: more than between any colours. */
@@ -56,9 +53,10 @@ final class Edges {
         return found;
     }
 
-    /** The point just behind the edge at which the brightness of a profile changes most; none if it has no edge. */
-    Optional<Vector2dc> largestStep(Profile profile) {
-        List<Sighting> points = profile.points();
+    /**
+     * The point just behind the edge at which the brightness of points of a line changes most; none if it has no edge.
+     */
+    Optional<Vector2dc> largestStep(List<Sighting> points) {
         int before = 0;
         for (int i = 1; i < points.size() - 1; i++) {
             before = step(points, i) > step(points, before) ? i : before;

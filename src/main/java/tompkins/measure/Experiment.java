@@ -1,7 +1,9 @@
 package tompkins.measure;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Supplier;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
@@ -23,6 +25,7 @@ import tompkins.lesson.StarCount;
 import tompkins.lesson.WithNumber;
 import tompkins.lesson.WithShutter;
 import tompkins.property.InvalidPropertyException;
+import tompkins.property.NumberText;
 import tompkins.spacetime.Event;
 import tompkins.studio.RideMoment;
 import tompkins.studio.StarSky;
@@ -40,6 +43,12 @@ public final class Experiment {
     private final LessonControl control;
     private final RenderPlan plan;
 
+    /** In what this picture differs from the others of the lesson. */
+    private final String caption;
+
+    /** All pictures in which was measured, with their captions. */
+    private final Map<Studio, String> pictures;
+
     /** Where the last measurement measured in this picture. */
     private final List<Vector2dc> points = new ArrayList<>();
 
@@ -52,17 +61,29 @@ public final class Experiment {
      * @throws InvalidPropertyException if an object of the studio is too large or too small to work with
      */
     public Experiment(Studio studio, LessonControl control) {
-        this(RenderPlan.of(studio), control);
+        this(RenderPlan.of(studio), control, caption(control.name(), control.measuredAt()), new LinkedHashMap<>());
+        pictures.put(studio, caption);
     }
 
-    private Experiment(RenderPlan plan, LessonControl control) {
+    private Experiment(RenderPlan plan, LessonControl control, String caption, Map<Studio, String> pictures) {
         this.plan = plan;
         this.control = control;
+        this.caption = caption;
+        this.pictures = pictures;
+    }
+
+    private static String caption(String name, double value) {
+        return name + ": " + NumberText.of(value);
     }
 
     /** An experiment with another studio, which takes over the scene if that is the same. */
-    private Experiment with(Studio studio) {
-        return new Experiment(RenderPlan.of(studio, plan), control);
+    private Experiment with(Studio studio, String itsCaption) {
+        return new Experiment(RenderPlan.of(studio, plan), control, itsCaption, pictures);
+    }
+
+    /** The studios of all pictures in which was measured, and in what each differs from the others. */
+    Map<Studio, String> pictures() {
+        return pictures;
     }
 
     /**
@@ -81,8 +102,9 @@ public final class Experiment {
 
     private double value(Measurement measurement, String path) {
         if (measurement instanceof DifferenceOf difference) {
-            double value =
-                    measure(difference.first(), path + ".first") - measure(difference.second(), path + ".second");
+            // the later one minus the earlier one
+            double second = measure(difference.second(), path + ".second");
+            double value = measure(difference.first(), path + ".first") - second;
             if (points.size() == 2 && lines.isEmpty()) {
                 lines.add(List.copyOf(points));
             }
@@ -93,7 +115,8 @@ public final class Experiment {
         }
         if (measurement instanceof WithNumber other) {
             Studio changed = at(path, () -> studio(other));
-            Experiment there = changed.equals(studio()) ? this : with(changed);
+            String name = isControl(other) ? control.name() : other.number();
+            Experiment there = changed.equals(studio()) ? this : with(changed, caption(name, other.value()));
             double value = there.measure(other.measurement(), path + ".measurement");
             if (there != this && isOneView(changed)) {
                 // another moment of the same view
@@ -103,26 +126,34 @@ public final class Experiment {
         }
         if (measurement instanceof WithShutter other) {
             Studio changed = studio().withCamera(studio().camera().withShutter(other.shutter()));
-            return with(changed).measure(other.measurement(), path + ".measurement");
+            return with(changed, caption + ", with the other shutter")
+                    .measure(other.measurement(), path + ".measurement");
         }
         if (measurement instanceof OnRide ridden) {
             RideMoment moment = at(path, () -> RideMoment.onRide(studio(), ridden.properTime()));
-            return with(moment.studio()).measure(ridden.measurement(), path + ".measurement");
+            String time = NumberText.of(ridden.properTime());
+            return with(moment.studio(), "On the ride, after " + time + " by the clock on board")
+                    .measure(ridden.measurement(), path + ".measurement");
         }
+        pictures.putIfAbsent(studio(), caption);
         return at(path, () -> read(measurement));
     }
 
     private Studio studio(WithNumber other) {
-        if (StudioPath.parse(other.number()).equals(StudioPath.parse(control.number()))) {
+        if (isControl(other)) {
             control.requireReached("value", other.value());
         }
         return StudioNumber.at(other.number(), studio()).with(studio(), other.value());
     }
 
+    private boolean isControl(WithNumber other) {
+        return StudioPath.parse(other.number()).equals(StudioPath.parse(control.number()));
+    }
+
     /** The value of a measurement that is not made from others. */
     private double read(Measurement measurement) {
         if (measurement instanceof RayReading reading) {
-            return read(Sighting.required(plan, marked(reading.point())), reading.value());
+            return read(Sighting.required(plan, marked(reading.point()), 0, 0), reading.value());
         }
         if (measurement instanceof AngleBetween angle) {
             Vector2dc first = marked(angle.first());
@@ -138,7 +169,7 @@ public final class Experiment {
         }
         if (measurement instanceof StarCount count) {
             double angle = Math.toRadians(count.withinDegrees());
-            lines.addAll(Outline.ahead(plan, angle));
+            lines.addAll(LookCone.around(studio().velocity().direction(), angle).lines(Projection.of(studio())));
             return studio().background() instanceof StarSky sky ? StarSighting.count(sky, studio(), angle) : Double.NaN;
         }
         LensSpread spread = (LensSpread) measurement;
@@ -169,7 +200,7 @@ public final class Experiment {
     }
 
     private Vector3dc direction(Vector2dc pixel) {
-        return Sighting.required(plan, pixel).cameraDirection();
+        return Sighting.required(plan, pixel, 0, 0).cameraDirection();
     }
 
     private Vector2dc marked(MeasuringPoint point) {

@@ -19,8 +19,6 @@ public sealed interface Fact permits Quantity, Fact.Vector, Fact.Word, Fact.Flag
     /**
      * Numbers that belong together.
      *
-     * @param key as {@link Fact#key}
-     * @param name as {@link Fact#name}
      * @param values the numbers
      */
     record Vector(String key, String name, List<Double> values) implements Fact {
@@ -34,8 +32,6 @@ public sealed interface Fact permits Quantity, Fact.Vector, Fact.Word, Fact.Flag
     /**
      * A text.
      *
-     * @param key as {@link Fact#key}
-     * @param name as {@link Fact#name}
      * @param text the text; null if there is none
      */
     record Word(String key, String name, String text) implements Fact {}
@@ -43,8 +39,6 @@ public sealed interface Fact permits Quantity, Fact.Vector, Fact.Word, Fact.Flag
     /**
      * Whether something is so.
      *
-     * @param key as {@link Fact#key}
-     * @param name as {@link Fact#name}
      * @param value the answer
      */
     record Flag(String key, String name, boolean value) implements Fact {}
@@ -52,7 +46,6 @@ public sealed interface Fact permits Quantity, Fact.Vector, Fact.Word, Fact.Flag
     /**
      * Facts under a heading.
      *
-     * @param key as {@link Fact#key}
      * @param name the heading
      * @param facts the facts
      */
@@ -61,7 +54,6 @@ public sealed interface Fact permits Quantity, Fact.Vector, Fact.Word, Fact.Flag
     /**
      * What happens one after the other.
      *
-     * @param key as {@link Fact#key}
      * @param groups what happens; those without a key are told to people alone
      */
     record Items(String key, List<Group> groups) implements Fact {

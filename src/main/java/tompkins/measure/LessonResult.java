@@ -45,11 +45,6 @@ public record LessonResult(LessonNumber number, double measured, Sketch sketch) 
                 : new Quantity("", "", "", measured, number.tolerance()).text(0);
     }
 
-    /** By how much the measured number may differ from that of the formula. */
-    public String allowedText() {
-        return NumberText.of(number.tolerance());
-    }
-
     /** Whether the measured number is as near to the formula as the lesson says. */
     public boolean agrees() {
         return Math.abs(error()) <= number.tolerance();

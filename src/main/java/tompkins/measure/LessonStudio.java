@@ -1,25 +1,17 @@
 package tompkins.measure;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
-import tompkins.lesson.DifferenceOf;
 import tompkins.lesson.Lesson;
 import tompkins.lesson.LessonControl;
 import tompkins.lesson.LessonNumber;
-import tompkins.lesson.Measurement;
-import tompkins.lesson.OnRide;
-import tompkins.lesson.RatioOf;
-import tompkins.lesson.WithNumber;
 import tompkins.lesson.WithShutter;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
 import tompkins.shutter.Shutter;
-import tompkins.studio.RideMoment;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
 
@@ -52,10 +44,7 @@ public record LessonStudio(Studio studio, Lesson lesson, StudioNumber number) {
         return Optional.of(new LessonStudio(studio, lesson, number));
     }
 
-    /**
-     * A studio with the number that its lesson moves set back to its value in an earlier studio; unchanged if not both
-     * have such a number.
-     */
+    /** A studio with the number of its lesson as in an earlier studio; unchanged if not both have it. */
     public static Studio unmoved(Studio studio, Studio earlier) {
         try {
             return of(studio)
@@ -98,46 +87,15 @@ public record LessonStudio(Studio studio, Lesson lesson, StudioNumber number) {
      * The pictures in which is measured, each once and without that of the question; that of {@link #measured} is the
      * first.
      *
-     * @throws InvalidPropertyException if the studio lacks what a measurement changes
+     * @throws InvalidPropertyException if something cannot be measured
      */
     public List<Picture> pictures() {
-        LessonControl control = lesson.control();
-        Picture usual = new Picture(measured(), caption(control.name(), control.measuredAt()));
-        Map<Studio, Picture> pictures = new LinkedHashMap<>(Map.of(usual.studio, usual));
-        lesson.numbers().forEach(wanted -> collect(wanted.measurement(), usual, pictures));
-        pictures.remove(studio);
-        return List.copyOf(pictures.values());
-    }
-
-    private void collect(Measurement measurement, Picture picture, Map<Studio, Picture> pictures) {
-        Studio there = picture.studio;
-        if (measurement instanceof WithNumber other) {
-            boolean isControl = other.number().equals(lesson.control().number());
-            String name = isControl ? lesson.control().name() : other.number();
-            Studio changed = StudioNumber.at(other.number(), there).with(there, other.value());
-            collect(other.measurement(), new Picture(changed, caption(name, other.value())), pictures);
-        } else if (measurement instanceof WithShutter other) {
-            Studio changed = there.withCamera(there.camera().withShutter(other.shutter()));
-            String caption = picture.caption + ", with the other shutter";
-            collect(other.measurement(), new Picture(changed, caption), pictures);
-        } else if (measurement instanceof OnRide ridden) {
-            Studio ride = RideMoment.onRide(there, ridden.properTime()).studio();
-            String caption = "On the ride, after " + NumberText.of(ridden.properTime()) + " by the clock on board";
-            collect(ridden.measurement(), new Picture(ride, caption), pictures);
-        } else if (measurement instanceof DifferenceOf difference) {
-            // the later one minus the earlier one
-            collect(difference.second(), picture, pictures);
-            collect(difference.first(), picture, pictures);
-        } else if (measurement instanceof RatioOf ratio) {
-            collect(ratio.first(), picture, pictures);
-            collect(ratio.second(), picture, pictures);
-        } else {
-            pictures.putIfAbsent(there, picture);
-        }
-    }
-
-    private static String caption(String name, double value) {
-        return name + ": " + NumberText.of(value);
+        Experiment experiment = new Experiment(measured(), lesson.control());
+        lesson.numbers().forEach(wanted -> experiment.measure(wanted.measurement(), ""));
+        return experiment.pictures().entrySet().stream()
+                .filter(picture -> !picture.getKey().equals(studio))
+                .map(picture -> new Picture(picture.getKey(), picture.getValue()))
+                .toList();
     }
 
     /**

@@ -1,5 +1,7 @@
 package tompkins.measure;
 
+import java.util.List;
+import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
@@ -38,6 +40,11 @@ public record LookCone(Vector3dc axis, double cosine, double sine) {
     /** The angle between the middle and each direction of the circle, in radians, 0 to pi. */
     public double halfAngle() {
         return Math.atan2(sine, cosine);
+    }
+
+    /** The circle in a picture, as lines from point to point, in pixels. */
+    List<List<Vector2dc>> lines(Projection projection) {
+        return CurveTracer.lines(projection, 0, 2 * Math.PI, azimuth -> projection.position(direction(azimuth)));
     }
 
     /** The unit direction of the circle at an azimuth around the axis, in radians. */

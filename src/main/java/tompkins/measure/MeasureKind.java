@@ -1,6 +1,8 @@
 package tompkins.measure;
 
 import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Stream;
 
 /** What can be measured between points of a picture. */
 public enum MeasureKind {
@@ -19,6 +21,11 @@ public enum MeasureKind {
     MeasureKind(int fewest, int most) {
         this.fewest = fewest;
         this.most = most;
+    }
+
+    /** The kind of a name. */
+    public static Optional<MeasureKind> named(String name) {
+        return Stream.of(values()).filter(kind -> kind.toString().equals(name)).findFirst();
     }
 
     /** The fewest points that it needs. */

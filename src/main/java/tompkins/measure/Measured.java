@@ -11,23 +11,14 @@ import org.joml.Vector2dc;
  * What was measured.
  *
  * @param facts what is told about it; nothing about a profile without an edge
- * @param profile what a line shows; null unless it is a profile
+ * @param profile what points of a line show; null unless it is a profile
  * @param lines what was fitted, as lines of the picture from point to point, in pixels
  */
-public record Measured(List<Fact> facts, Profile profile, List<List<Vector2dc>> lines) {
+public record Measured(List<Fact> facts, List<Sighting> profile, List<List<Vector2dc>> lines) {
 
     /** What is a size, whose ratio means something; positions, times and deviations are none. */
     private static final Set<String> SIZES = Set.of(
-            "cameraAngle",
-            "sceneAngle",
-            "sceneDistance",
-            "cameraDistance",
-            "objectDistance",
-            "halfAngle",
-            "length",
-            "semiMajorAxis",
-            "semiMinorAxis",
-            "semiLatusRectum");
+            "cameraAngle", "sceneAngle", "sceneDistance", "cameraDistance", "objectDistance", "halfAngle", "length");
 
     /** Its numbers. */
     public Stream<Quantity> quantities() {

@@ -53,7 +53,7 @@ public final class Measurements {
 
     /** Where the brightness of a profile has its largest step; nothing if there is no edge. */
     private Measured profile(List<Vector2dc> points, BooleanSupplier goesOn) {
-        Profile profile = Profile.between(plan, points.get(0), points.get(1), goesOn);
+        List<Sighting> profile = Sighting.along(plan, points.get(0), points.get(1), goesOn);
         if (profile == null) {
             return null;
         }
@@ -193,7 +193,7 @@ public final class Measurements {
                     toMotion.applyAsDouble(fit.circle()),
                     changes.uncertainty(toMotion));
         }
-        return new Measured(facts, null, lines(fit.circle()));
+        return new Measured(facts, null, fit.circle().lines(projection));
     }
 
     /** The circles with one point moved by half a pixel, to all sides; none if it tells no circle then. */
@@ -212,10 +212,7 @@ public final class Measurements {
         return circles;
     }
 
-    /**
-     * The straight line through some points: by how much they miss the great circle that a lens shows as a straight
-     * line, and how long it is.
-     */
+    /** What a lens shows as a straight line through points: by how much they miss it, and how long it is. */
     private Measured line(List<Vector2dc> points) {
         List<Vector3dc> directions = directions(points);
         LineFit fit = LineFit.of(directions);
@@ -226,11 +223,7 @@ public final class Measurements {
         double length = Angles.between(directions.get(0), directions.get(directions.size() - 1));
         addAngle("length", "length", length, HALF * Math.sqrt(2) * pixel);
         addDirection("normal", "normal of the plane", fit.normal());
-        return new Measured(facts, null, lines(LookCone.across(fit.normal())));
-    }
-
-    private List<List<Vector2dc>> lines(LookCone circle) {
-        return CurveTracer.lines(projection, 0, 2 * Math.PI, azimuth -> projection.position(circle.direction(azimuth)));
+        return new Measured(facts, null, LookCone.across(fit.normal()).lines(projection));
     }
 
     private List<Vector3dc> directions(List<Vector2dc> points) {

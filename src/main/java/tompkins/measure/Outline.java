@@ -4,9 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
-import org.joml.Vector3d;
-import org.joml.Vector3dc;
-import tompkins.math.Vectors;
 import tompkins.property.InvalidPropertyException;
 import tompkins.trace.RenderPlan;
 
@@ -20,7 +17,7 @@ final class Outline {
     /** The angular radius, in radians, of the circle of directions that fits points of a picture best. */
     static double angularRadius(RenderPlan plan, List<Vector2dc> points) {
         return CircleFit.of(points.stream()
-                        .map(point -> Sighting.required(plan, point).cameraDirection())
+                        .map(point -> Sighting.required(plan, point, 0, 0).cameraDirection())
                         .toList())
                 .circle()
                 .halfAngle();
@@ -36,8 +33,11 @@ final class Outline {
         List<Vector2dc> outline = new ArrayList<>();
         for (int i = 0; i < WAYS; i++) {
             double angle = 2 * Math.PI * i / WAYS;
-            List<Vector2dc> found =
-                    edges.on(inside, atTheBorder(plan, inside, new Vector2d(Math.cos(angle), Math.sin(angle))), 1);
+            Vector2d direction = new Vector2d(Math.cos(angle), Math.sin(angle));
+            // where the way leaves the picture
+            double length = Math.min(
+                    length(inside.x(), direction.x, plan.width()), length(inside.y(), direction.y, plan.height()));
+            List<Vector2dc> found = edges.on(inside, inside.fma(length, direction, new Vector2d()), 1);
             if (found.isEmpty()) {
                 throw new InvalidPropertyException(
                         "across", "inside an outline that ends in the picture", inside.x() / plan.width());
@@ -45,33 +45,6 @@ final class Outline {
             outline.add(found.get(0));
         }
         return outline;
-    }
-
-    /** Those parts of a circle of directions around where the camera flies that are in the picture, in pixels. */
-    static List<List<Vector2dc>> ahead(RenderPlan plan, double radius) {
-        Projection projection = Projection.of(plan.studio());
-        Vector3dc axis = plan.studio().velocity().direction();
-        Vector3d direction = new Vector3d(axis).mul(Math.cos(radius)).fma(Math.sin(radius), Vectors.firstAxis(axis));
-        double longest = 4.0 * plan.width() / WAYS;
-        List<List<Vector2dc>> parts = new ArrayList<>();
-        Vector2dc before = projection.position(direction);
-        for (int i = 0; i < WAYS; i++) {
-            direction.rotateAxis(2 * Math.PI / WAYS, axis.x(), axis.y(), axis.z());
-            Vector2dc now = projection.position(direction);
-            // a panorama tears the circle apart at its sides and poles
-            if (projection.shows(before) && projection.shows(now) && before.distance(now) < longest) {
-                parts.add(List.of(before, now));
-            }
-            before = now;
-        }
-        return parts;
-    }
-
-    /** Where the way from a point in a direction leaves the picture. */
-    private static Vector2dc atTheBorder(RenderPlan plan, Vector2dc from, Vector2dc direction) {
-        double length =
-                Math.min(length(from.x(), direction.x(), plan.width()), length(from.y(), direction.y(), plan.height()));
-        return from.fma(length, direction, new Vector2d());
     }
 
     /** How long it takes to leave the range from 0 to a size. */

@@ -138,11 +138,7 @@ public final class Projection {
 
     /** The event, in the camera frame, at which light for the middle of the picture crosses the centre of the lens. */
     public Event lensEvent() {
-        return lensAt(Double.isNaN(middleTime) ? 0 : middleTime);
-    }
-
-    private Event lensAt(double time) {
-        return at(lens, time);
+        return at(lens, Double.isNaN(middleTime) ? 0 : middleTime);
     }
 
     private static Event at(Vector3dc place, double time) {
@@ -192,10 +188,7 @@ public final class Projection {
         return null;
     }
 
-    /**
-     * The time at which the shutter opens at the position where the object is seen at that time, found by the secant
-     * method; NaN if there is none.
-     */
+    /** The time at which the shutter opens where the object is seen then, by the secant method; or NaN. */
     private double settledTime(Function<Event, ? extends Vector3dc> look, double start) {
         double before = Double.NaN;
         double errorBefore = Double.NaN;

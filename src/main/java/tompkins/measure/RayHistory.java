@@ -3,7 +3,6 @@ package tompkins.measure;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.measure.Fact.Flag;
 import tompkins.measure.Fact.Group;
@@ -66,7 +65,8 @@ public final class RayHistory {
         if (life.reachesBackground() && studio.background() instanceof StarSky sky) {
             StarSighting.nearest(sky, life.lastDirection()).ifPresent(star -> facts.add(star.fact(studio, sky, life)));
         }
-        facts.add(new Vector("colour", "Colour (linear)", vector(life.colour())));
+        Colour colour = life.colour();
+        facts.add(new Vector("colour", "Colour (linear)", List.of(colour.red(), colour.green(), colour.blue())));
         return facts;
     }
 
@@ -184,9 +184,5 @@ public final class RayHistory {
 
     private static String name(Frame frame) {
         return frame.name().toLowerCase(Locale.ROOT);
-    }
-
-    private static Vector3dc vector(Colour colour) {
-        return new Vector3d(colour.red(), colour.green(), colour.blue());
     }
 }

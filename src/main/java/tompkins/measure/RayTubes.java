@@ -14,6 +14,7 @@ import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
 import tompkins.surface.LuminousSurface;
 import tompkins.trace.Frame;
+import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleHistory;
 
 /**
@@ -37,6 +38,9 @@ public final class RayTubes {
 
     /** How long rays are drawn that hit nothing at all: as far as new objects stand from the origin. */
     private static final double UNBOUNDED = Sphere.DEFAULT.centre().length();
+
+    /** The distance of the rays around that of a pinhole from it, in heights of the picture. */
+    private static final double OPENING = 0.05;
 
     private final double radius;
     private final double reach;
@@ -78,6 +82,34 @@ public final class RayTubes {
     public static Studio addedTo(Studio studio, String name, List<SampleHistory> rays) {
         return studio.withScene(Stream.concat(studio.scene().stream(), Stream.of(of(name, rays)))
                 .toList());
+    }
+
+    /**
+     * Follows rays evenly around that of a point of the picture: with a wide aperture those of the point itself,
+     * through the edge of the lens; else those through a circle around the point. Rays that never cross the shutter are
+     * left out.
+     *
+     * @param x place in the picture in pixels
+     * @param y place in the picture in pixels
+     * @param count the number of rays
+     * @param moment the part of the exposure time that has passed, from 0 to 1; the same for all
+     */
+    public static List<SampleHistory> cone(RenderPlan plan, double x, double y, int count, double moment) {
+        boolean throughEdge = plan.studio().camera().hasWideAperture();
+        double opening = throughEdge ? 0 : OPENING * plan.height();
+        double aperture = throughEdge ? 1 : 0;
+        List<SampleHistory> rays = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            double angle = 2 * Math.PI * i / count;
+            double right = Math.cos(angle);
+            double up = Math.sin(angle);
+            SampleHistory ray = SampleHistory.of(
+                    plan, x + opening * right, y - opening * up, aperture * right, aperture * up, moment);
+            if (ray != null) {
+                rays.add(ray);
+            }
+        }
+        return rays;
     }
 
     /** The group of the rods and balls of rays. */

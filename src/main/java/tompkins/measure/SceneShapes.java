@@ -101,11 +101,6 @@ public record SceneShapes(
         }
     }
 
-    /** Whether some lines turn, which takes longer to draw. */
-    public boolean haveTurningLines() {
-        return lines.stream().anyMatch(line -> line.turn() != null);
-    }
-
     /** The shapes of what rests in some frames. */
     public static SceneShapes of(List<InertialFrame> frames) {
         Collector collector = new Collector();

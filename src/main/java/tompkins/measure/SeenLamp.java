@@ -6,11 +6,9 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
-import tompkins.spacetime.FrameMotion;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.trace.RenderPlan;
@@ -22,11 +20,9 @@ import tompkins.world.Lamp;
  * Where a picture would show a lamp, which is too small to be seen: the place from which its light comes.
  *
  * @param path the way to it in the studio
- * @param motion how the frame moves in which it rests; null for the scene frame
- * @param point where it is in that frame
  * @param place where it is seen, in pixels of the plan
  */
-public record SeenLamp(StudioPath path, FrameMotion motion, Vector3dc point, Vector2dc place) {
+public record SeenLamp(StudioPath path, Vector2dc place) {
 
     /** Within this part of the picture's width a place is that of a lamp. */
     private static final double REACH = 1 / 80.0;
@@ -45,7 +41,7 @@ public record SeenLamp(StudioPath path, FrameMotion motion, Vector3dc point, Vec
                 Vector3d point = light.position().add(frame.origin().position(), new Vector3d());
                 Vector2dc place = projection.position(new FrameAppearance(studio, frame.motion()), point);
                 if (projection.shows(place)) {
-                    seen.add(new SeenLamp(paths.get(i), frame.motion(), point, place));
+                    seen.add(new SeenLamp(paths.get(i), place));
                 }
             }
         }

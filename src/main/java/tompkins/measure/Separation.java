@@ -30,10 +30,7 @@ public record Separation(Sighting first, Sighting second) {
         return hasHits() ? second.inCamera().minus(first.inCamera()) : null;
     }
 
-    /**
-     * From the first event of emission to the second, in the frame in which both objects rest; null if they do not
-     * share one. The points of what turns share none, and their clocks do not go alike.
-     */
+    /** From the first event to the second in the frame in which both objects rest; null if they share none, or turn. */
     public Event inObject() {
         return first.sharesFrame(second) && !first.turns() && !second.turns()
                 ? second.hit().rest().event().minus(first.hit().rest().event())

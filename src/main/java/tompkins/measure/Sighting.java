@@ -1,6 +1,10 @@
 package tompkins.measure;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
+import java.util.function.BooleanSupplier;
+import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3dc;
 import tompkins.property.InvalidPropertyException;
@@ -22,21 +26,39 @@ import tompkins.trace.SampleHistory;
  */
 public record Sighting(Studio studio, double x, double y, SampleHistory life) {
 
+    private static final int MOST_OF_LINE = 10_000;
+
     /** Follows the ray of a point. */
     public static Sighting of(RenderPlan plan, double x, double y) {
         return new Sighting(plan.studio(), x, y, SampleHistory.of(plan, x, y, 0, 0));
     }
 
     /**
-     * Follows the ray of a point through the centre of the lens.
+     * What a picture shows along a straight line in it: at as many equal steps as it has pixels, 2 to 10 000 points,
+     * both ends among them.
+     *
+     * @param goesOn asked before each point
+     * @return the points from the first end to the second, or null if it was not to go on
+     */
+    static List<Sighting> along(RenderPlan plan, Vector2dc first, Vector2dc last, BooleanSupplier goesOn) {
+        Vector2d way = last.sub(first, new Vector2d()).absolute();
+        int count = (int) Math.max(2, Math.min(MOST_OF_LINE, Math.round(Math.max(way.x, way.y)) + 1));
+        List<Sighting> points = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            if (!goesOn.getAsBoolean()) {
+                return null;
+            }
+            Vector2d point = first.lerp(last, i / (count - 1.0), new Vector2d());
+            points.add(of(plan, point.x, point.y));
+        }
+        return points;
+    }
+
+    /**
+     * Follows the ray of a point through a point on the lens, in units of its radius.
      *
      * @throws InvalidPropertyException if it never crosses the shutter
      */
-    static Sighting required(RenderPlan plan, Vector2dc point) {
-        return required(plan, point, 0, 0);
-    }
-
-    /** As above, through a point on the lens in units of its radius. */
     static Sighting required(RenderPlan plan, Vector2dc point, double lensX, double lensY) {
         SampleHistory life = SampleHistory.of(plan, point.x(), point.y(), lensX, lensY);
         if (life == null) {

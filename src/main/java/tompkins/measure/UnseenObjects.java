@@ -4,11 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
-import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.joml.Vector2dc;
-import tompkins.camera.Camera;
-import tompkins.property.NumberText;
 import tompkins.sceneobject.Plane;
 import tompkins.studio.Studio;
 import tompkins.trace.Frame;
@@ -17,8 +14,8 @@ import tompkins.trace.SampleHistory;
 import tompkins.world.FrameAppearance;
 
 /**
- * Says where the objects of a scene are if its picture shows none of them: beside it, behind the camera, or in it at
- * another time. Planes do not count: they are floors and walls.
+ * Says where the objects of a scene are if its picture shows none of them: beside it, or behind the camera. Planes do
+ * not count: they are floors and walls.
  */
 public final class UnseenObjects {
 
@@ -27,11 +24,6 @@ public final class UnseenObjects {
 
     /** The most objects that are named. */
     private static final int MOST_NAMED = 3;
-
-    /** Opening times that are tried, up to this many times the way to an object before and after the present one. */
-    private static final double LONGEST = 4;
-
-    private static final int TIMES = 128;
 
     private final RenderPlan plan;
     private final Studio studio;
@@ -94,10 +86,7 @@ public final class UnseenObjects {
     private String told(SceneShapes.Thing thing) {
         FrameAppearance frame = new FrameAppearance(studio, thing.motion());
         Projection eye = eyes.get(0);
-        return "\"" + thing.name() + "\" is " + side(eye, eye.position(frame, thing.middle()))
-                + openingTime(thing, frame)
-                        .map(time -> ", and in it with an opening time of about " + time)
-                        .orElse("");
+        return "\"" + thing.name() + "\" is " + side(eye, eye.position(frame, thing.middle()));
     }
 
     private static String side(Projection eye, Vector2dc position) {
@@ -110,31 +99,5 @@ public final class UnseenObjects {
             return right < 0 ? "to the left of the picture" : "to the right of the picture";
         }
         return down < 0 ? "above the picture" : "below the picture";
-    }
-
-    /** The opening time, of those around the present one, at which an object that moves is nearest to the middle. */
-    private Optional<String> openingTime(SceneShapes.Thing thing, FrameAppearance frame) {
-        Camera camera = studio.camera();
-        if (!camera.shutter().hasOpeningTime()) {
-            return Optional.empty();
-        }
-        double now = camera.shutter().openingTime();
-        double way = frame.fromCamera(eyes.get(0).lensEvent()).position().distance(thing.middle());
-        double best = Double.NaN;
-        double least = Double.POSITIVE_INFINITY;
-        double[] times = DoubleStream.iterate(-TIMES, step -> step <= TIMES, step -> step + 1)
-                .map(step -> now + step / TIMES * LONGEST * way)
-                .toArray();
-        for (double time : times) {
-            Projection then = Projection.of(
-                    studio.withCamera(camera.withShutter(camera.shutter().openedAt(NumberText.rounded(time, 2)))));
-            Vector2dc position = then.position(frame, thing.middle());
-            double distance = then.shows(position) ? position.distance(then.middle()) : Double.POSITIVE_INFINITY;
-            if (distance < least) {
-                least = distance;
-                best = time;
-            }
-        }
-        return Double.isNaN(best) ? Optional.empty() : Optional.of(NumberText.plain(best, 2));
     }
 }

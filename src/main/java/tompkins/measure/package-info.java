@@ -1,6 +1,2 @@
-/**
- * Measuring in photographs: where a picture shows a point, a direction or an outline, what pixels say about angles,
- * lengths and times, and what lessons measure in their pictures. It uses closed formulas and not a second way to trace
- * rays.
- */
+/** Measuring in photographs, by closed formulas and by single rays; and what is told about rays. */
 package tompkins.measure;

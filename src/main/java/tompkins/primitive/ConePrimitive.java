@@ -99,10 +99,7 @@ public final class ConePrimitive extends Primitive {
         return near < NO_HIT ? near : within(Math.max(one, other), start, startAlong, rayAlong, limit);
     }
 
-    /**
-     * {@code start + further}, if that lies in front, between tip and base, and not beyond the limit; else
-     * {@link #NO_HIT}.
-     */
+    /** {@code start + further}, if that is in front, on the mantle and not beyond the limit; else {@link #NO_HIT}. */
     private double within(double further, double start, double startAlong, double rayAlong, double limit) {
         double along = startAlong + further * rayAlong;
         double distance = start + further;

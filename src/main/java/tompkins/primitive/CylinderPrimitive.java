@@ -111,15 +111,11 @@ public final class CylinderPrimitive extends Primitive {
         return nearest <= limit ? nearest : NO_HIT;
     }
 
-    /**
-     * By the distance between the ray's line and the axis, as in {@link #distance} but without the ends. Short loops,
-     * because the compiler makes no vector instructions from a long one. From a single start only directions enter the
-     * products.
-     */
+    /** By the distance between the ray's line and the axis, as in {@link #distance} but without the ends. */
     @Override
-    public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
-        double farthest = starts.farthest() + Math.abs(startX) + Math.abs(startY) + Math.abs(startZ);
-        if (!hasSquare(radius) || !hasSquare(length) || !hasSquare(farthest)) {
+    public boolean overlaps(RayPacket rays, double farthest, double[] overlaps) {
+        double size = farthest + Math.abs(startX) + Math.abs(startY) + Math.abs(startZ);
+        if (!hasSquare(radius) || !hasSquare(length) || !hasSquare(size)) {
             return false;
         }
         int count = rays.count();
@@ -130,25 +126,8 @@ public final class CylinderPrimitive extends Primitive {
         double[] dy = rays.dy;
         double[] dz = rays.dz;
         double reach = WIDER * radius * radius;
-        double rounding = ROUNDING * farthest;
+        double rounding = ROUNDING * size;
         double most = (reach * WIDER + rounding * rounding) * squaredLength;
-        if (starts.areOne()) {
-            double wx = x[0] - startX;
-            double wy = y[0] - startY;
-            double wz = z[0] - startZ;
-            double crossX = wy * axisZ - wz * axisY;
-            double crossY = wz * axisX - wx * axisZ;
-            double crossZ = wx * axisY - wy * axisX;
-            for (int i = 0; i < count; i++) {
-                double offset = crossX * dx[i] + crossY * dy[i] + crossZ * dz[i];
-                overlaps[i] = most - offset * offset;
-            }
-            for (int i = 0; i < count; i++) {
-                double along = axisX * dx[i] + axisY * dy[i] + axisZ * dz[i];
-                overlaps[i] -= reach * along * along;
-            }
-            return true;
-        }
         for (int i = 0; i < count; i++) {
             overlaps[i] = dx[i] * ((y[i] - startY) * axisZ - (z[i] - startZ) * axisY);
         }
@@ -248,11 +227,11 @@ public final class CylinderPrimitive extends Primitive {
             return capHit(ray, distance, part, memory);
         }
         double along = (alongStart + distance * slope) / squaredLength;
-        Vector3d normal = new Vector3d(
+        Vector3d normal = unitOrFacing(
+                ray,
                 wx + distance * ray.dx - along * axisX,
                 wy + distance * ray.dy - along * axisY,
                 wz + distance * ray.dz - along * axisZ);
-        makeUnit(normal, ray);
         return memory.set(
                 ray,
                 distance,
@@ -265,15 +244,6 @@ public final class CylinderPrimitive extends Primitive {
                 this,
                 MANTLE,
                 round == null ? null : round.at(normal, radius, along, length));
-    }
-
-    private static void makeUnit(Vector3d normal, Ray ray) {
-        double square = normal.lengthSquared();
-        if (isSquare(square)) {
-            normal.mul(1 / Math.sqrt(square));
-        } else {
-            normal.set(unitOrFacing(ray, normal.x, normal.y, normal.z));
-        }
     }
 
     /** The part that is hit at a distance. */

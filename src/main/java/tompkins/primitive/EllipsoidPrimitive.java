@@ -4,7 +4,6 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
-import tompkins.ray.RayPacket;
 import tompkins.ray.SurfaceCoordinates;
 import tompkins.surface.Surface;
 
@@ -74,12 +73,6 @@ public final class EllipsoidPrimitive extends Primitive {
                 NO_HIT);
         double distance = inSphere / length;
         return distance <= limit ? distance : NO_HIT;
-    }
-
-    @Override
-    public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
-        double longest = Math.max(axes[0].length(), Math.max(axes[1].length(), axes[2].length()));
-        return ballOverlaps(centre.x, centre.y, centre.z, longest, rays, starts, overlaps);
     }
 
     @Override

@@ -30,10 +30,7 @@ record FaceCoordinates(Vector3dc alongU, Vector3dc alongV) {
                 placement.direction(up).div(height * placement.scale()));
     }
 
-    /**
-     * The coordinates of a point, given as seen from the middle of the face, or from any point that lies straight
-     * behind it.
-     */
+    /** The coordinates of a point, seen from the middle of the face or from straight behind it. */
     SurfaceCoordinates at(double x, double y, double z) {
         return new SurfaceCoordinates(
                 alongU.x() * x + alongU.y() * y + alongU.z() * z + 0.5,

@@ -6,7 +6,6 @@ import org.joml.Vector3dc;
 import tompkins.math.Vectors;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
-import tompkins.ray.RayPacket;
 import tompkins.ray.SurfaceCoordinates;
 import tompkins.surface.Surface;
 
@@ -125,35 +124,13 @@ public sealed class FlatPrimitive extends Primitive permits ShadedTriangle {
         return outline.holds(u, v) ? distance : NO_HIT;
     }
 
-    /**
-     * Decides by the signs, in one branch instead of three: most triangles of a mesh are missed, and the processor
-     * guesses wrongly on which side.
-     */
+    /** By the signs, in one branch: the processor would guess three wrongly. */
     private static boolean noneIsNegative(double first, double second, double third) {
         // a sum of 0 and -0 is 0
         return (Double.doubleToRawLongBits(first + 0.0)
                         | Double.doubleToRawLongBits(second + 0.0)
                         | Double.doubleToRawLongBits(third))
                 >= 0;
-    }
-
-    /** By the smallest ball around the middle of the parallelogram. */
-    @Override
-    public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
-        double plus = squared(spanUX + spanVX, spanUY + spanVY, spanUZ + spanVZ);
-        double minus = squared(spanUX - spanVX, spanUY - spanVY, spanUZ - spanVZ);
-        return ballOverlaps(
-                cornerX + 0.5 * (spanUX + spanVX),
-                cornerY + 0.5 * (spanUY + spanVY),
-                cornerZ + 0.5 * (spanUZ + spanVZ),
-                0.5 * Math.sqrt(Math.max(plus, minus)),
-                rays,
-                starts,
-                overlaps);
-    }
-
-    private static double squared(double x, double y, double z) {
-        return x * x + y * y + z * z;
     }
 
     @Override

@@ -21,10 +21,7 @@ public final class Placement {
     private final Vector3dc translation;
     private final Vector3dc origin;
 
-    /**
-     * Translation minus origin, subtracted first so that what is far from (0, 0, 0) but near the origin keeps its
-     * digits.
-     */
+    /** Translation minus origin, subtracted first so that what is near the origin keeps its digits. */
     private final Vector3dc shift;
 
     /** A placement by scale (above 0), rotation and translation, in this order. */

@@ -5,7 +5,6 @@ import org.joml.Vector3dc;
 import tompkins.math.Vectors;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
-import tompkins.ray.RayPacket;
 import tompkins.ray.SurfaceCoordinates;
 import tompkins.surface.Surface;
 
@@ -50,28 +49,6 @@ public final class PlanePrimitive extends Primitive {
         return distance > 0 && distance <= limit ? distance : NO_HIT;
     }
 
-    /** By the same signs as {@link #distance}. */
-    @Override
-    public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
-        if (!hasSquare(starts.farthest() + Math.abs(point.x) + Math.abs(point.y) + Math.abs(point.z))) {
-            return false;
-        }
-        int count = rays.count();
-        for (int i = 0; i < count; i++) {
-            overlaps[i] = slope(rays.dx[i], rays.dy[i], rays.dz[i]);
-        }
-        for (int i = 0; i < count; i++) {
-            overlaps[i] *= heightBelow(rays.x[i], rays.y[i], rays.z[i]);
-        }
-        return true;
-    }
-
-    /** Also of rays that start beside it. */
-    @Override
-    public boolean leavesConvexShape(Hit from, double dx, double dy, double dz) {
-        return from.boundary == this || heightBelow(from.x, from.y, from.z) * slope(dx, dy, dz) < 0;
-    }
-
     /** The normal times (point - start), subtracted first so that no digits are lost near the plane. */
     private double heightBelow(double x, double y, double z) {
         return normal.x * (point.x - x) + normal.y * (point.y - y) + normal.z * (point.z - z);
@@ -81,10 +58,7 @@ public final class PlanePrimitive extends Primitive {
         return normal.x * dx + normal.y * dy + normal.z * dz;
     }
 
-    /**
-     * The inverse of the signed distance along a line: positive in front of the start, negative behind it, 0 at
-     * infinity.
-     */
+    /** The inverse of the signed distance along a line: positive in front of the start, 0 at infinity. */
     public double inverseDistance(Ray line) {
         return slope(line.dx, line.dy, line.dz) / heightBelow(line.x, line.y, line.z);
     }

@@ -66,47 +66,35 @@ public abstract class Primitive implements Boundary, Cloneable {
      * rounding. The others may hit or miss. It saves most calls of {@link #distance}. The default uses a ball around
      * the primitive; shapes may use something narrower.
      *
-     * @param starts where the rays of the packet start
+     * @param farthest the largest |x| + |y| + |z| of a start of a ray
      * @param overlaps receives a number for each ray of the packet, smaller than {@link #LARGEST_OVERLAP}
      * @return false if this primitive has no such overlaps; nothing is written then
      */
-    public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
+    public boolean overlaps(RayPacket rays, double farthest, double[] overlaps) {
         Bounds bounds = bounds();
         if (bounds == null) {
             return false;
         }
         Vector3d centre = bounds.centre();
-        return ballOverlaps(centre.x, centre.y, centre.z, bounds.halfDiagonal(), rays, starts, overlaps);
+        return ballOverlaps(centre.x, centre.y, centre.z, bounds.halfDiagonal(), rays, farthest, overlaps);
     }
 
     /**
-     * The overlaps of a ball, by the distance of its centre from the line. From a single start it is a circular cone,
-     * which is faster. Short loops, because the compiler makes no instructions for several rays at once from a long
-     * one.
+     * The overlaps of a ball, by the distance of its centre from the line. Short loops, because the compiler makes no
+     * instructions for several rays at once from a long one.
      */
     static boolean ballOverlaps(
-            double x, double y, double z, double radius, RayPacket rays, RayStarts starts, double[] overlaps) {
-        double farthest = starts.farthest() + Math.abs(x) + Math.abs(y) + Math.abs(z);
-        if (!hasSquare(radius) || !hasSquare(farthest)) {
+            double x, double y, double z, double radius, RayPacket rays, double farthest, double[] overlaps) {
+        double size = farthest + Math.abs(x) + Math.abs(y) + Math.abs(z);
+        if (!hasSquare(radius) || !hasSquare(size)) {
             return false;
         }
         int count = rays.count();
         double[] startX = rays.x;
         double[] startY = rays.y;
         double[] startZ = rays.z;
-        double rounding = ROUNDING * farthest;
+        double rounding = ROUNDING * size;
         double most = WIDER * radius * radius + rounding * rounding;
-        if (starts.areOne()) {
-            double fx = x - startX[0];
-            double fy = y - startY[0];
-            double fz = z - startZ[0];
-            double constant = most - (fx * fx + fy * fy + fz * fz);
-            for (int i = 0; i < count; i++) {
-                double along = fx * rays.dx[i] + fy * rays.dy[i] + fz * rays.dz[i];
-                overlaps[i] = constant + along * along;
-            }
-            return true;
-        }
         for (int i = 0; i < count; i++) {
             overlaps[i] = (x - startX[i]) * rays.dx[i] + (y - startY[i]) * rays.dy[i] + (z - startZ[i]) * rays.dz[i];
         }
@@ -136,6 +124,10 @@ public abstract class Primitive implements Boundary, Cloneable {
      * length is 0, as on a shape that is too small at this distance for rounding to tell it from its centre.
      */
     static Vector3d unitOrFacing(Ray ray, double x, double y, double z) {
+        double length = Math.sqrt(x * x + y * y + z * z);
+        if (hasSquare(length)) {
+            return new Vector3d(x / length, y / length, z / length);
+        }
         return x == 0 && y == 0 && z == 0
                 ? new Vector3d(-ray.dx, -ray.dy, -ray.dz)
                 : Vectors.unit(new Vector3d(x, y, z));
@@ -152,11 +144,6 @@ public abstract class Primitive implements Boundary, Cloneable {
     /** Whether products of squares of a size are neither 0 nor infinite. */
     static boolean hasSquare(double size) {
         return size > 1e-60 && size < 1e60;
-    }
-
-    /** As {@link #hasSquare}, of the square of a size, which spares its root. */
-    static boolean isSquare(double square) {
-        return square > 1e-120 && square < 1e120;
     }
 
     /**
@@ -199,11 +186,6 @@ public abstract class Primitive implements Boundary, Cloneable {
      * primitive lies beyond a plane, and makes the box and the cylinder around it. Minus infinity if it is endless.
      */
     public abstract double minimumAlong(double nx, double ny, double nz);
-
-    /** Whether the primitive surely lies where n.x is above a bound, even allowing for rounding. */
-    public final boolean isBeyond(double nx, double ny, double nz, double bound) {
-        return conservativeMinimumAlong(nx, ny, nz) > bound;
-    }
 
     /** As {@link #minimumAlong}, even allowing for rounding. */
     public final double conservativeMinimumAlong(double nx, double ny, double nz) {

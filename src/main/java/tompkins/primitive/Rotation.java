@@ -131,21 +131,19 @@ public final class Rotation {
         }
     }
 
-    /** What a vector has across an axis, a unit vector. */
-    static Vector3d acrossAxis(Vector3dc vector, Vector3dc axis) {
-        return new Vector3d(vector).fma(-vector.dot(axis), axis);
+    /** The distance of a point from the axis. */
+    double fromAxis(Vector3dc point) {
+        Vector3d from = point.sub(centre, new Vector3d());
+        return from.fma(-from.dot(axis), axis).length();
     }
 
     /** Whether a point stays where it is, but for rounding. */
     public boolean isOnAxis(Vector3dc point) {
         double size = point.length() + centre.length();
-        return acrossAxis(point.sub(centre, new Vector3d()), axis).length() <= ROUNDING * size;
+        return fromAxis(point) <= ROUNDING * size;
     }
 
-    /**
-     * The largest distance of a point of a primitive from the axis, never less than it is: the largest of its extents
-     * across the axis, all around.
-     */
+    /** The largest distance of a point of a primitive from the axis, never less than it is. */
     public double reach(Primitive primitive) {
         Vector3d right = Vectors.firstAxis(axis);
         Vector3d up = axis.cross(right, new Vector3d());
@@ -209,17 +207,10 @@ public final class Rotation {
         return -primitive.minimumAlong(-out.x(), -out.y(), -out.z()) - centre.dot(out);
     }
 
-    /** A distance from the axis below which no point of a primitive with bounds is. */
+    /** A distance from the axis that no point of a primitive with bounds falls below. */
     public double leastReach(Primitive primitive) {
-        Vector3d outwards = acrossAxis(primitive.bounds().centre().sub(centre), axis);
-        // once more, since near the axis that is rounding, which may even point along it
-        outwards = acrossAxis(outwards.normalize(), axis);
-        if (!(outwards.length() > 0.5)) {
-            return 0;
-        }
-        outwards.normalize();
-        double least = primitive.conservativeMinimumAlong(outwards.x, outwards.y, outwards.z) - outwards.dot(centre);
-        return Math.max(0, least * (1 - MARGIN));
+        Bounds bounds = primitive.bounds();
+        return (fromAxis(bounds.centre()) - bounds.halfDiagonal()) * (1 - MARGIN);
     }
 
     /** The cylinder that holds, at all times, everything that some primitives come by. */

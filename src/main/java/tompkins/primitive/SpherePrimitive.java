@@ -5,7 +5,6 @@ import org.joml.Vector3dc;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
-import tompkins.ray.SurfaceCoordinates;
 import tompkins.surface.Surface;
 
 /** A sphere in space. */
@@ -48,12 +47,12 @@ public final class SpherePrimitive extends Primitive {
 
     /**
      * By the distance of the centre from the line, which does not cancel for far or huge spheres, where the
-     * discriminant {@code b^2 - c} of the quadratic equation loses all digits. A ray that starts on the sphere meets it
-     * again only at the other end of its chord.
+     * discriminant {@code b^2 - c} of the quadratic equation loses all digits. A ray that farthest on the sphere meets
+     * it again only at the other end of its chord.
      *
      * @param fx x coordinate of the centre, seen from the start of the ray; fy and fz are the others
      * @param dx x component of the unit direction of the ray; dy and dz are the others
-     * @param again whether the ray starts on the sphere
+     * @param again whether the ray farthest on the sphere
      */
     static double distance(
             double fx,
@@ -91,29 +90,26 @@ public final class SpherePrimitive extends Primitive {
     }
 
     @Override
-    public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
-        return ballOverlaps(x, y, z, radius, rays, starts, overlaps);
+    public boolean overlaps(RayPacket rays, double farthest, double[] overlaps) {
+        return ballOverlaps(x, y, z, radius, rays, farthest, overlaps);
     }
 
     @Override
     public Hit hit(Ray ray, double distance, Hit memory) {
-        double nx = ray.x - x + distance * ray.dx;
-        double ny = ray.y - y + distance * ray.dy;
-        double nz = ray.z - z + distance * ray.dz;
-        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-        if (hasSquare(length)) {
-            nx /= length;
-            ny /= length;
-            nz /= length;
-        } else {
-            Vector3d normal = unitOrFacing(ray, nx, ny, nz);
-            nx = normal.x;
-            ny = normal.y;
-            nz = normal.z;
-        }
-        SurfaceCoordinates coordinates = round == null ? null : round.onSphere(new Vector3d(nx, ny, nz), radius);
+        Vector3d normal = unitOrFacing(
+                ray, ray.x - x + distance * ray.dx, ray.y - y + distance * ray.dy, ray.z - z + distance * ray.dz);
         return memory.set(
-                ray, distance, x + radius * nx, y + radius * ny, z + radius * nz, nx, ny, nz, this, 0, coordinates);
+                ray,
+                distance,
+                x + radius * normal.x,
+                y + radius * normal.y,
+                z + radius * normal.z,
+                normal.x,
+                normal.y,
+                normal.z,
+                this,
+                0,
+                round == null ? null : round.onSphere(normal, radius));
     }
 
     @Override

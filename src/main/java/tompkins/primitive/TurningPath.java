@@ -4,10 +4,7 @@ import org.joml.Vector3d;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
-/**
- * A straight ray as it runs past objects that turn, in coordinates that turn with them. It knows where it comes near to
- * what turns, and what a hit on it is like. Memory of one thread, used again for every ray.
- */
+/** A straight ray past objects that turn, in coordinates that turn with them. Memory of one thread. */
 public final class TurningPath implements CurvedPath {
 
     private static final double ROUNDING = 0x1p-50;
@@ -48,12 +45,12 @@ public final class TurningPath implements CurvedPath {
 
     private double entry;
     private double exit;
-    private double hollowFrom;
-    private double hollowTo;
     private double bend;
 
+    private final Hit edge = Hit.blank();
+
     /** The ray where it meets something, as the object sees it that does not turn. */
-    private final Ray turned = Ray.blank();
+    private final Ray line = Ray.blank();
 
     /** Memory for paths past what turns. */
     public TurningPath(Rotation rotation) {
@@ -120,58 +117,33 @@ public final class TurningPath implements CurvedPath {
         vz = qz * cosine + (axisX * qy - axisY * qx) * sine + axisZ * vAlong;
     }
 
-    /**
-     * Notes where the ray enters and leaves a cylinder around the axis, a little sooner and later than it does.
-     *
-     * @param low height of its start over the centre, along the axis
-     * @param high that of its end
-     * @param radius its radius
-     * @param hollow the radius, 0 or more, of a hollow around the axis
-     * @return whether it comes there at all
-     */
-    public boolean enters(double low, double high, double radius, double hollow) {
-        double height = axisX * startX + axisY * startY + axisZ * startZ;
-        double climb = axisX * dx + axisY * dy + axisZ * dz;
-        double acrossX = dx - climb * axisX;
-        double acrossY = dy - climb * axisY;
-        double acrossZ = dz - climb * axisZ;
-        double outX = startX - height * axisX;
-        double outY = startY - height * axisY;
-        double outZ = startZ - height * axisZ;
-        double squaredSlope = acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ;
-        double middle = squaredSlope > 0 ? -(outX * acrossX + outY * acrossY + outZ * acrossZ) / squaredSlope : 0;
-        double nearX = outX + middle * acrossX;
-        double nearY = outY + middle * acrossY;
-        double nearZ = outZ + middle * acrossZ;
-        double wide = radius + ROUNDING * size;
-        bend = turning() * (2 + turning() * radius);
-        double squaredNear = nearX * nearX + nearY * nearY + nearZ * nearZ;
-        double squaredChord = wide * wide - squaredNear;
-        if (squaredChord < 0) {
+    /** Notes where the ray enters and leaves a region in which everything turns; false if it does not come there. */
+    public boolean enters(CylinderPrimitive region) {
+        bend = turning() * (2 + turning() * region.radius());
+        line.setLine(startX + centreX, startY + centreY, startZ + centreZ, dx, dy, dz, null, 0);
+        double first = region.distance(line, Primitive.NO_HIT);
+        if (first == Primitive.NO_HIT) {
             return false;
         }
-        double half = squaredSlope > 0 ? Math.sqrt(squaredChord / squaredSlope) : Primitive.NO_HIT;
-        entry = Math.max(0, middle - half);
-        exit = middle + half;
-        double narrow = Math.max(0, hollow - 2 * ROUNDING * size);
-        double squaredHollow = narrow * narrow - squaredNear;
-        double halfHollow = squaredHollow > 0 ? Math.sqrt(squaredHollow / squaredSlope) : 0;
-        hollowFrom = middle - halfHollow;
-        hollowTo = middle + halfHollow;
-        double margin = ROUNDING * size;
-        double toLow = low - margin - height;
-        double toHigh = high + margin - height;
-        if (climb == 0) {
-            return toLow <= 0 && toHigh >= 0 && entry < exit;
-        }
-        entry = Math.max(entry, (climb > 0 ? toLow : toHigh) / climb);
-        exit = Math.min(exit, (climb > 0 ? toHigh : toLow) / climb);
-        return entry < exit;
+        region.hit(line, first, edge);
+        boolean startsInside = edge.cosine(line) > 0;
+        line.setLine(edge.x, edge.y, edge.z, dx, dy, dz, region, edge.part);
+        entry = startsInside ? 0 : first;
+        exit = startsInside ? first : first + region.distance(line, Primitive.NO_HIT);
+        return exit < Primitive.NO_HIT;
     }
 
-    /** Whether a piece between the entry and the exit lies in the hollow. */
-    public boolean isInHollow(double from, double to) {
-        return from >= hollowFrom && to <= hollowTo;
+    /** Whether a piece of it surely lies nearer to the axis than a distance. */
+    public boolean isWithin(double radius, double from, double to) {
+        return fromAxis(from) < radius && fromAxis(to) < radius;
+    }
+
+    private double fromAxis(double at) {
+        double px = startX + at * dx;
+        double py = startY + at * dy;
+        double pz = startZ + at * dz;
+        double along = axisX * px + axisY * py + axisZ * pz;
+        return Math.sqrt(px * px + py * py + pz * pz - along * along) + rounding(at);
     }
 
     /** Where it enters; 0 if it starts inside. */
@@ -230,7 +202,7 @@ public final class TurningPath implements CurvedPath {
         go(at);
         double speed = Math.sqrt(vx * vx + vy * vy + vz * vz);
         double before = BEFORE * (size + at) / speed;
-        turned.setInFrame(
+        line.setInFrame(
                 ray,
                 x() - before * vx,
                 y() - before * vy,
@@ -242,8 +214,8 @@ public final class TurningPath implements CurvedPath {
                 1,
                 1,
                 1);
-        double onto = met.distance(turned, 2 * before * speed);
-        met.hit(turned, onto < Primitive.NO_HIT ? onto : before * speed, memory);
+        double onto = met.distance(line, 2 * before * speed);
+        met.hit(line, onto < Primitive.NO_HIT ? onto : before * speed, memory);
         rotation.turn(memory, startAngle + rate * at);
         memory.set(ray, at, memory.normalX, memory.normalY, memory.normalZ, met, memory.part, memory.coordinates);
         Vector3d velocity = rotation.velocity(memory.x, memory.y, memory.z);

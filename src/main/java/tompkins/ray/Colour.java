@@ -20,10 +20,7 @@ public record Colour(double red, double green, double blue) {
     /** Pictures hold floats, up to 2^128; this limit leaves room for a sum of a million samples. */
     private static final double LARGEST = 0x1p104;
 
-    /**
-     * The most that a description may ask for, so that the light of many lamps on bright objects still fits into a
-     * picture.
-     */
+    /** The most that a description may ask for, so that the light of many lamps still fits into a picture. */
     private static final double BRIGHTEST = 1e20;
 
     /** The same value in all channels. */
@@ -67,13 +64,6 @@ public record Colour(double red, double green, double blue) {
     /** All channels multiplied by one number. */
     public Colour times(double factor) {
         return new Colour(red * factor, green * factor, blue * factor);
-    }
-
-    /** {@code (1 - fraction)} of this colour and {@code fraction} of the other. */
-    public Colour mixedWith(Colour other, double fraction) {
-        return fraction == 0
-                ? this
-                : fraction == 1 ? other : times(1 - fraction).plus(other.times(fraction));
     }
 
     /** The brightest channel. */

@@ -36,10 +36,7 @@ public final class Hit implements Cloneable {
     /** The ray that has hit, in this frame; null where that is not known. */
     public Ray ray;
 
-    /**
-     * The same event in the frame in which the ray began, where the speed of what was hit causes less rounding; null
-     * unless several frames are searched.
-     */
+    /** The same event in the frame in which the ray began, where it is known best; null if only one is searched. */
     public Hit event;
 
     private Hit memoryOfEvent;

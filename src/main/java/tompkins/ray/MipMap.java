@@ -20,10 +20,10 @@ final class MipMap {
     /** One scale: colours multiplied by their opacity, and the opacity. */
     private record Level(int width, int height, float[] rgba) {}
 
-    /** All scales of a picture; on the finest its colours are not multiplied by their opacity yet. */
-    MipMap(int width, int height, float[] rgba) {
+    /** All scales of a picture, whose colours are not multiplied by their opacity yet. */
+    MipMap(int width, int height, float[] rgba, boolean opaque) {
         List<Level> all = new ArrayList<>();
-        all.add(new Level(width, height, multiplied(rgba)));
+        all.add(new Level(width, height, opaque ? rgba : multiplied(rgba)));
         for (Level last = all.get(0); last.width * last.height > 1; last = all.get(all.size() - 1)) {
             all.add(halved(last));
         }
@@ -31,13 +31,6 @@ final class MipMap {
     }
 
     private static float[] multiplied(float[] rgba) {
-        boolean opaque = true;
-        for (int opacity = 3; opacity < rgba.length && opaque; opacity += CHANNELS) {
-            opaque = rgba[opacity] == 1;
-        }
-        if (opaque) {
-            return rgba;
-        }
         float[] multiplied = rgba.clone();
         for (int i = 0; i < rgba.length; i++) {
             multiplied[i] *= i % CHANNELS == 3 ? 1 : rgba[i | 3];

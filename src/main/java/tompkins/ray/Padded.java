@@ -1,10 +1,9 @@
 package tompkins.ray;
 
 /**
- * An object whose own fields lie 64 bytes, the length of a cache line, behind what comes before it in memory. The
- * objects that a thread keeps and uses for each ray extend this, and the job that all threads ask whether to go on.
- * Without it the garbage collector puts those of different threads side by side, and where one thread writes to the
- * line that another one reads, each waits for the other (false sharing).
+ * An object whose own fields lie 64 bytes, the length of a cache line, behind what comes before it in memory, so that
+ * no thread waits for another one that writes to the same line (false sharing). What a thread keeps and uses for each
+ * ray extends this, and the job that all threads ask whether to go on.
  */
 @SuppressWarnings("unused") // only the room that they take counts
 public abstract class Padded {

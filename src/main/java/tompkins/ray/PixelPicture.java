@@ -120,17 +120,14 @@ public final class PixelPicture implements FileContent {
         MipMap known = scales;
         if (known == null) {
             synchronized (file) {
-                known = scales == null ? new MipMap(width, height, rgba) : scales;
+                known = scales == null ? new MipMap(width, height, rgba, opaque) : scales;
                 scales = known;
             }
         }
         return known.mean(u, v, halfU, halfV, isRound);
     }
 
-    /**
-     * Whether (u, v) lies on a dark and opaque pixel: opacity at least 1/2, and the luminance of its numbers (ITU-R
-     * BT.709) below level 127 of 255.
-     */
+    /** Whether (u, v) is dark and opaque: opacity at least 1/2, luminance of its numbers below 127/255. */
     public boolean isDark(double u, double v) {
         int index = index(u, v);
         double luminance = Colour.luminance(rgba[index], rgba[index + 1], rgba[index + 2]);

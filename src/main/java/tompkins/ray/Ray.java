@@ -44,10 +44,7 @@ public final class Ray {
      */
     public double directionLength;
 
-    /**
-     * Whether this is not light but a line of events at one time of the camera, with which things are measured instead
-     * of seen.
-     */
+    /** Whether this is no light but a line of events at one time of the camera, by which things are measured. */
     public boolean measures;
 
     /** Diameter, at the start, of the bundle of light that the ray stands for; negative beyond a focus of it. */
@@ -62,10 +59,7 @@ public final class Ray {
     /** The largest fraction of the sample's light that the ray can still bring, 1 at the camera. */
     public double throughput;
 
-    /**
-     * What becomes of the light of this ray where it has gone on from other hits, if light is shifted where it leaves a
-     * hit; else white.
-     */
+    /** What becomes of the light of this ray on its way back over earlier hits, if light is shifted; else white. */
     public Colour weight = Colour.WHITE;
 
     /** The medium in which the ray is, where its rest frame matters because something moves through it; else null. */
@@ -313,10 +307,7 @@ public final class Ray {
         return boundary == one ? part : contact == null ? Contact.NOWHERE : contact.part(one);
     }
 
-    /**
-     * Makes this a ray that starts at a hit in the unit direction (toX, toY, toZ), to find out whether something is in
-     * the way.
-     */
+    /** Makes this a shadow ray from a hit in the unit direction (toX, toY, toZ). */
     public Ray setShadow(Hit hit, double toX, double toY, double toZ) {
         return setShadow(hit, toX, toY, toZ, 1);
     }
@@ -335,9 +326,7 @@ public final class Ray {
         return this;
     }
 
-    /**
-     * Turns this, which has just begun as a shadow ray, into light in vacuum of another unit direction in its frame.
-     */
+    /** Turns this shadow ray, which has just begun, into light in vacuum of another unit direction. */
     public Ray aim(double toX, double toY, double toZ) {
         dx = toX;
         dy = toY;

@@ -10,10 +10,7 @@ public final class RayCounts extends Padded {
     /** Samples that were taken, without those that a block left out because it was stopped. */
     public long samples;
 
-    /**
-     * Rays that were followed, those from the camera included; one that leaves what moves with the camera counts once
-     * per frame.
-     */
+    /** Rays that were followed; one that leaves what moves with the camera counts once per frame. */
     public long rays;
 
     /** Tests whether a light is visible. */
@@ -43,10 +40,7 @@ public final class RayCounts extends Padded {
     /** Rays that were ended because they could bring less than {@link Ray#FAINTEST} of the light. */
     public long tooFaint;
 
-    /**
-     * The most light that those could have brought, in parts of the light of a sample; a whole number, so that the
-     * order of the sums does not matter.
-     */
+    /** The most light that those could have brought, in parts of a sample: a whole number adds up in any order. */
     private long lostParts;
 
     /** Counts a ray that is ended because it could bring no more than a fraction of the light of its sample. */

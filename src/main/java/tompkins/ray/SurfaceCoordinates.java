@@ -46,10 +46,7 @@ public record SurfaceCoordinates(double u, double v, double uX, double uY, doubl
         return half * Math.sqrt(Math.max(0, squaredGradient) + stretched * stretched);
     }
 
-    /**
-     * The part of {@link #spreadU} that lies along the ray's trace on the surface, with the sign of the change that
-     * way.
-     */
+    /** The part of {@link #spreadU} along the trace of the ray on the surface, with the sign of the change that way. */
     public double alongU(Ray ray, Hit hit) {
         return along(ray, hit, uX, uY, uZ);
     }

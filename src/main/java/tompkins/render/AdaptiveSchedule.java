@@ -64,12 +64,18 @@ final class AdaptiveSchedule implements Schedule {
      * @param time when to stop at the latest
      */
     AdaptiveSchedule(Film film, boolean severalFirst, boolean coarseFirst, double targetError, TimeBudget time) {
+        this(film, FIRST_SAMPLES, severalFirst, coarseFirst, targetError, time);
+    }
+
+    /** As above, but a pixel that is looked at gets another number of samples first, a power of two. */
+    AdaptiveSchedule(
+            Film film, int first, boolean severalFirst, boolean coarseFirst, double targetError, TimeBudget time) {
         this.film = film;
         this.targetError = targetError;
         this.time = time;
         hasLooked = severalFirst;
         expectsUnseen = targetError == 0;
-        firstSamples = FIRST_SAMPLES * Math.max(1, Integer.highestOneBit(SMALLEST / film.pixels()));
+        firstSamples = first * Math.max(1, Integer.highestOneBit(SMALLEST / film.pixels()));
         // a single sample as wide as its pixel would blur what it does not resolve, and the pixel would pass for
         // settled
         waiting.addAll(Pass.of(severalFirst ? firstSamples : 1, firstSamples, coarseFirst));

@@ -58,10 +58,10 @@ public record CostForecast(double samplesPerPixel, double seconds) {
         Quality wish = quality instanceof Quality.TimeLimit ? Quality.TargetError.DEFAULT : quality;
         List<Tile> blocks = spread(plan);
         ForecastSamples costs = new ForecastSamples();
-        long start = System.nanoTime();
+        TimeBudget time = new TimeBudget(BUSY * patience);
         int taken = take(blocks.subList(0, Math.min(blocks.size(), FIRST_BLOCKS)), plan, wish, renderer, costs);
         double seconds = costs.tracing();
-        while (taken < blocks.size() && seconds < patience && secondsSince(start) < BUSY * patience) {
+        while (taken < blocks.size() && seconds < patience && !time.isOver()) {
             double possible = taken * Math.min(PART, patience - seconds) / seconds;
             int next = (int) Math.min(blocks.size(), taken + Math.ceil(possible));
             taken += take(blocks.subList(taken, next), plan, wish, renderer, costs);
@@ -90,11 +90,11 @@ public record CostForecast(double samplesPerPixel, double seconds) {
     private static int take(
             List<Tile> blocks, RenderPlan plan, Quality quality, Renderer renderer, ForecastSamples costs)
             throws InterruptedException {
-        long start = System.nanoTime();
+        TimeBudget time = new TimeBudget(Double.POSITIVE_INFINITY);
         double before = renderer.processorSeconds();
         RenderListener notes = RenderListener.afterEachPass(part -> {
             double planning = part.planningSeconds();
-            double wait = secondsSince(start);
+            double wait = time.spent();
             double fraction = renderer.fraction(renderer.processorSeconds() - before, wait, planning);
             costs.note(part.samples(), fraction * (wait - planning));
         });
@@ -103,7 +103,7 @@ public record CostForecast(double samplesPerPixel, double seconds) {
         job.cancel();
         job.await();
         double planning = job.planningSeconds();
-        double wait = secondsSince(start);
+        double wait = time.spent();
         double fraction = renderer.fraction(renderer.processorSeconds() - before, wait, planning);
         RenderReport report = job.report();
         costs.add(
@@ -113,10 +113,6 @@ public record CostForecast(double samplesPerPixel, double seconds) {
                 fraction * wait,
                 fraction * planning);
         return blocks.size();
-    }
-
-    private static double secondsSince(long start) {
-        return (System.nanoTime() - start) / 1e9;
     }
 
     /** The blocks of a picture in an order in which the first n, for any n, are spread all over it. */

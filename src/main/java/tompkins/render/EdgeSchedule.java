@@ -147,17 +147,7 @@ final class EdgeSchedule implements Schedule {
     }
 
     @Override
-    public double wantedError() {
-        return 0;
-    }
-
-    @Override
     public double progress(double work) {
         return Math.min(1, FIRST_EDGES * work);
-    }
-
-    @Override
-    public boolean isOver() {
-        return false;
     }
 }

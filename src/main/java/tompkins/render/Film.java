@@ -96,18 +96,13 @@ final class Film extends PixelBuffer {
         return Math.abs(samples[pixel]);
     }
 
-    /**
-     * Writes the means of a row, channel by channel, behind the first pixel of an array; NaN where there are no
-     * samples.
-     */
-    void means(int row, double[] into) {
-        for (int column = 0; column < width(); column++) {
-            int pixel = pixel(column, row);
-            int count = samples(pixel);
-            for (int channel = 0; channel < 3; channel++) {
-                into[3 * (column + 1) + channel] = exposure() * sums[3 * pixel + channel] / count;
-            }
+    /** The mean of a channel of a pixel; NaN where there are no samples, and outside of the picture. */
+    double mean(int column, int row, int channel) {
+        if (column < 0 || row < 0 || column >= width() || row >= height()) {
+            return Double.NaN;
         }
+        int pixel = pixel(column, row);
+        return exposure() * sums[3 * pixel + channel] / samples(pixel);
     }
 
     /**

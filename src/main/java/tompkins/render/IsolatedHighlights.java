@@ -108,9 +108,11 @@ final class IsolatedHighlights {
 
     /** Whether a pixel has a variance that its mean hardly shows, and nothing around it is of the same kind. */
     private boolean mayHold(int column, int row) {
-        return film.samples(film.pixel(column, row)) > 1
-                && pixels.contrast(column, row) < LARGEST * variance(column, row)
-                && isAlone(column, row, variance(column, row));
+        double variance = variance(column, row);
+        return variance > 0
+                && film.samples(film.pixel(column, row)) > 1
+                && isAlone(column, row, variance)
+                && pixels.contrast(column, row) < LARGEST * variance;
     }
 
     private static float[] variances(Film film) {
@@ -216,9 +218,9 @@ final class IsolatedHighlights {
         return found.isEmpty();
     }
 
-    /** Whether one was found in a pixel. */
-    boolean isAt(int column, int row) {
-        return found.get(film.pixel(column, row));
+    /** The pixels in which one was found. */
+    IntStream found() {
+        return found.stream();
     }
 
     /**

@@ -38,9 +38,6 @@ final class PixelVariance {
     /** The roughness that each pixel's own samples show, in a picture with a border; NaN where there are no samples. */
     private final float[] own;
 
-    /** The largest mean square of the second differences of each pixel, in a picture with a border, as {@link #own}. */
-    private final float[] differences;
-
     private float[] shared;
     private final BooleanSupplier stopped;
     private final int sampled;
@@ -92,7 +89,6 @@ final class PixelVariance {
         height = film.height();
         sampled = film.sampledPixels();
         own = new float[(width + 2) * (height + 2)];
-        differences = new float[own.length];
         measure();
         shared = withNeighbours(own);
         fillGaps();
@@ -103,104 +99,61 @@ final class PixelVariance {
      * a short flash or a thin bar: such a pixel takes the mean of the smallest square in which this is likely.
      */
     private void fillGaps() {
-        for (int side = IsolatedHighlights.SIDE; side / 2 < Math.max(width, height); side *= 2) {
-            Cancellation.stopIf(stopped);
-            int part = side;
-            IntStream.range(0, (height + side - 1) / side).parallel().forEach(band -> {
-                for (int left = 0; left < width; left += part) {
-                    int bottom = Math.min(height, (band + 1) * part);
-                    fillGaps(band * part, bottom, left, Math.min(width, left + part));
-                }
-            });
-        }
+        int columns = (width + IsolatedHighlights.SIDE - 1) / IsolatedHighlights.SIDE;
+        int rows = (height + IsolatedHighlights.SIDE - 1) / IsolatedHighlights.SIDE;
+        Square[] squares = IntStream.range(0, columns * rows)
+                .parallel()
+                .mapToObj(i -> new Square(i % columns * IsolatedHighlights.SIDE, i / columns * IsolatedHighlights.SIDE))
+                .toArray(Square[]::new);
+        fillGaps(squares, columns);
     }
 
-    /**
-     * Fills the gaps of a part of the picture if chance explains them: as many pixels that vary lie alone, and as few
-     * are gaps, as if each pixel varied by itself with the same probability. Along edges neither is so.
-     */
-    private void fillGaps(int top, int bottom, int left, int right) {
-        double sum = 0;
-        int several = 0;
-        int varied = 0;
-        int alone = 0;
-        int gaps = 0;
-        for (int row = top; row < bottom; row++) {
-            for (int column = left; column < right; column++) {
-                int pixel = film.pixel(column, row);
-                if (film.samples(pixel) > 1) {
-                    double roughness = own[bordered(row, column)];
-                    several++;
-                    sum += roughness;
-                    varied += roughness > 0 ? 1 : 0;
-                    alone += roughness > 0 && sumAround(own, row, column) == 0 ? 1 : 0;
-                    gaps += shared[pixel] == 0 ? 1 : 0;
-                }
-            }
-        }
-        double constant = 1 - (double) varied / several;
-        int others = Math.min(3, width) * Math.min(3, height) - 1;
-        boolean byChance = alone > CHANCE * varied * Math.pow(constant, others)
-                && CHANCE * gaps < several * Math.pow(constant, others + 1);
-        if (!byChance || 2 * several < (bottom - top) * (right - left)) {
+    /** Fills the gaps of squares, row by row, and then those of squares that are twice as wide. */
+    private void fillGaps(Square[] squares, int columns) {
+        Arrays.stream(squares).parallel().filter(Square::isByChance).forEach(Square::fill);
+        if (squares.length == 1) {
             return;
         }
-        for (int row = top; row < bottom; row++) {
-            for (int pixel = film.pixel(left, row); pixel < film.pixel(right, row); pixel++) {
-                if (film.samples(pixel) > 1 && shared[pixel] == 0) {
-                    shared[pixel] = (float) (sum / several);
-                }
+        int wideColumns = (columns + 1) / 2;
+        int rows = squares.length / columns;
+        Square[] wide = new Square[wideColumns * ((rows + 1) / 2)];
+        for (int i = 0; i < squares.length; i++) {
+            int at = i / columns / 2 * wideColumns + i % columns / 2;
+            if (wide[at] == null) {
+                wide[at] = squares[i];
+            } else {
+                wide[at].add(squares[i]);
             }
         }
+        fillGaps(wide, wideColumns);
     }
 
-    /** Finds what each pixel's own samples and the differences from its neighbours show. */
+    /** Finds what each pixel's own samples, or else the differences from its neighbours, show. */
     private void measure() {
         Arrays.fill(own, Float.NaN);
-        Arrays.fill(differences, Float.NaN);
         bands().forEach(this::measureBand);
     }
 
     private void measureBand(int first) {
         Power growing = new Power(POWER);
-        double[] above = means(first - 1, unknownRow());
-        double[] here = means(first, unknownRow());
-        double[] below = unknownRow();
         for (int row = first; row < Math.min(height, first + BAND); row++) {
             Cancellation.stopIf(stopped);
-            means(row + 1, below);
             for (int column = 0; column < width; column++) {
                 int pixel = film.pixel(column, row);
                 int samples = film.samples(pixel);
                 if (samples > 0) {
-                    double difference = secondDifferences(above, here, below, 3 * column);
                     double roughness = samples > 1
                             ? film.halvesVariance(pixel) * growing.of(samples)
-                            : difference * WEIGHT_OF_SECOND_DIFFERENCE;
-                    differences[bordered(row, column)] = (float) Math.min(Float.MAX_VALUE, difference);
+                            : secondDifferences(column, row) * WEIGHT_OF_SECOND_DIFFERENCE;
                     own[bordered(row, column)] = (float) Math.min(Float.MAX_VALUE, roughness);
                 }
             }
-            double[] next = above;
-            above = here;
-            here = below;
-            below = next;
         }
     }
 
     /** The first rows of bands that may be worked on side by side. */
     private IntStream bands() {
         return IntStream.range(0, (height + BAND - 1) / BAND).parallel().map(band -> band * BAND);
-    }
-
-    /** Fills a row with a border; unknown outside of the picture. */
-    private double[] means(int row, double[] into) {
-        if (row >= 0 && row < height) {
-            film.means(row, into);
-        } else {
-            Arrays.fill(into, Double.NaN);
-        }
-        return into;
     }
 
     /**
@@ -214,17 +167,13 @@ final class PixelVariance {
             return;
         }
         Power growing = new Power(POWER);
-        for (int row = 0; row < height; row++) {
-            Cancellation.stopIf(stopped);
-            for (int column = 0; column < width; column++) {
-                if (specks.isAt(column, row)) {
-                    int index = bordered(row, column);
-                    double growth = growing.of(film.samples(film.pixel(column, row)));
-                    double roughness = Math.max(own[index], specks.varianceOfMean(column, row) * growth);
-                    own[index] = (float) (roughness * (1 - specks.missed(column, row)));
-                }
-            }
-        }
+        specks.found().forEach(pixel -> {
+            int column = pixel % width;
+            int row = pixel / width;
+            int index = bordered(row, column);
+            double variance = specks.varianceOfMean(column, row) * growing.of(film.samples(pixel));
+            own[index] = (float) (Math.max(own[index], variance) * (1 - specks.missed(column, row)));
+        });
         shared = withNeighbours(own);
         bands().forEach(first -> addUnseen(specks, first));
     }
@@ -248,14 +197,7 @@ final class PixelVariance {
      * outside of the picture and where there are no samples.
      */
     double contrast(int column, int row) {
-        return differences[bordered(row, column)] / 4;
-    }
-
-    /** A row with a border, whose values are all unknown. */
-    private double[] unknownRow() {
-        double[] row = new double[3 * (width + 2)];
-        Arrays.fill(row, Double.NaN);
-        return row;
+        return secondDifferences(column, row) / 4;
     }
 
     /** The index of a pixel in a picture with a border of one pixel. */
@@ -266,25 +208,24 @@ final class PixelVariance {
     /**
      * The largest mean square, over the channels, of the second differences along rows, columns and diagonals; 0 where
      * neighbours are missing.
-     *
-     * @param at where the pixel to the left begins in each row
      */
-    private static double secondDifferences(double[] above, double[] here, double[] below, int at) {
-        double most = 0;
-        most = larger(most, secondDifference(here, at, here, at + 6, here, at + 3));
-        most = larger(most, secondDifference(above, at + 3, below, at + 3, here, at + 3));
-        most = larger(most, secondDifference(above, at, below, at + 6, here, at + 3));
-        most = larger(most, secondDifference(below, at, above, at + 6, here, at + 3));
-        return most / 3;
+    private double secondDifferences(int column, int row) {
+        double most = larger(0, secondDifference(column, row, 1, 0));
+        most = larger(most, secondDifference(column, row, 0, 1));
+        most = larger(most, secondDifference(column, row, 1, 1));
+        return larger(most, secondDifference(column, row, 1, -1)) / 3;
     }
 
     /** The sum, over the channels, of the squares of the second difference; NaN where a neighbour is missing. */
-    private static double secondDifference(
-            double[] before, int first, double[] after, int last, double[] here, int middle) {
-        double red = before[first] + after[last] - 2 * here[middle];
-        double green = before[first + 1] + after[last + 1] - 2 * here[middle + 1];
-        double blue = before[first + 2] + after[last + 2] - 2 * here[middle + 2];
-        return red * red + green * green + blue * blue;
+    private double secondDifference(int column, int row, int right, int down) {
+        double sum = 0;
+        for (int channel = 0; channel < 3; channel++) {
+            double difference = film.mean(column - right, row - down, channel)
+                    + film.mean(column + right, row + down, channel)
+                    - 2 * film.mean(column, row, channel);
+            sum += difference * difference;
+        }
+        return sum;
     }
 
     /** The larger of two numbers; the first if the other is NaN. */
@@ -310,14 +251,18 @@ final class PixelVariance {
      * a pixel with samples that met little light were the first to stop, pictures would be too dark.
      */
     private float meanAround(float[] own, int row, int column) {
-        double sum = sumAround(own, row, column);
-        int count = 0;
+        int here = bordered(row, column);
+        double sum = 0;
+        int others = 0;
         for (int y = row - 1; y <= row + 1; y++) {
-            for (int x = column - 1; x <= column + 1; x++) {
-                count += own[bordered(y, x)] >= 0 ? 1 : 0;
+            for (int index = bordered(y, column - 1); index <= bordered(y, column + 1); index++) {
+                if (index != here && own[index] >= 0) {
+                    sum += own[index];
+                    others++;
+                }
             }
         }
-        return (float) (sum > 0 ? sum / (count - 1) : own[bordered(row, column)] / count);
+        return (float) (sum > 0 ? sum / others : own[here] / (others + 1));
     }
 
     /** The sum of those neighbours of a pixel that have samples. */
@@ -355,6 +300,79 @@ final class PixelVariance {
             sum += variance(pixel);
         }
         return Math.sqrt(sum / Math.max(1, sampled));
+    }
+
+    /**
+     * What the pixels of a square with several samples tell of each other: the sum of their roughness, how many vary,
+     * how many of these lie alone, and how many have nothing around that varies.
+     */
+    private final class Square {
+
+        private final int left;
+        private final int top;
+        private int right;
+        private int bottom;
+        private double sum;
+        private int several;
+        private int varied;
+        private int alone;
+        private int gaps;
+
+        /** The smallest square from a pixel to the right and down. */
+        Square(int left, int top) {
+            Cancellation.stopIf(stopped);
+            this.left = left;
+            this.top = top;
+            right = Math.min(width, left + IsolatedHighlights.SIDE);
+            bottom = Math.min(height, top + IsolatedHighlights.SIDE);
+            for (int row = top; row < bottom; row++) {
+                for (int column = left; column < right; column++) {
+                    int pixel = film.pixel(column, row);
+                    if (film.samples(pixel) > 1) {
+                        double roughness = own[bordered(row, column)];
+                        several++;
+                        sum += roughness;
+                        varied += roughness > 0 ? 1 : 0;
+                        alone += roughness > 0 && sumAround(own, row, column) == 0 ? 1 : 0;
+                        gaps += shared[pixel] == 0 ? 1 : 0;
+                    }
+                }
+            }
+        }
+
+        /** Takes up a square to the right or below. */
+        void add(Square other) {
+            right = Math.max(right, other.right);
+            bottom = Math.max(bottom, other.bottom);
+            sum += other.sum;
+            several += other.several;
+            varied += other.varied;
+            alone += other.alone;
+            gaps += other.gaps;
+        }
+
+        /**
+         * Whether chance explains the gaps: as many pixels that vary lie alone, and as few are gaps, as if each pixel
+         * varied by itself with the same probability. Along edges neither is so.
+         */
+        boolean isByChance() {
+            double constant = 1 - (double) varied / several;
+            int others = Math.min(3, width) * Math.min(3, height) - 1;
+            return 2 * several >= (bottom - top) * (right - left)
+                    && alone > CHANCE * varied * Math.pow(constant, others)
+                    && CHANCE * gaps < several * Math.pow(constant, others + 1);
+        }
+
+        void fill() {
+            gaps = 0;
+            for (int row = top; row < bottom; row++) {
+                for (int pixel = film.pixel(left, row); pixel < film.pixel(right, row); pixel++) {
+                    if (film.samples(pixel) > 1 && shared[pixel] == 0) {
+                        shared[pixel] = (float) (sum / several);
+                    }
+                }
+            }
+        }
     }
 
     /** A power of numbers of samples, kept for the next pixel, which usually has as many. */

@@ -9,10 +9,7 @@ import tompkins.property.Require;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.Surface;
 
-/**
- * A circular cone. Coordinates on the mantle: u once around, v from the base (0) to the tip (1); on the base as on a
- * {@link Disc}.
- */
+/** A circular cone. Coordinates: u once around, v from base (0) to tip (1); on the base as on a {@link Disc}. */
 @Meaning(
         "A circular cone; u runs once around, to the right seen from outside with the tip above, v from the base (0) to the tip (1)")
 public record Cone(

@@ -10,10 +10,7 @@ import tompkins.property.Require;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.Surface;
 
-/**
- * A round rod or tube. Coordinates on the mantle: u once around, v from the start (0) to the end (1); on the caps as on
- * a {@link Disc}.
- */
+/** A round rod or tube. Coordinates: u once around, v from start (0) to end (1); on caps as on a {@link Disc}. */
 @Meaning(
         "A round rod, or a tube without caps; u runs once around, to the right seen from outside with the start below, v from start (0) to end (1)")
 public record Cylinder(

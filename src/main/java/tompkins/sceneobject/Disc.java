@@ -11,10 +11,7 @@ import tompkins.property.Require;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.Surface;
 
-/**
- * A flat disc. Coordinates: from 0 to 1 across the square around it, to the right and up seen from the side of its
- * normal.
- */
+/** A flat disc. Coordinates: 0 to 1 across the square around it, to the right and up seen from its normal. */
 @Meaning(
         "A flat disc; u and v run from 0 to 1 across the square around it, to the right and up seen from the side of its normal")
 public record Disc(

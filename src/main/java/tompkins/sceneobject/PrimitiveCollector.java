@@ -163,8 +163,7 @@ public final class PrimitiveCollector {
     }
 
     /**
-     * Adds what moves. Everything that moves with one velocity shares one frame: a different place at time 0 is a
-     * different place in that frame and a different zero of proper time.
+     * Adds what moves. Everything that moves with one velocity shares one frame.
      *
      * @param velocity velocity in the frame in which the placement places
      * @param place where the origin of what moves is at proper time 0, before the placement

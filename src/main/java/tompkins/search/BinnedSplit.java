@@ -2,10 +2,7 @@ package tompkins.search;
 
 import java.util.Arrays;
 
-/**
- * Splits some boxes by the best cut across one axis, among those between slices of equal width (binned surface-area
- * heuristic). One for each thread.
- */
+/** Splits boxes by the best of the cuts between slices of equal width, across one axis. One for each thread. */
 final class BinnedSplit {
 
     private static final int SLICES = 16;
@@ -26,12 +23,7 @@ final class BinnedSplit {
     private double bestScale;
     private int bestSlice;
 
-    /**
-     * A split of boxes that hold primitives.
-     *
-     * @param costOfNode cost of visiting a node, in tests of a primitive: two boxes against a ray, and the memory that
-     *     they come from
-     */
+    /** A split of boxes, where to visit a node costs as much as so many tests of a primitive. */
     BinnedSplit(double costOfNode) {
         this.costOfNode = costOfNode;
     }

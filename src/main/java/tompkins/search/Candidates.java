@@ -6,10 +6,7 @@ import tompkins.ray.Padded;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 
-/**
- * A few primitives that the rays of a packet may meet, the nearest first, with a note for each ray which of them it may
- * meet. One for each thread, filled again and again.
- */
+/** A few primitives, the nearest first, and which of them each ray of a packet may meet. One for each thread. */
 final class Candidates extends Padded {
 
     /** Most primitives: this many bits of a double add up without rounding. */
@@ -81,13 +78,13 @@ final class Candidates extends Padded {
     void sift(RayPacket rays) {
         Arrays.fill(mayMeet, 0, rays.count(), (1L << count) - 1);
         for (int i = 0; i < count; i++) {
-            if (found[i].overlaps(rays, bundle.starts(), overlaps)) {
+            if (found[i].overlaps(rays, bundle.farthest(), overlaps)) {
                 takeOut(1L << i, rays.count());
             }
         }
     }
 
-    /** Uses no branch and one kind of number, so that the compiler makes instructions for several rays at once. */
+    /** Without a branch, so that the compiler makes instructions for several rays at once. */
     private void takeOut(double bit, int rayCount) {
         for (int ray = 0; ray < rayCount; ray++) {
             // -1 below 0, otherwise 0

@@ -141,10 +141,7 @@ public final class ContactSearch {
         }
     }
 
-    /**
-     * The surfaces at the nearest place; null if there is only one. There are no layers to be met where the ray starts
-     * there, or where media of one index touch.
-     */
+    /** The surfaces at the nearest place; null if there is only one. Where the ray starts there, no layers are met. */
     public Contact contact() {
         met.sort(Comparator.comparingDouble(Met::fraction).thenComparingInt(each -> each.primitive.order()));
         List<Met> here =

@@ -112,10 +112,7 @@ final class LampProjection {
         return new Interval(centre - half, centre + half);
     }
 
-    /**
-     * How far across the view all of a primitive stands from the plane of a slope, above it (sign 1) or below it (sign
-     * -1); 0 if not all does.
-     */
+    /** How far all of a primitive stands above the plane of a slope (sign 1) or below it (sign -1); else 0. */
     private double ownGap(Primitive primitive, Vector3dc across, double slope, int sign) {
         double nx = sign * (across.x() - slope * forward.x());
         double ny = sign * (across.y() - slope * forward.y());

@@ -1,7 +1,5 @@
 package tompkins.search;
 
-import java.util.concurrent.ForkJoinPool;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.joml.Vector3dc;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
@@ -17,29 +15,14 @@ import tompkins.ray.RayCounts;
  */
 public final class LampShadows {
 
-    /**
-     * From this number of primitives, more than a {@link LampTrack} passes, the tree answers first: to fill the cells
-     * takes at least as long as a shadow ray for each of them, and one picture may ask for less.
-     */
-    static final int MANY = 100_000;
-
     private final LightBufferProjection view;
-    private final ObjectTree objects;
+    private final LightBuffer cells;
     private final Primitive[] everywhere;
 
-    /** Null as long as they are not filled. */
-    private final LightBuffer cells;
-
-    private final AtomicInteger asked = new AtomicInteger();
-
-    /** The same with its cells, once another thread has filled them. */
-    private LampShadows filled;
-
-    private LampShadows(LightBufferProjection view, ObjectTree objects, LightBuffer cells) {
+    private LampShadows(LightBufferProjection view, LightBuffer cells, Primitive[] everywhere) {
         this.view = view;
-        this.objects = objects;
         this.cells = cells;
-        everywhere = objects.unbounded().toArray(Primitive[]::new);
+        this.everywhere = everywhere;
     }
 
     /**
@@ -57,29 +40,10 @@ public final class LampShadows {
             return null;
         }
         LightBufferProjection view = LightBufferProjection.of(from, to, all);
-        LampShadows empty = view == null ? null : new LampShadows(view, objects, null);
-        return empty == null || objects.size() >= MANY ? empty : empty.filled();
-    }
-
-    /** The same with its cells, or null if the tree is faster. */
-    private LampShadows filled() {
-        LightBuffer all = LightBuffer.of(view, objects.bounded());
-        return all == null ? null : new LampShadows(view, objects, all);
-    }
-
-    /**
-     * The grid for the next shadow ray, or null if the tree is to answer. Among very many primitives it does until so
-     * many rays have asked that another thread has filled the cells; the answers are the same.
-     */
-    public LampShadows gridOrNull() {
-        if (cells != null) {
-            return this;
-        }
-        int enough = objects.size();
-        if (asked.get() < enough && asked.incrementAndGet() == enough) {
-            ForkJoinPool.commonPool().execute(() -> filled = filled());
-        }
-        return filled;
+        LightBuffer cells = view == null ? null : LightBuffer.of(view, objects.bounded());
+        return cells == null
+                ? null
+                : new LampShadows(view, cells, objects.unbounded().toArray(Primitive[]::new));
     }
 
     /**

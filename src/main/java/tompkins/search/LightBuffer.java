@@ -2,9 +2,8 @@ package tompkins.search;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicLong;
-import java.util.stream.IntStream;
 import tompkins.primitive.Primitive;
+import tompkins.search.LightBufferProjection.Rectangle;
 
 /** What lies in the cells of a lamp's view, the nearest first. All cells lie one after the other in arrays. */
 final class LightBuffer {
@@ -18,9 +17,7 @@ final class LightBuffer {
     /** With this many primitives in the cell of the average primitive there are too many, wherever the others are. */
     private static final int MOST_IN_CROWD = 1000;
 
-    /** Number of primitives that are noted at once, while another thread notes others. */
-    private static final int CHUNK = 4096;
-
+    private static final int PARTS = LightBufferProjection.PARTS;
     private static final int CELLS = LightBufferProjection.SIDE * LightBufferProjection.SIDE;
 
     /** Where each cell begins; the last one ends at the last number. */
@@ -29,50 +26,60 @@ final class LightBuffer {
     private final long[] entries;
     private final Primitive[] primitives;
 
-    /** Moves each entry to its cell, where the entries keep their order. */
-    private LightBuffer(int[] starts, List<LightBufferBuilder> notes, ProjectedBounds[] sights) {
+    private LightBuffer(int[] starts) {
         this.starts = starts;
         entries = new long[starts[CELLS]];
         primitives = new Primitive[starts[CELLS]];
-        int[] next = starts.clone();
-        for (LightBufferBuilder part : notes) {
-            for (int i = 0; i < part.count(); i++) {
-                int index = next[part.cell(i)]++;
-                entries[index] = part.entry(i);
-                primitives[index] = sights[part.number(i)].primitive();
-            }
-        }
+    }
+
+    /** Does something with each cell of a view in which a primitive is seen, and with its entry there. */
+    private interface CellVisitor {
+        void visit(int cell, long entry);
     }
 
     /** The cells of a view, or null if the primitives are seen in too many of them, or too many in one. */
     static LightBuffer of(LightBufferProjection view, List<Primitive> primitives) {
         long most = Math.max((long) MOST_IN_MEAN * CELLS, (long) MOST_CELLS_OF_MANY * primitives.size());
-        ProjectedBounds[] sights = primitives.parallelStream()
+        ProjectedBounds[] nearestFirst = nearestFirst(primitives.parallelStream()
                 .map(primitive -> ProjectedBounds.of(primitive, view))
-                .toArray(ProjectedBounds[]::new);
-        // what crosses a rectangle is seen in each of its columns or in each of its rows
-        long least = Arrays.stream(sights)
-                .map(ProjectedBounds::rectangle)
-                .mapToLong(rectangle -> Math.max(rectangle.width(), rectangle.height()))
-                .sum();
-        if (least > most) {
+                .toArray(ProjectedBounds[]::new));
+        int[] starts = new int[CELLS + 1];
+        long left = most;
+        for (int i = 0; i < nearestFirst.length && left >= 0; i++) {
+            left -= visit(view, nearestFirst[i], (cell, entry) -> starts[cell + 1]++);
+        }
+        if (left < 0 || isCrowded(starts)) {
             return null;
         }
-        ProjectedBounds[] nearestFirst = nearestFirst(sights);
-        AtomicLong left = new AtomicLong(most);
-        List<LightBufferBuilder> notes = IntStream.range(0, (nearestFirst.length + CHUNK - 1) / CHUNK)
-                .parallel()
-                .mapToObj(chunk -> notes(view, nearestFirst, chunk * CHUNK, left))
-                .toList();
-        int[] starts = starts(notes);
-        return left.get() < 0 || isCrowded(starts) ? null : new LightBuffer(starts, notes, nearestFirst);
+        Arrays.parallelPrefix(starts, Integer::sum);
+        LightBuffer buffer = new LightBuffer(starts);
+        int[] next = starts.clone();
+        for (ProjectedBounds sight : nearestFirst) {
+            visit(view, sight, (cell, entry) -> {
+                buffer.entries[next[cell]] = entry;
+                buffer.primitives[next[cell]++] = sight.primitive();
+            });
+        }
+        return buffer;
     }
 
-    private static LightBufferBuilder notes(
-            LightBufferProjection view, ProjectedBounds[] sights, int from, AtomicLong left) {
-        LightBufferBuilder notes = new LightBufferBuilder(view, sights);
-        notes.note(from, Math.min(from + CHUNK, sights.length), left);
-        return notes;
+    /** Visits the cells in which a primitive is seen, and returns how many they are. */
+    private static int visit(LightBufferProjection view, ProjectedBounds sight, CellVisitor visitor) {
+        int count = 0;
+        Rectangle all = sight.rectangle();
+        for (int column = all.firstColumn() / PARTS; column <= all.lastColumn() / PARTS; column++) {
+            Rectangle inColumn = sight.rectangle(view, column, 0, LightBufferProjection.SIDE);
+            for (int row = inColumn.firstRow() / PARTS; row <= inColumn.lastRow() / PARTS; row++) {
+                Rectangle inCell = sight.rectangle(view, column, row, 1);
+                if (!inCell.isEmpty()) {
+                    visitor.visit(
+                            row * LightBufferProjection.SIDE + column,
+                            BufferEntry.of(sight.leastDistance(), inCell, column, row));
+                    count++;
+                }
+            }
+        }
+        return count;
     }
 
     /** Sorts numbers, which is many times as fast as sorting objects. */
@@ -83,24 +90,14 @@ final class LightBuffer {
         return Arrays.stream(keys).mapToObj(key -> sights[(int) key]).toArray(ProjectedBounds[]::new);
     }
 
-    private static int[] starts(List<LightBufferBuilder> notes) {
-        int[] starts = new int[CELLS + 1];
-        for (LightBufferBuilder part : notes) {
-            for (int i = 0; i < part.count(); i++) {
-                starts[part.cell(i) + 1]++;
-            }
-        }
-        Arrays.parallelPrefix(starts, Integer::sum);
-        return starts;
-    }
-
-    private static boolean isCrowded(int[] starts) {
+    private static boolean isCrowded(int[] counts) {
+        double sum = 0;
         double squares = 0;
-        for (int cell = 0; cell < CELLS; cell++) {
-            double count = starts[cell + 1] - starts[cell];
+        for (double count : counts) {
+            sum += count;
             squares += count * count;
         }
-        return squares > (double) MOST_IN_CROWD * starts[CELLS];
+        return squares > MOST_IN_CROWD * sum;
     }
 
     /** Index of the first entry of a cell. */

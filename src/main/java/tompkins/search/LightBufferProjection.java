@@ -34,22 +34,6 @@ final class LightBufferProjection {
     /** A rectangle of parts of cells, from the first to the last column and row of them. */
     record Rectangle(int firstColumn, int lastColumn, int firstRow, int lastRow) {
 
-        int firstCellColumn() {
-            return firstColumn / PARTS;
-        }
-
-        int lastCellColumn() {
-            return lastColumn / PARTS;
-        }
-
-        int firstCellRow() {
-            return firstRow / PARTS;
-        }
-
-        int lastCellRow() {
-            return lastRow / PARTS;
-        }
-
         /** What this and another have in common; empty if the last place lies before the first. */
         Rectangle and(Rectangle other) {
             return new Rectangle(
@@ -61,16 +45,6 @@ final class LightBufferProjection {
 
         boolean isEmpty() {
             return lastColumn < firstColumn || lastRow < firstRow;
-        }
-
-        /** Number of columns of cells that it reaches into. */
-        int width() {
-            return lastCellColumn() - firstCellColumn() + 1;
-        }
-
-        /** Number of rows of cells that it reaches into. */
-        int height() {
-            return lastCellRow() - firstCellRow() + 1;
         }
     }
 

@@ -54,10 +54,7 @@ public final class NearestHit extends Padded {
         shared = wasShared;
     }
 
-    /**
-     * Tests one primitive, which replaces what was found before if it is nearer: of equally near ones the one that is
-     * listed first stays.
-     */
+    /** Tests one primitive; the nearest stays, or of equally near ones the one that is listed first. */
     void test(Primitive candidate, Ray ray) {
         double candidateDistance = candidate.distance(ray, reach);
         if (candidateDistance < Primitive.NO_HIT && ray.contact != null) {

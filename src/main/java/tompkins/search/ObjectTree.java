@@ -19,10 +19,7 @@ import tompkins.surface.Surface;
  */
 public final class ObjectTree {
 
-    /**
-     * From this number of primitives a tree is faster than a list (see the chart of the tree in
-     * docs/speed-and-accuracy.md).
-     */
+    /** From this number of primitives a tree is faster than a list, as the study {@code tree} shows. */
     public static final int SMALLEST_TREE = 20;
 
     /** With fewer chords of a ray past what turns, more hits are missed, as the study {@code precision} shows. */
@@ -125,11 +122,6 @@ public final class ObjectTree {
         return !rotating.isEmpty();
     }
 
-    /** Whether a tree was built. */
-    public boolean hasTree() {
-        return root != null;
-    }
-
     /** Whether most bounded primitives are much longer than wide, like rods. */
     boolean isMostlyLong() {
         return mostlyLong;
@@ -171,28 +163,15 @@ public final class ObjectTree {
 
     /** As above, of what is not farther than a limit. */
     public boolean nearest(Ray ray, double limit, NearestHit nearest) {
-        searchListed(ray, limit, nearest);
-        if (root != null) {
-            searchTree(root, ray, nearest);
-        }
-        return nearest.primitive() != null;
-    }
-
-    /** As {@link #nearest(Ray, double, NearestHit)}, for a ray that enters the tree through some nodes. */
-    public boolean nearest(Ray ray, double limit, EntryNodes entries, NearestHit nearest) {
-        searchListed(ray, limit, nearest);
-        for (int i = 0; i < entries.count() && entries.distance(i) <= nearest.reach(); i++) {
-            searchTree(entries.node(i), ray, nearest);
-        }
-        return nearest.primitive() != null;
-    }
-
-    private void searchListed(Ray ray, double limit, NearestHit nearest) {
         nearest.start(limit);
         for (Primitive primitive : listed) {
             nearest.test(primitive, ray);
         }
         nearest.count(0, listed.length);
+        if (root != null) {
+            searchTree(root, ray, nearest);
+        }
+        return nearest.primitive() != null;
     }
 
     /** Searches below a node for what is nearer than what was found before. */
@@ -262,55 +241,31 @@ public final class ObjectTree {
                 return primitive;
             }
         }
-        return root == null ? null : treeShadow(ray, limit, scratch);
+        return root == null ? null : shadow(root, ray, 1 / ray.dx, 1 / ray.dy, 1 / ray.dz, limit, scratch);
     }
 
-    private Primitive treeShadow(Ray ray, double limit, NearestHit scratch) {
-        double x = ray.x;
-        double y = ray.y;
-        double z = ray.z;
-        double inverseX = 1 / ray.dx;
-        double inverseY = 1 / ray.dy;
-        double inverseZ = 1 / ray.dz;
-        TreeNode[] waiting = scratch.waiting;
-        int count = 0;
-        int nodes = 0;
-        int tests = 0;
-        TreeNode node = root;
-        Primitive shadow = null;
-        search:
-        while (node != null) {
-            nodes++;
-            TreeNode next = null;
-            if (node.primitives == null) {
-                double low = node.low.entry(x, y, z, inverseX, inverseY, inverseZ, limit);
-                double high = node.high.entry(x, y, z, inverseX, inverseY, inverseZ, limit);
-                if (low != TreeNode.MISSED) {
-                    next = node.low;
-                    if (high != TreeNode.MISSED) {
-                        waiting[count++] = node.high;
-                    }
-                } else if (high != TreeNode.MISSED) {
-                    next = node.high;
-                }
-            } else {
-                Primitive[] primitives = node.primitives;
-                int to = node.to;
-                for (int i = node.from; i < to; i++) {
-                    Primitive primitive = primitives[i];
-                    tests++;
-                    if (primitive.shadows(ray, limit)) {
-                        shadow = primitive;
-                        break search;
-                    }
-                }
-            }
-            if (next == null && count > 0) {
-                next = waiting[--count];
-            }
-            node = next;
+    private static Primitive shadow(
+            TreeNode node,
+            Ray ray,
+            double inverseX,
+            double inverseY,
+            double inverseZ,
+            double limit,
+            NearestHit scratch) {
+        if (node.entry(ray.x, ray.y, ray.z, inverseX, inverseY, inverseZ, limit) == TreeNode.MISSED) {
+            return null;
         }
-        scratch.count(nodes, tests);
-        return shadow;
+        scratch.count(1, 0);
+        if (node.primitives == null) {
+            Primitive shadow = shadow(node.low, ray, inverseX, inverseY, inverseZ, limit, scratch);
+            return shadow != null ? shadow : shadow(node.high, ray, inverseX, inverseY, inverseZ, limit, scratch);
+        }
+        for (int i = node.from; i < node.to; i++) {
+            scratch.count(0, 1);
+            if (node.primitives[i].shadows(ray, limit)) {
+                return node.primitives[i];
+            }
+        }
+        return null;
     }
 }

@@ -1,7 +1,7 @@
 package tompkins.search;
 
+import java.util.Arrays;
 import tompkins.primitive.Primitive;
-import tompkins.primitive.RayStarts;
 import tompkins.ray.Padded;
 import tompkins.ray.RayPacket;
 
@@ -19,10 +19,7 @@ final class PacketFrustum extends Padded {
     /** The plane across the rays: all of them lie in front of it. */
     private static final int AHEAD = 4;
 
-    /**
-     * Widening against rounding, relative to the coordinates of the starts. Primitives and nodes have margins of their
-     * own for their coordinates.
-     */
+    /** Widening against rounding of the starts; primitives and nodes have margins of their own. */
     private static final double MARGIN = 1e-12;
 
     /** Smallest cosine between a ray and the mean direction; it is not worth bounding wider packets. */
@@ -31,24 +28,20 @@ final class PacketFrustum extends Padded {
     final double[] normals = new double[3 * PLANES];
     final double[] bounds = new double[PLANES];
 
-    private final double[] cosines = new double[RayPacket.MOST];
-    private final double[] inverses = new double[RayPacket.MOST];
-    private final double[] slopesE = new double[RayPacket.MOST];
-    private final double[] slopesF = new double[RayPacket.MOST];
-
-    private final RayStarts starts = new RayStarts();
-    private double farthestStart;
+    private double farthest;
+    private double farthestAhead;
 
     /**
-     * Bounds the rays of a packet from one place (included) to another (excluded).
+     * Bounds the rays of a packet.
      *
      * @return false if they spread too widely; the frustum must not be used then
      */
-    boolean enclose(RayPacket rays, int from, int to) {
+    boolean enclose(RayPacket rays) {
+        int count = rays.count();
         // any axis will do that is close to all rays; the first and the last ray of a packet lie in opposite corners
-        double ax = rays.dx[from] + rays.dx[to - 1];
-        double ay = rays.dy[from] + rays.dy[to - 1];
-        double az = rays.dz[from] + rays.dz[to - 1];
+        double ax = rays.dx[0] + rays.dx[count - 1];
+        double ay = rays.dy[0] + rays.dy[count - 1];
+        double az = rays.dz[0] + rays.dz[count - 1];
         double length = Math.sqrt(ax * ax + ay * ay + az * az);
         if (!(length > LEAST_COSINE)) {
             return false;
@@ -68,28 +61,17 @@ final class PacketFrustum extends Padded {
         double fx = ay * ez - az * ey;
         double fy = az * ex - ax * ez;
         double fz = ax * ey - ay * ex;
-        for (int i = from; i < to; i++) {
-            cosines[i] = rays.dx[i] * ax + rays.dy[i] * ay + rays.dz[i] * az;
-        }
-        for (int i = from; i < to; i++) {
-            inverses[i] = 1 / cosines[i];
-        }
-        for (int i = from; i < to; i++) {
-            slopesE[i] = (rays.dx[i] * ex + rays.dy[i] * ey + rays.dz[i] * ez) * inverses[i];
-        }
-        for (int i = from; i < to; i++) {
-            slopesF[i] = (rays.dx[i] * fx + rays.dy[i] * fy + rays.dz[i] * fz) * inverses[i];
-        }
         double leastE = Double.POSITIVE_INFINITY;
         double mostE = Double.NEGATIVE_INFINITY;
         double leastF = Double.POSITIVE_INFINITY;
         double mostF = Double.NEGATIVE_INFINITY;
-        for (int i = from; i < to; i++) {
-            if (!(cosines[i] > LEAST_COSINE)) {
+        for (int i = 0; i < count; i++) {
+            double cosine = rays.dx[i] * ax + rays.dy[i] * ay + rays.dz[i] * az;
+            if (!(cosine > LEAST_COSINE)) {
                 return false;
             }
-            double slopeE = slopesE[i];
-            double slopeF = slopesF[i];
+            double slopeE = (rays.dx[i] * ex + rays.dy[i] * ey + rays.dz[i] * ez) / cosine;
+            double slopeF = (rays.dx[i] * fx + rays.dy[i] * fy + rays.dz[i] * fz) / cosine;
             leastE = slopeE < leastE ? slopeE : leastE;
             mostE = slopeE > mostE ? slopeE : mostE;
             leastF = slopeF < leastF ? slopeF : leastF;
@@ -100,7 +82,7 @@ final class PacketFrustum extends Padded {
         setNormal(2, fx - mostF * ax, fy - mostF * ay, fz - mostF * az);
         setNormal(3, leastF * ax - fx, leastF * ay - fy, leastF * az - fz);
         setNormal(AHEAD, -ax, -ay, -az);
-        boundStarts(rays, from, to);
+        boundStarts(rays);
         return true;
     }
 
@@ -111,33 +93,29 @@ final class PacketFrustum extends Padded {
     }
 
     /** n.x only falls along a ray, so that its start decides. */
-    private void boundStarts(RayPacket rays, int from, int to) {
-        double firstX = rays.x[from];
-        double firstY = rays.y[from];
-        double firstZ = rays.z[from];
-        starts.measure(rays, from, to);
-        for (int plane = 0; plane < PLANES; plane++) {
-            bounds[plane] = height(plane, firstX, firstY, firstZ);
-        }
-        farthestStart = -bounds[AHEAD];
-        for (int i = starts.areOne() ? to : from + 1; i < to; i++) {
+    private void boundStarts(RayPacket rays) {
+        Arrays.fill(bounds, Double.NEGATIVE_INFINITY);
+        farthest = 0;
+        farthestAhead = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < rays.count(); i++) {
             double x = rays.x[i];
             double y = rays.y[i];
             double z = rays.z[i];
             for (int plane = 0; plane < PLANES; plane++) {
                 bounds[plane] = Math.max(bounds[plane], height(plane, x, y, z));
             }
-            farthestStart = Math.max(farthestStart, -height(AHEAD, x, y, z));
+            farthest = Math.max(farthest, Math.abs(x) + Math.abs(y) + Math.abs(z));
+            farthestAhead = Math.max(farthestAhead, -height(AHEAD, x, y, z));
         }
         for (int plane = 0; plane < PLANES; plane++) {
-            bounds[plane] += MARGIN * starts.farthest();
+            bounds[plane] += MARGIN * farthest;
         }
-        farthestStart += MARGIN * starts.farthest();
+        farthestAhead += MARGIN * farthest;
     }
 
-    /** Where the rays start. */
-    RayStarts starts() {
-        return starts;
+    /** The largest |x| + |y| + |z| of a start of a ray. */
+    double farthest() {
+        return farthest;
     }
 
     private double height(int plane, double x, double y, double z) {
@@ -148,7 +126,7 @@ final class PacketFrustum extends Padded {
     boolean misses(Primitive primitive) {
         for (int plane = 0; plane < PLANES; plane++) {
             int at = 3 * plane;
-            if (primitive.isBeyond(normals[at], normals[at + 1], normals[at + 2], bounds[plane])) {
+            if (primitive.conservativeMinimumAlong(normals[at], normals[at + 1], normals[at + 2]) > bounds[plane]) {
                 return true;
             }
         }
@@ -169,12 +147,12 @@ final class PacketFrustum extends Padded {
     /** A lower bound of the distance at which any ray reaches a primitive. */
     double leastDistance(Primitive primitive) {
         int at = 3 * AHEAD;
-        return primitive.conservativeMinimumAlong(-normals[at], -normals[at + 1], -normals[at + 2]) - farthestStart;
+        return primitive.conservativeMinimumAlong(-normals[at], -normals[at + 1], -normals[at + 2]) - farthestAhead;
     }
 
     /** A lower bound of the distance at which any ray reaches the box of a node. */
     double leastDistance(TreeNode node) {
         int at = 3 * AHEAD;
-        return node.minimumAlong(-normals[at], -normals[at + 1], -normals[at + 2]) - farthestStart;
+        return node.minimumAlong(-normals[at], -normals[at + 1], -normals[at + 2]) - farthestAhead;
     }
 }

@@ -1,9 +1,7 @@
 package tompkins.search;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Iterator;
-import java.util.List;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Padded;
 import tompkins.ray.Ray;
@@ -14,8 +12,7 @@ import tompkins.ray.RayPacket;
  * search for each. Where that pays, it is made for all rays together, which is several times faster. If they can meet
  * only a few primitives, these are found once for all rays. If there are more, they are taken in batches, the nearest
  * first, until all rays but a few have met something nearer than what waits. If there are too many, the tree is
- * searched for each ray, from where a few neighbours enter it ({@link EntryNodes}). One for each thread, used again for
- * every packet.
+ * searched for each ray. One for each thread, used again for every packet.
  */
 public final class PacketSearch extends Padded {
 
@@ -25,10 +22,7 @@ public final class PacketSearch extends Padded {
     /** Number of candidates by which it is decided whether batches are worth while. */
     private static final int PROBES = 8;
 
-    /**
-     * Batches are worth while if this many rays may meet a candidate on average; objects as small as a pixel are left
-     * to each ray.
-     */
+    /** Batches are worth while if so many rays may meet a candidate on average; specks are left to each ray. */
     private static final int LEAST_RAYS = 4;
 
     /** When only this many rays are open, each searches the rest by itself. */
@@ -42,16 +36,13 @@ public final class PacketSearch extends Padded {
     private RayPacket rays;
 
     /** Whether what each ray can meet was found for all together. */
-    private boolean together;
+    boolean together;
 
     private final PacketFrustum bundle = new PacketFrustum();
     private final Candidates candidates = new Candidates(bundle);
 
     /** The parts of the tree that wait to be opened; one that is opened leaves two in its place at most. */
     private final ArrayDeque<TreeNode> waiting = new ArrayDeque<>(NearestHit.DEEPEST_TREE);
-
-    /** The leaves in which candidates were found. */
-    private final ArrayDeque<TreeNode> candidateLeaves = new ArrayDeque<>(Candidates.MOST + 1);
 
     // what each ray has met so far, if there is more than one batch
     private boolean inBatches;
@@ -65,11 +56,6 @@ public final class PacketSearch extends Padded {
 
     private int openCount;
 
-    // what is left to each ray
-    private final List<TreeNode> parts = new ArrayList<>();
-    private final EntryNodes entries = new EntryNodes();
-    private boolean hasEntries;
-
     private final Ray ray = Ray.blank();
 
     /** A search among objects, whose results the memory holds. */
@@ -82,19 +68,15 @@ public final class PacketSearch extends Padded {
     public void begin(RayPacket newRays) {
         rays = newRays;
         together = findAll();
-        hasEntries = false;
-        if (!together) {
-            keepParts();
-        }
     }
 
     /** Whether what each ray can meet was found; else the rays spread too widely, or meet too many primitives. */
     private boolean findAll() {
         inBatches = false;
-        clearCandidates();
+        candidates.clear();
         waiting.clear();
         if (rays.count() == 0
-                || !bundle.enclose(rays, 0, rays.count())
+                || !bundle.enclose(rays)
                 || !candidates.addAll(objects.listed(), 0, objects.listed().length)) {
             return false;
         }
@@ -123,36 +105,18 @@ public final class PacketSearch extends Padded {
         return pairs >= LEAST_RAYS * candidates.count();
     }
 
-    /**
-     * Gathers everything that the rays can meet. It goes level by level, so that it notices many parts before it has
-     * searched one of them to its end. Long primitives are in the way of many rays at many distances and are not taken
-     * in batches.
-     */
+    /** Gathers everything that the rays can meet, level by level, so that it notices soon if that is too much. */
     private boolean gatherAll() {
         while (!waiting.isEmpty() && waiting.size() <= MOST_WAITING) {
             TreeNode node = waiting.poll();
             if (node.primitives == null) {
                 putOff(node.low);
                 putOff(node.high);
-            } else if (!addCandidates(node)) {
+            } else if (!candidates.addAll(node.primitives, node.from, node.to)) {
                 return false;
             }
         }
         return waiting.isEmpty();
-    }
-
-    private void clearCandidates() {
-        candidates.clear();
-        candidateLeaves.clear();
-    }
-
-    private boolean addCandidates(TreeNode leaf) {
-        int before = candidates.count();
-        boolean added = candidates.addAll(leaf.primitives, leaf.from, leaf.to);
-        if (!added || candidates.count() > before) {
-            candidateLeaves.add(leaf);
-        }
-        return added;
     }
 
     /** Lets a node wait unless all rays miss it. */
@@ -181,7 +145,7 @@ public final class PacketSearch extends Padded {
             if (node.primitives == null) {
                 open(node);
             } else {
-                addCandidates(node);
+                candidates.addAll(node.primitives, node.from, node.to);
             }
         }
         return false;
@@ -191,15 +155,6 @@ public final class PacketSearch extends Padded {
         boolean lowFirst = bundle.leastDistance(node.low) <= bundle.leastDistance(node.high);
         putOff(lowFirst ? node.high : node.low);
         putOff(lowFirst ? node.low : node.high);
-    }
-
-    /** Keeps the parts that together hold everything that the rays can meet; none if that is not known. */
-    private void keepParts() {
-        parts.clear();
-        if (candidateLeaves.size() + waiting.size() <= EntryNodes.MOST_PARTS) {
-            parts.addAll(candidateLeaves);
-            parts.addAll(waiting);
-        }
     }
 
     private void openAll() {
@@ -222,7 +177,7 @@ public final class PacketSearch extends Padded {
             if (openCount <= FEW_RAYS) {
                 break;
             }
-            clearCandidates();
+            candidates.clear();
             more = gather(Candidates.MOST);
             candidates.sift(rays);
         }
@@ -278,11 +233,6 @@ public final class PacketSearch extends Padded {
         shared[index] = nearest.isShared();
     }
 
-    /** Whether what the rays can meet was found for all together. */
-    boolean isTogether() {
-        return together;
-    }
-
     /** Whether some ray may meet something. */
     public boolean mayMeet() {
         return !together || inBatches || candidates.count() > 0;
@@ -296,7 +246,7 @@ public final class PacketSearch extends Padded {
      */
     public boolean nearest(int index, double limit) {
         if (!together) {
-            return nearestAlone(index, limit);
+            return objects.nearest(rays.copy(index, ray), limit, nearest);
         }
         if (inBatches ? hits[index] == null : !candidates.mayMeet(index)) {
             return false;
@@ -309,14 +259,6 @@ public final class PacketSearch extends Padded {
             candidates.search(ray, index, nearest);
         }
         return nearest.primitive() != null;
-    }
-
-    private boolean nearestAlone(int index, double limit) {
-        if (index % EntryNodes.RAYS == 0) {
-            hasEntries = entries.find(objects, parts, rays, index, Math.min(rays.count(), index + EntryNodes.RAYS));
-        }
-        rays.copy(index, ray);
-        return hasEntries ? objects.nearest(ray, limit, entries, nearest) : objects.nearest(ray, limit, nearest);
     }
 
     /** The ray whose hit was found last. */

@@ -9,7 +9,6 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import tompkins.primitive.CylinderPrimitive;
 import tompkins.primitive.Primitive;
-import tompkins.primitive.RayStarts;
 import tompkins.primitive.Rotation;
 import tompkins.primitive.TurningPath;
 import tompkins.ray.Hit;
@@ -37,6 +36,9 @@ final class RotatingGroup extends Primitive {
     private final Rotation rotation;
     private final CylinderPrimitive swept;
 
+    /** No point of the others comes nearer to the axis. */
+    private final double hollow;
+
     /** What turns into itself, and is met as if it rested. */
     private final List<Primitive> round;
 
@@ -45,13 +47,6 @@ final class RotatingGroup extends Primitive {
 
     private final TreeNode tree;
     private final TreeNode[] boxes;
-
-    // the ends of the region, over the centre of the rotation
-    private final double low;
-    private final double high;
-
-    /** No point comes nearer to the axis. */
-    private final double hollow;
 
     /** The memory of each thread. */
     private final ThreadLocal<Search> searches = ThreadLocal.withInitial(Search::new);
@@ -62,8 +57,6 @@ final class RotatingGroup extends Primitive {
         setRestFrame(turning.get(0).restFrame());
         rotation = restFrame().rotation();
         swept = rotation.swept(turning);
-        low = swept.start().sub(rotation.centre()).dot(rotation.axis());
-        high = swept.end().sub(rotation.centre()).dot(rotation.axis());
         Map<Boolean, List<Primitive>> byRoundness =
                 turning.stream().collect(Collectors.partitioningBy(rotation::turnsIntoItself));
         round = byRoundness.get(true);
@@ -162,7 +155,7 @@ final class RotatingGroup extends Primitive {
                     find(each, distance);
                 }
             }
-            if (tree == null || !path.enters(low, high, swept.radius(), hollow)) {
+            if (tree == null || !path.enters(swept)) {
                 return;
             }
             double entry = path.entry();
@@ -174,7 +167,7 @@ final class RotatingGroup extends Primitive {
             for (int i = first; i < chords && entry + i * step <= nearest(); i++) {
                 double start = entry + i * step;
                 double end = i + 1 == chords ? exit : entry + (i + 1) * step;
-                if (!path.isInHollow(start, end)) {
+                if (!path.isWithin(hollow, start, end)) {
                     chord.take(start, end);
                     search(tree);
                 }
@@ -274,8 +267,8 @@ final class RotatingGroup extends Primitive {
     }
 
     @Override
-    public boolean overlaps(RayPacket rays, RayStarts starts, double[] overlaps) {
-        return swept.overlaps(rays, starts, overlaps);
+    public boolean overlaps(RayPacket rays, double farthest, double[] overlaps) {
+        return swept.overlaps(rays, farthest, overlaps);
     }
 
     @Override

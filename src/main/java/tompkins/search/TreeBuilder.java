@@ -1,7 +1,6 @@
 package tompkins.search;
 
-import java.util.concurrent.ForkJoinPool;
-import java.util.concurrent.RecursiveTask;
+import java.util.concurrent.ForkJoinTask;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
 
@@ -36,59 +35,26 @@ final class TreeBuilder {
      * @param costOfNode cost of visiting a node, in tests of a primitive: leaves hold more if it is high
      */
     static TreeNode build(Primitive[] primitives, double costOfNode) {
-        TreeBuilder builder = new TreeBuilder(primitives, costOfNode);
-        int count = primitives.length;
-        if (count < SMALLEST_PARALLEL_NODE) {
-            return builder.node(0, count, 0, new BinnedSplit(costOfNode));
-        }
-        // not the common pool, which has a single thread on two cores
-        ForkJoinPool pool = new ForkJoinPool(Runtime.getRuntime().availableProcessors());
-        try {
-            return pool.invoke(builder.new Part(0, count, 0));
-        } finally {
-            pool.shutdown();
-        }
+        return new TreeBuilder(primitives, costOfNode)
+                .task(0, primitives.length, 0)
+                .invoke();
     }
 
-    /** A node whose halves are built by different threads if they are large. */
-    private final class Part extends RecursiveTask<TreeNode> {
-
-        private static final long serialVersionUID = 1;
-
-        private final int from;
-        private final int to;
-        private final int depth;
-
-        Part(int from, int to, int depth) {
-            this.from = from;
-            this.to = to;
-            this.depth = depth;
-        }
-
-        @Override
-        protected TreeNode compute() {
-            BinnedSplit cuts = new BinnedSplit(costOfNode);
-            if (to - from < SMALLEST_PARALLEL_NODE) {
-                return node(from, to, depth, cuts);
-            }
-            Bounds all = boxes.around(from, to);
-            int middle = middle(from, to, depth, cuts, all);
-            Part high = new Part(middle, to, depth + 1);
-            high.fork();
-            TreeNode low = new Part(from, middle, depth + 1).compute();
-            return new TreeNode(all, low, high.join());
-        }
+    private ForkJoinTask<TreeNode> task(int from, int to, int depth) {
+        return ForkJoinTask.adapt(() -> node(from, to, depth, new BinnedSplit(costOfNode)));
     }
 
     private TreeNode node(int from, int to, int depth, BinnedSplit cuts) {
         Bounds all = boxes.around(from, to);
-        if (to - from < SMALLEST_INNER_NODE) {
+        int middle = to - from < SMALLEST_INNER_NODE ? -1 : middle(from, to, depth, cuts, all);
+        if (middle < 0) {
             return leaf(all, from, to);
         }
-        int middle = middle(from, to, depth, cuts, all);
-        return middle < 0
-                ? leaf(all, from, to)
-                : new TreeNode(all, node(from, middle, depth + 1, cuts), node(middle, to, depth + 1, cuts));
+        if (to - from < SMALLEST_PARALLEL_NODE) {
+            return new TreeNode(all, node(from, middle, depth + 1, cuts), node(middle, to, depth + 1, cuts));
+        }
+        ForkJoinTask<TreeNode> high = task(middle, to, depth + 1).fork();
+        return new TreeNode(all, node(from, middle, depth + 1, cuts), high.join());
     }
 
     private TreeNode leaf(Bounds all, int from, int to) {

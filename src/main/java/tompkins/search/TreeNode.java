@@ -9,11 +9,7 @@ final class TreeNode {
     /** What {@link #entry} returns for a ray that misses the box. */
     static final double MISSED = Double.POSITIVE_INFINITY;
 
-    /**
-     * Factor by which the entry into a box is moved forwards, so that no hit is lost by rounding here and in the
-     * primitive's own arithmetic: about ten roundings, for starts that are far away compared with all coordinates of
-     * the box.
-     */
+    /** Factor by which the entry into a box is moved forwards, so that no hit is lost by about ten roundings. */
     private static final double SOONER = 1 - 4e-15;
 
     private final double minX;
@@ -66,10 +62,9 @@ final class TreeNode {
     }
 
     /**
-     * Distance at which a ray enters the box (below 0 if it starts inside), or {@link #MISSED} (Kay and Kajiya 1986).
-     * The largest and the smallest are found without a branch, because the processor would guess wrongly which side of
-     * the box they belong to. A ray along a plane of the box itself gives 0 times infinity, which no comparison
-     * refuses: the box then counts as met, at a distance that is NaN.
+     * Distance at which a ray enters the box (below 0 if it starts inside), or {@link #MISSED} (Kay and Kajiya 1986). A
+     * ray along a plane of the box itself gives 0 times infinity, which no comparison refuses: the box then counts as
+     * met, at a distance that is NaN.
      */
     double entry(double x, double y, double z, double inverseX, double inverseY, double inverseZ, double limit) {
         double enterX = ((inverseX > 0 ? minX : maxX) - x) * inverseX;

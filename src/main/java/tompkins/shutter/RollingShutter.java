@@ -3,10 +3,7 @@ package tompkins.shutter;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 
-/**
- * A shutter that opens line after line: line k from the first of n opens later by {@code sweep (k + 1/2)/n}. A whole
- * pixel opens with its line. It can be combined with every model of the {@link Shutter}.
- */
+/** A shutter that opens line after line: line k from the first of n opens later by {@code sweep (k + 1/2)/n}. */
 @Meaning("How the shutter runs across the picture, which opens line after line")
 public record RollingShutter(
         @Meaning("The way in which it runs: from the first line, which opens first, to the last")

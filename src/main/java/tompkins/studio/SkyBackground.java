@@ -24,6 +24,7 @@ public record SkyBackground(
 
     @Override
     public Colour colour(double dx, double dy, double dz, double angle) {
-        return dy < 0 ? ground : horizon.mixedWith(zenith, Math.min(1, dy));
+        double fraction = Math.min(1, dy);
+        return dy < 0 ? ground : horizon.times(1 - fraction).plus(zenith.times(fraction));
     }
 }

@@ -23,11 +23,20 @@ final class Position {
 
     /** Goes where a sampler has chosen. */
     void goTo(SamplePositions positions, int number) {
-        x = positions.x(number) - positions.column(number);
-        y = positions.y(number) - positions.row(number);
-        lensX = positions.lensX(number);
-        lensY = positions.lensY(number);
-        moment = positions.moment(number);
+        x = positions.x[number] - positions.columns[number];
+        y = positions.y[number] - positions.rows[number];
+        lensX = positions.lensX[number];
+        lensY = positions.lensY[number];
+        moment = positions.moments[number];
+    }
+
+    /** Puts a sample there. */
+    void give(SamplePositions positions, int number) {
+        positions.x[number] = positions.columns[number] + x;
+        positions.y[number] = positions.rows[number] + y;
+        positions.lensX[number] = lensX;
+        positions.lensY[number] = lensY;
+        positions.moments[number] = moment;
     }
 
     /** Goes to the point of the lens to which a point of the unit square is mapped. */

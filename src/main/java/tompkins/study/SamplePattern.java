@@ -42,10 +42,10 @@ final class SamplePattern implements Sampler {
     public void choose(SamplePositions positions, int sample) {
         for (int i = 0; i < positions.count(); i++) {
             if (sample == 0) {
-                block[i] = pixels.apply(randomFor(positions.column(i), positions.row(i)));
+                block[i] = pixels.apply(randomFor(positions.columns[i], positions.rows[i]));
             }
             block[i].go(sample, position);
-            positions.choose(i, position.x, position.y, position.lensX, position.lensY, position.moment);
+            position.give(positions, i);
         }
     }
 

@@ -2,6 +2,7 @@ package tompkins.surface;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.ray.Hit;
 import tompkins.ray.Medium;
 import tompkins.ray.Ray;
 
@@ -71,30 +72,40 @@ final class MediumWave {
         return vector.length();
     }
 
-    /** The frequency of the wave if the tangent of its ray has the length 1. */
-    double frequency() {
-        return frequency;
-    }
-
-    /** The wave on a side of a boundary that belongs to this one, and its ray. */
+    /**
+     * A wave that leaves a boundary, and its ray.
+     *
+     * @param vector the wave vector
+     * @param direction unit vector along the ray
+     * @param slowness that of the ray
+     * @param length length of the tangent of the ray, if that of the ray that has come has the length 1
+     */
     record Outgoing(Vector3dc vector, Vector3dc direction, double slowness, double length) {
 
         /** The index for the direction of the wave. */
         double index() {
             return vector.length();
         }
+
+        /** The ray that goes on from a hit, with a fraction of the light of the one that has hit. */
+        Ray ray(Ray before, Hit hit, double fraction) {
+            return before.bent(hit, direction.x(), direction.y(), direction.z(), fraction)
+                    .slowed(slowness)
+                    .stretched(length);
+        }
     }
 
     /**
-     * The wave of the same frequency, with the same part along a boundary, in a medium that moves.
+     * The wave of the same frequency, with the same part along a boundary, in a medium; null if there is none.
      *
      * @param normal unit normal of the boundary
      * @param side 1 for the ray that goes to the side of the normal, -1 for the other side
-     * @param proper proper velocity of the medium in the frame of the boundary
-     * @return the wave, and the ray as a unit vector, its slowness, and the length of its tangent for a frequency of 1;
-     *     null if there is no such wave
+     * @param frame the number of the frame of the boundary
+     * @param tracer knows how the medium moves
      */
-    Outgoing outgoing(Vector3dc normal, double side, double index, Vector3dc proper) {
+    Outgoing outgoing(Vector3dc normal, double side, Medium medium, int frame, Tracer tracer) {
+        double index = medium == null ? 1 : medium.index();
+        Vector3dc proper = moves(medium, frame) ? tracer.velocity(medium, frame) : new Vector3d();
         Vector3d alongBoundary = vector.fma(-vector.dot(normal), normal, new Vector3d());
         double gamma = gamma(proper);
         double excess = (index - 1) * (index + 1);
@@ -113,6 +124,6 @@ final class MediumWave {
         double drag = (index - 1 / index) * own;
         Vector3d tangent = new Vector3d(wave).div(index).fma(-drag, proper);
         double length = tangent.length();
-        return new Outgoing(wave, tangent.div(length), (1 / index + drag * gamma) / length, length);
+        return new Outgoing(wave, tangent.div(length), (1 / index + drag * gamma) / length, frequency * length);
     }
 }

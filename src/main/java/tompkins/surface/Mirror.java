@@ -1,7 +1,6 @@
 package tompkins.surface;
 
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
 import tompkins.property.Meaning;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
@@ -36,15 +35,8 @@ public record Mirror(
      */
     static Ray reflected(Ray ray, MediumWave wave, Hit hit, double fraction, Tracer tracer) {
         Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
-        MediumWave.Outgoing back = wave.outgoing(
-                normal, -Math.signum(hit.cosine(ray)), ray.medium.index(), tracer.velocity(ray.medium, ray.frame));
-        if (back == null || !wave.isMet()) {
-            return null;
-        }
-        Vector3dc direction = back.direction();
-        return ray.bent(hit, direction.x(), direction.y(), direction.z(), fraction)
-                .slowed(back.slowness())
-                .stretched(wave.frequency() * back.length());
+        MediumWave.Outgoing back = wave.outgoing(normal, -Math.signum(hit.cosine(ray)), ray.medium, ray.frame, tracer);
+        return back == null || !wave.isMet() ? null : back.ray(ray, hit, fraction);
     }
 
     /** The mirrored ray, with a fraction of the light. Its direction is made a unit vector again. */

@@ -2,7 +2,6 @@ package tompkins.surface;
 
 import java.util.List;
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.Colour;
@@ -26,10 +25,7 @@ public record Refractive(
     /** Glass in air. */
     public static final Refractive DEFAULT = new Refractive(1.5);
 
-    /**
-     * After so many surfaces all light that can leave is let out: a ray that grazes the inside of a sphere would
-     * otherwise run around in it until it meets the depth limit, and its light would be lost.
-     */
+    /** After so many surfaces all light that can leave is let out, which would else run around inside and be lost. */
     private static final int LONGEST_CAPTURE = 32;
 
     /** What rounding leaves of an index of 1. */
@@ -118,45 +114,22 @@ public record Refractive(
             return Response.ends(Colour.BLACK);
         }
         Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
-        Vector3d direction = wave.direction();
-        double cosine = direction.dot(normal);
-        boolean entering = hit.cosine(ray) < 0;
-        Ray bent = null;
-        double reflected = 1;
-        if (MediumWave.moves(medium, ray.frame)) {
-            MediumWave.Outgoing through =
-                    wave.outgoing(normal, entering ? -1 : 1, medium.index(), tracer.velocity(medium, ray.frame));
-            if (through != null) {
-                Vector3dc way = through.direction();
-                bent = ray.bent(hit, way.x(), way.y(), way.z(), 1)
-                        .slowed(through.slowness())
-                        .stretched(wave.frequency() * through.length());
-                double cosineBehind = through.vector().dot(normal) / through.index();
-                reflected =
-                        Refraction.reflectance(wave.index(), through.index(), Math.abs(cosine), Math.abs(cosineBehind));
-            }
-        } else {
-            double behind = medium == null ? 1 : medium.index();
-            double cosineBehind = Refraction.bend(direction, normal, wave.index(), behind, direction);
-            reflected = Refraction.reflectance(wave.index(), behind, Math.abs(cosine), cosineBehind);
-            bent = ray.bent(hit, direction.x, direction.y, direction.z, 1)
-                    .slowed(behind)
-                    .stretched(wave.frequency());
+        Ray mirrored = Mirror.reflected(ray, wave, hit, 1, tracer);
+        MediumWave.Outgoing through = wave.outgoing(normal, Math.signum(hit.cosine(ray)), medium, ray.frame, tracer);
+        if (mirrored == null && through == null) {
+            return Response.ends(Colour.BLACK);
         }
-        Ray mirrored = MediumWave.moves(ray.medium, ray.frame)
-                ? Mirror.reflected(ray, wave, hit, 1, tracer)
-                : Mirror.reflected(ray, hit, 1);
-        if (mirrored == null || bent == null) {
-            Ray only = bent == null ? mirrored : bent.in(medium);
-            return only == null ? Response.ends(Colour.BLACK) : Response.goesOn(only, Colour.WHITE);
+        if (mirrored == null || through == null) {
+            Ray only = through == null ? mirrored : through.ray(ray, hit, 1).in(medium);
+            return Response.goesOn(only, Colour.WHITE);
         }
-        return split(ray, before == 1, mirrored, bent.in(medium), reflected, tracer);
+        double cosine = Math.abs(wave.direction().dot(normal));
+        double cosineBehind = Math.abs(through.vector().dot(normal)) / through.index();
+        double reflected = Refraction.reflectance(wave.index(), through.index(), cosine, cosineBehind);
+        return split(ray, before == 1, mirrored, through.ray(ray, hit, 1).in(medium), reflected, tracer);
     }
 
-    /**
-     * The response of a boundary that mirrors a part of the light; everything goes to the stronger part where the other
-     * is too faint, so that as little light as possible goes the wrong way.
-     */
+    /** Mirrors a part of the light; everything goes to the stronger part where the other is too faint. */
     private static Response split(Ray ray, boolean entering, Ray mirrored, Ray bent, double reflected, Tracer tracer) {
         double transmitted = 1 - reflected;
         boolean caught = !entering && ray.depth >= LONGEST_CAPTURE && transmitted > 0;

@@ -4,9 +4,8 @@ import tompkins.ray.Colour;
 import tompkins.ray.Ray;
 
 /**
- * What a surface makes of a ray: light of its own, and at most one ray that goes on. The tracer follows that ray in a
- * loop, so that a thousand reflections need no deep stack; a surface that splits a ray asks the tracer for the colour
- * of the weaker part.
+ * What a surface makes of a ray: light of its own, and at most one ray that goes on, which the tracer follows in a
+ * loop. A surface that splits a ray asks the tracer for the colour of the weaker part.
  *
  * @param light what the surface sends back by itself
  * @param factor what becomes of the light of the ray that goes on

@@ -33,10 +33,7 @@ final class SquareWave {
         return (integral(to) - integral(from)) / (2 * half);
     }
 
-    /**
-     * Whether a whole number, which may be too large for an int, is odd: decided by its half, which is exact. One
-     * remainder of doubles would take the processor longer than all the rest of a filtered tiling.
-     */
+    /** Whether a whole number, which may be too large for an int, is odd: by its half, which is exact and fast. */
     static boolean isOdd(double whole) {
         return 2 * Math.floor(whole / 2) < whole;
     }

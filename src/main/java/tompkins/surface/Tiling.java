@@ -69,10 +69,7 @@ public record Tiling(
         return SquareWave.isOdd(Math.floor(u) + Math.floor(v));
     }
 
-    /**
-     * A spot that lies obliquely over the tiles fills little of the box around it, but most of the boxes around its
-     * parts.
-     */
+    /** A spot that lies obliquely fills little of the box around it, but most of the boxes around its parts. */
     private static double wavesOfParts(
             double u, double v, double spreadU, double spreadV, double alongU, double alongV, int parts) {
         double partU = partSpread(spreadU, alongU, parts);

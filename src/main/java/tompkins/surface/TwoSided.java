@@ -6,10 +6,7 @@ import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
-/**
- * Two surfaces, one on either side: what a ray meets is decided by the side from which it comes. Glass is refused,
- * because a medium has two sides of its own.
- */
+/** Two surfaces, one on either side. Glass is refused, because a medium has two sides of its own. */
 @Meaning("One surface on the outside of an object, another one on its inside; on flat pieces the outside is the front")
 public record TwoSided(
         @Meaning("What it looks like from outside") Surface outside,

@@ -122,11 +122,11 @@ final class EyeTracer extends Padded {
 
     /** The column of the pixel of the ray that is followed. */
     int column() {
-        return eye.column() + places.column(sample);
+        return eye.column() + places.columns[sample];
     }
 
     /** The row of that pixel. */
     int row() {
-        return eye.row() + places.row(sample);
+        return eye.row() + places.rows[sample];
     }
 }

@@ -111,12 +111,12 @@ final class NearbyRays implements PathObserver {
 
     /** Where the sample lies in the picture of the eye, in pixels from the left edge. */
     double x() {
-        return places.x(sample);
+        return places.x[sample];
     }
 
     /** Where it lies, in pixels from the upper edge. */
     double y() {
-        return places.y(sample);
+        return places.y[sample];
     }
 
     /** Makes {@code memory} the rays of a place of the picture, if it is not that already. */

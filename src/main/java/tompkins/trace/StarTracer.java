@@ -76,8 +76,8 @@ final class StarTracer extends Padded implements EscapedLight, StarMap.Visitor {
      */
     void begin(EyeView seeing, SamplePositions places, int sample) {
         eye = seeing;
-        column = places.column(sample);
-        row = places.row(sample);
+        column = places.columns[sample];
+        row = places.rows[sample];
         nearby.begin(seeing, places, sample);
     }
 

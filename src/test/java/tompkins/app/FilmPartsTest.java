@@ -87,7 +87,7 @@ class FilmPartsTest {
     void framesOfARideAreTheSameToo() throws IOException {
         List<?> ride = List.of("animate", scene, "--ride", "--duration=0.2", "--caption", "-o");
         requireDone(ProgramRun.of(ride, folder.resolve("whole")));
-        requireDone(ProgramRun.of(ride, folder.resolve("some"), "--frames=2,5"));
+        requireDone(ProgramRun.of(ride, folder.resolve("some"), "--part=2/3"));
         Map<String, String> whole = content("whole");
         whole.keySet().retainAll(List.of("frame0002.png", "frame0005.png"));
         assertThat(content("some")).hasSize(2).isEqualTo(whole);
@@ -95,7 +95,7 @@ class FilmPartsTest {
 
     @Test
     void onlyTheChosenFramesAreTaken() throws IOException {
-        ProgramRun run = animate("some", "--frames", "1-9x2", "--part", "1/2");
+        ProgramRun run = animate("some", "--part", "3/4");
         assertThat(run.code()).isZero();
         assertThat(run.out()).contains("2 of 10 pictures");
         assertThat(content("some").keySet()).containsExactly("frame0003.png", "frame0007.png");
@@ -105,12 +105,12 @@ class FilmPartsTest {
 
     @Test
     void whatIsThereIsSkippedIfItIsTheSame() throws IOException {
-        requireDone(animate("frames", "--frames=0-4"));
+        requireDone(animate("frames", "--part=0/2"));
         Map<String, String> before = content("frames");
         ProgramRun refused = animate("frames");
         assertThat(refused.code()).isEqualTo(2);
-        assertThat(refused.err()).contains("frames: cannot be written: it exists");
-        ProgramRun again = animate("frames", "--frames=4-6");
+        assertThat(refused.err()).contains("frame0000.png: there is a file of this name already", "--skip-existing");
+        ProgramRun again = animate("frames", "--part=4/5");
         assertThat(again.code()).isEqualTo(2);
         assertThat(again.err()).contains("frame0004.png: there is a file of this name already", "--skip-existing");
         assertThat(content("frames")).isEqualTo(before);
@@ -126,7 +126,7 @@ class FilmPartsTest {
     @ParameterizedTest
     @ValueSource(strings = {"--samples=3", "--seed=2", "--to=0.8", "--fps=20", "--set=scene[0].radius=1"})
     void framesOfAnotherFilmAreNotSkipped(String other) throws IOException {
-        requireDone(animate("frames", "--frames=3"));
+        requireDone(animate("frames", "--part=3/10"));
         Map<String, String> before = content("frames");
         List<?> film = List.of(
                 "animate",
@@ -137,26 +137,26 @@ class FilmPartsTest {
                 "--duration=0.4",
                 other.startsWith("--to") ? "--number=velocity.beta" : "--to=0.9",
                 other,
-                "--frames=2-3",
+                "--part=3/7",
                 "--skip-existing");
         ProgramRun refused = ProgramRun.of(film);
         assertThat(refused.code()).isEqualTo(2);
         assertThat(refused.err()).contains("frame0003.png: is not this frame with these settings; --force replaces it");
         assertThat(content("frames")).isEqualTo(before);
         requireDone(ProgramRun.of(film, "--force"));
-        assertThat(content("frames")).hasSize(2).doesNotContainEntry("frame0003.png", before.get("frame0003.png"));
+        assertThat(content("frames")).hasSize(1).doesNotContainEntry("frame0003.png", before.get("frame0003.png"));
     }
 
     /** Half a file, and an empty one, are what a crash of the machine may leave. */
     @Test
     void damagedFramesAreTakenAgain() throws IOException {
-        requireDone(animate("frames", "--frames=0-2"));
+        requireDone(animate("frames"));
         Map<String, String> before = content("frames");
         Path half = folder.resolve("frames/frame0001.png");
         byte[] whole = Files.readAllBytes(half);
         Files.write(half, Arrays.copyOf(whole, whole.length - 60));
         Files.write(folder.resolve("frames/frame0002.png"), new byte[0]);
-        ProgramRun run = animate("frames", "--frames=0-2", "--skip-existing");
+        ProgramRun run = animate("frames", "--skip-existing");
         requireDone(run);
         assertThat(run.out()).contains("2 of 10 pictures");
         assertThat(content("frames")).isEqualTo(before);
@@ -173,7 +173,7 @@ class FilmPartsTest {
         assertThat(incomplete.err()).contains("of the frames 0-7 some are missing or damaged");
         assertThat(folder.resolve(name)).doesNotExist();
 
-        requireDone(animate("frames", "--frames=" + incomplete.out().strip(), "--fps=20"));
+        requireDone(animate("frames", "--skip-existing", "--fps=20"));
         ProgramRun run = assemble("frames", name);
         requireDone(run);
         assertThat(run.out()).contains("8 pictures");
@@ -191,14 +191,15 @@ class FilmPartsTest {
         ProgramRun run = assemble("frames", "film.gif");
         assertThat(run.code()).isEqualTo(3);
         assertThat(run.out().strip()).isEqualTo("4,9");
-        requireDone(animate("frames", "--frames=4,9", "--skip-existing"));
+        requireDone(animate("frames", "--skip-existing"));
         requireDone(assemble("frames", "film.gif"));
     }
 
     @Test
-    void framesOfTwoFilmsAreNotAssembled() {
-        requireDone(animate("frames", "--frames=0-8"));
-        requireDone(animate("frames", "--frames=9", "--fps=30"));
+    void framesOfTwoFilmsAreNotAssembled() throws IOException {
+        requireDone(animate("frames"));
+        Files.delete(folder.resolve("frames/frame0009.png"));
+        requireDone(animate("frames", "--part=9/12", "--fps=30"));
         ProgramRun run = assemble("frames", "film.gif");
         assertThat(run.code()).isEqualTo(2);
         assertThat(run.err()).contains("frame0009.png: belongs to another film", "frame 9 of 0-11, 30 a second");
@@ -220,7 +221,6 @@ class FilmPartsTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "--frames=10 | --frames must be numbers from 0 to 9 or ranges of them",
                 "--part=3/3 | --part must be I/N: the part I of N, counted from 0 and below N, such as 0/4, was 3/3",
                 "--part=1 | --part must be I/N",
                 "--threads=0 --part=0/2 | --threads must be a whole number from 1 to 1024, was 0",

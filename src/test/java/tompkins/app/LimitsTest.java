@@ -265,7 +265,6 @@ class LimitsTest {
                 new Case("animation beyond the speed of light", 2, animate(good)),
                 new Case("animation of a number that is given, too", 2, film(good, "a.gif", "--beta", "0.3")),
                 new Case("animation in a picture's format", 2, film(good, "a.png")),
-                new Case("frames that a film does not have", 2, film(good, "frames", "--frames", "99-100")),
                 new Case("part that there is not", 2, film(good, "frames", "--part", "4/4")),
                 new Case("part of a film in a file", 2, film(good, "a.gif", "--part", "0/4")),
                 new Case("two wishes at once", 2, "render", good, "-o", output, "--samples", "4", "--seconds", "1"),

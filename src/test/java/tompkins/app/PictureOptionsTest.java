@@ -102,7 +102,7 @@ class PictureOptionsTest {
                 "--error scenes/fig1b.json | --error must be a number, was scenes/fig1b.json",
                 "--seconds long | --seconds must be a number, was long",
                 "--time now | --time: camera.shutter.openingTime: must be a number, was \"now\"",
-                "--seed 1.5 | --seed: settings.seed: must be a whole number, was 1.5",
+                "--seed 1.5 | --seed: settings.seed: must be a whole number from -2^63 to 2^63 - 1, was 1.5",
                 "--seed 99999999999999999999 | --seed: settings.seed: must be a whole number from -2^63 to 2^63 - 1",
                 "--threads --force | Expected parameter for option '--threads'",
                 "--force=maybe --error | --force takes no value",

@@ -22,9 +22,9 @@ class PixelSamplerTest {
         PixelSampler sampler = new PixelSampler(1, true, true);
         for (int sample = 0; sample < SAMPLES; sample++) {
             SamplePositions place = place(sampler, 17, 39, sample);
-            assertThat(place.x(0)).isGreaterThanOrEqualTo(17).isLessThan(18);
-            assertThat(place.y(0)).isGreaterThanOrEqualTo(39).isLessThan(40);
-            assertThat(Math.hypot(place.lensX(0), place.lensY(0))).isLessThanOrEqualTo(1);
+            assertThat(place.x[0]).isGreaterThanOrEqualTo(17).isLessThan(18);
+            assertThat(place.y[0]).isGreaterThanOrEqualTo(39).isLessThan(40);
+            assertThat(Math.hypot(place.lensX[0], place.lensY[0])).isLessThanOrEqualTo(1);
         }
     }
 
@@ -33,10 +33,10 @@ class PixelSamplerTest {
         PixelSampler sampler = new PixelSampler(1, true, true);
         SamplePositions place = place(sampler, 17, 39, 5);
         sampler.choose(place, PixelSampler.firstOf(1));
-        assertThat(place.x(0)).isEqualTo(17.5);
-        assertThat(place.y(0)).isEqualTo(39.5);
-        assertThat(place.lensX(0)).isZero();
-        assertThat(place.lensY(0)).isZero();
+        assertThat(place.x[0]).isEqualTo(17.5);
+        assertThat(place.y[0]).isEqualTo(39.5);
+        assertThat(place.lensX[0]).isZero();
+        assertThat(place.lensY[0]).isZero();
         assertThat(PixelSampler.firstOf(2)).isZero();
     }
 
@@ -47,9 +47,9 @@ class PixelSamplerTest {
         PixelSampler sampler = new PixelSampler(5, true, true);
         for (int column = 0; column < 4; column++) {
             int pixel = column;
-            assertThat(intervals(sampler, pixel, count, each -> (int) ((each.x(0) - pixel) * count)))
+            assertThat(intervals(sampler, pixel, count, each -> (int) ((each.x[0] - pixel) * count)))
                     .hasSize(count);
-            assertThat(intervals(sampler, pixel, count, each -> (int) ((each.y(0) - 3) * count)))
+            assertThat(intervals(sampler, pixel, count, each -> (int) ((each.y[0] - 3) * count)))
                     .hasSize(count);
         }
     }
@@ -90,9 +90,9 @@ class PixelSamplerTest {
     void pinholesHaveNoPlaceOnTheLens() {
         PixelSampler sampler = new PixelSampler(3, false, true);
         SamplePositions place = place(sampler, 1, 2, 3);
-        assertThat(place.lensX(0)).isZero();
-        assertThat(place.lensY(0)).isZero();
-        assertThat(place.x(0)).isNotEqualTo(1.5);
+        assertThat(place.lensX[0]).isZero();
+        assertThat(place.lensY[0]).isZero();
+        assertThat(place.x[0]).isNotEqualTo(1.5);
     }
 
     @Test
@@ -102,14 +102,14 @@ class PixelSamplerTest {
         place(same, 100, 200, 77);
         SamplePositions ofOne = place(one, 8, 9, 10);
         SamplePositions ofSame = place(same, 8, 9, 10);
-        assertThat(ofSame.x(0)).isEqualTo(ofOne.x(0));
-        assertThat(ofSame.lensY(0)).isEqualTo(ofOne.lensY(0));
+        assertThat(ofSame.x[0]).isEqualTo(ofOne.x[0]);
+        assertThat(ofSame.lensY[0]).isEqualTo(ofOne.lensY[0]);
         Set<Double> firstPlaces = new HashSet<>();
         for (long seed : new long[] {1, 2, 3, -1, 1L << 32, 1L << 40}) {
             Set<Double> places = new HashSet<>();
             for (int pixel = 0; pixel < 64; pixel++) {
                 PixelSampler sampler = new PixelSampler(seed, true, true);
-                double x = place(sampler, pixel % 8, pixel / 8, 0).x(0);
+                double x = place(sampler, pixel % 8, pixel / 8, 0).x[0];
                 places.add(x - pixel % 8);
                 if (pixel == 9) {
                     firstPlaces.add(x);
@@ -132,11 +132,11 @@ class PixelSamplerTest {
         Set<Double> different = new HashSet<>();
         for (int i = 0; i < RayPacket.MOST; i++) {
             SamplePositions single = place(sampler, i % 17, i / 17, 12);
-            assertThat(block.x(i)).isEqualTo(single.x(0));
-            assertThat(block.y(i)).isEqualTo(single.y(0));
-            assertThat(block.lensX(i)).isEqualTo(single.lensX(0));
-            assertThat(block.lensY(i)).isEqualTo(single.lensY(0));
-            different.add(block.lensX(i));
+            assertThat(block.x[i]).isEqualTo(single.x[0]);
+            assertThat(block.y[i]).isEqualTo(single.y[0]);
+            assertThat(block.lensX[i]).isEqualTo(single.lensX[0]);
+            assertThat(block.lensY[i]).isEqualTo(single.lensY[0]);
+            different.add(block.lensX[i]);
         }
         assertThat(different).hasSize(RayPacket.MOST);
     }
@@ -160,7 +160,7 @@ class PixelSamplerTest {
     }
 
     private static List<Double> positions(SamplePositions of) {
-        return List.of(of.x(0), of.y(0), of.lensX(0), of.lensY(0), of.moment(0));
+        return List.of(of.x[0], of.y[0], of.lensX[0], of.lensY[0], of.moments[0]);
     }
 
     private static SamplePositions place(PixelSampler sampler, int column, int row, int sample) {

@@ -8,12 +8,9 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.FileSystem;
-import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.stream.IntStream;
@@ -74,23 +71,6 @@ class PendingFileTest {
             return pending.commit();
         } catch (IOException | InterruptedException failure) {
             throw new IllegalStateException(failure);
-        }
-    }
-
-    /** As on a memory card: a zip file has no links either. */
-    @Test
-    void nothingIsReplacedWhereThereAreNoLinks() throws IOException {
-        try (FileSystem zip = FileSystems.newFileSystem(folder.resolve("card.zip"), Map.of("create", "true"))) {
-            Path target = zip.getPath("/a.png");
-            PendingFile first = written(target, "first");
-            PendingFile second = written(target, "second");
-
-            assertThat(second.commit()).isEqualTo(target);
-            assertThat(first.commit()).isEqualTo(zip.getPath("/a-2.png"));
-
-            assertThat(Files.readString(target)).isEqualTo("second");
-            assertThat(Files.readString(zip.getPath("/a-2.png"))).isEqualTo("first");
-            assertThat(Samples.names(zip.getPath("/"))).containsExactlyInAnyOrder("a.png", "a-2.png");
         }
     }
 

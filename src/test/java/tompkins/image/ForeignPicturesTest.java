@@ -47,12 +47,7 @@ class ForeignPicturesTest {
     }
 
     @ParameterizedTest
-    @CsvSource({
-        "png-grey2-trns-level1.png, false",
-        "png-grey8-trns-level85.png, false",
-        "silhouette-yellow.png, false",
-        "silhouette-darkblue.png, true"
-    })
+    @CsvSource({"png-grey8-trns-level85.png, false", "silhouette-yellow.png, false", "silhouette-darkblue.png, true"})
     void aSilhouetteIsWhereItIsDarkAndOpaque(String name, boolean dark) throws IOException {
         assertThat(PictureFile.read(file(name)).isDark(0.5, 0.5)).isEqualTo(dark);
     }
@@ -61,6 +56,8 @@ class ForeignPicturesTest {
     @CsvSource(
             delimiter = '|',
             value = {
+                "png-grey2-trns-level1.png|has a transparent level of 2 bits; a PNG picture must have one of 8 or 16 bits;"
+                        + " convert it, for example with ImageMagick or GIMP",
                 "hdr-xyze.hdr|its colours are CIE XYZ (32-bit_rle_xyze), not red, green and blue (32-bit_rle_rgbe); save it as RGB",
                 "bmp-no-blue-bits.bmp|is a BMP picture; allowed are PNG, JPEG, TIFF and Radiance HDR; convert it to PNG, for example with ImageMagick or GIMP",
                 "tiff-12bit.tif|has unsigned samples of 12 bits; a TIFF picture must have unsigned ones of 8 or 16 bits, or of 1, 2, 4 or 8 for a palette or grey alone, or floating-point ones of 32 bits with 0 as black; convert it, for example with ImageMagick or GIMP",

@@ -1,7 +1,6 @@
 package tompkins.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
@@ -45,8 +44,7 @@ class Mp4WriterTest {
     }
 
     private AnimationWriter open(Path program) throws IOException {
-        Path film = folder.resolve("film.mp4");
-        return new Mp4Writer(film, PendingFile.at(film, true), 24, program);
+        return new Mp4Writer(program, PendingFile.at(folder.resolve("film.mp4"), true), 24);
     }
 
     @Test
@@ -57,8 +55,8 @@ class Mp4WriterTest {
                 program("printf '%s\\n' \"$@\" > '" + arguments + "'\n" + "for last do :; done\ncat > \"$last\"\n");
 
         try (AnimationWriter animation = open(program)) {
-            animation.add(Samples.levels(Samples.random(31, 17, 1)), PhotographInfo.NONE);
-            animation.add(Samples.levels(Samples.random(31, 17, 2)), PhotographInfo.NONE);
+            animation.add(Samples.levels(Samples.random(31, 17, 1)));
+            animation.add(Samples.levels(Samples.random(31, 17, 2)));
             animation.finish();
         }
 
@@ -126,15 +124,12 @@ class Mp4WriterTest {
         try (AnimationWriter animation = open(program)) {
             assertThatThrownBy(() -> {
                         for (int i = 0; i < 10; i++) {
-                            animation.add(Samples.levels(Samples.random(200, 200, i)), PhotographInfo.NONE);
+                            animation.add(Samples.levels(Samples.random(200, 200, i)));
                         }
                         animation.finish();
                     })
                     .isInstanceOf(FileException.class)
                     .hasMessage(film + ": cannot be written: " + message);
-            assertThat(Samples.names(folder)).as("before it is closed").containsExactly("film.mp4");
-            assertThatIllegalStateException()
-                    .isThrownBy(() -> animation.add(Samples.levels(Samples.random(200, 200, 1)), PhotographInfo.NONE));
         }
         assertThat(film).hasContent("old");
         assertThat(Samples.names(folder)).containsExactly("film.mp4");
@@ -148,7 +143,7 @@ class Mp4WriterTest {
 
         try (AnimationWriter animation = open(program)) {
             for (int i = 0; i < 5; i++) {
-                animation.add(Samples.levels(Samples.random(200, 200, i)), PhotographInfo.NONE);
+                animation.add(Samples.levels(Samples.random(200, 200, i)));
             }
             // As a worker that is told to stop finds itself.
             Thread.currentThread().interrupt();
@@ -175,7 +170,7 @@ class Mp4WriterTest {
         }
         try (AnimationWriter animation = AnimationFormat.MP4.open(film, 25, true)) {
             for (int i = 0; i < 10; i++) {
-                animation.add(bars(), PhotographInfo.NONE);
+                animation.add(bars());
             }
             animation.finish();
         }

@@ -3,7 +3,6 @@ package tompkins.image;
 import static java.nio.charset.StandardCharsets.ISO_8859_1;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.math.BigDecimal;
@@ -122,7 +121,7 @@ class RadianceFileTest {
                 .allSatisfy(line -> assertThat(line).matches("\\p{ASCII}{1,230}"))
                 .startsWith("#?RADIANCE", "# \\u03b3", "SOFTWARE=Tompkins")
                 .endsWith("FORMAT=32-bit_rle_rgbe");
-        assertThat(RadianceFile.readScene(new ByteArrayInputStream(out.toByteArray())))
+        assertThat(RadianceFile.readScene(out.toByteArray()))
                 .contains(scene.replace("\r\n", "\n").replace('\r', '\n'));
     }
 }

@@ -19,7 +19,6 @@ class RadianceReaderTest {
 
     private enum Packing {
         FLAT,
-        OLD_RUNS,
         NEW_RUNS
     }
 
@@ -41,26 +40,10 @@ class RadianceReaderTest {
                         out.writeBytes(code(column, row));
                     }
                 }
-                case OLD_RUNS -> writeOldRuns(out, columns, row);
                 case NEW_RUNS -> writePlanes(out, columns, row);
             }
         }
         return out.toByteArray();
-    }
-
-    /** A pixel, and then how often it comes again, the lowest eight bits first. */
-    private static void writeOldRuns(ByteArrayOutputStream out, int columns, int row) {
-        for (int column = 0; column < columns; ) {
-            int end = column + 1;
-            while (end < columns && Arrays.equals(code(end, row), code(column, row))) {
-                end++;
-            }
-            out.writeBytes(code(column, row));
-            for (int count = end - column - 1; count > 0; count >>= 8) {
-                out.writeBytes(new byte[] {1, 1, 1, (byte) count});
-            }
-            column = end;
-        }
     }
 
     private static void writePlanes(ByteArrayOutputStream out, int columns, int row) {
@@ -207,14 +190,7 @@ class RadianceReaderTest {
 
     /** A run beyond its row, a run of nothing, a row of another length. */
     @ParameterizedTest
-    @ValueSource(
-            strings = {
-                "2 2 0 8 137 1",
-                "2 2 0 8 9 1 1 1 1 1 1 1 1 1",
-                "1 1 1 3",
-                "128 64 32 129 1 1 1 9",
-                "2 2 0 9 137 1"
-            })
+    @ValueSource(strings = {"2 2 0 8 137 1", "2 2 0 8 9 1 1 1 1 1 1 1 1 1", "2 2 0 9 137 1"})
     void aRunThatDoesNotFitIsDamage(String bytes) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         out.writeBytes(file(FORMAT, "-Y 1 +X 8", 0, 0, Packing.FLAT));
@@ -225,5 +201,17 @@ class RadianceReaderTest {
         assertThatThrownBy(() -> PictureFile.read(out.toByteArray(), "p.hdr"))
                 .isInstanceOf(FileException.class)
                 .hasMessageStartingWith("p.hdr: Radiance picture cannot be read: a r");
+    }
+
+    /** A pixel, and how often it comes again: as pixels these bytes would be no light. */
+    @Test
+    void runsOfWholePixelsAreRefused() {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        out.writeBytes(file(FORMAT, "-Y 1 +X 9", 0, 0, Packing.FLAT));
+        out.writeBytes(new byte[] {(byte) 128, 64, 32, (byte) 129, 1, 1, 1, 8});
+        out.writeBytes(new byte[28]);
+        assertThatThrownBy(() -> PictureFile.read(out.toByteArray(), "p.hdr"))
+                .hasMessage("p.hdr: has runs of whole pixels; a Radiance picture must have runs in each channel, or"
+                        + " none; convert it, for example with ImageMagick or GIMP");
     }
 }

@@ -147,7 +147,7 @@ class SceneInDamagedFileTest {
         text.write("tompkins.scene\0\1\0\0\0".getBytes(ISO_8859_1));
         text.write(packed);
         ByteArrayOutputStream png = new ByteArrayOutputStream();
-        PngChunk.writeSignature(png);
+        png.writeBytes(PngChunk.SIGNATURE);
         new PngChunk("iTXt", text.toByteArray()).write(png);
         return png.toByteArray();
     }

@@ -110,14 +110,16 @@ class MeshFileTest {
     @ParameterizedTest
     @ValueSource(strings = {"e5", ".", ".e5", "5e", "5e+", "+", "5+5", "--5", "1.2.3", "1e2.5", "1e2e3", "0x1p3", "1d"})
     void whatOnlyLooksLikeANumberIsRefused(String word) {
-        assertThatThrownBy(() -> read(SQUARE + "v 0 " + word + " 0\n")).hasMessageContaining("cannot be understood");
+        assertThatThrownBy(() -> read(SQUARE + "v 0 " + word + " 0\n"))
+                .hasMessageContaining("coordinates must be finite numbers, one was ");
     }
 
     @Test
     @Timeout(600)
     void manyDigitsThatAreNoNumberAreRefusedSoon() {
         String word = "1".repeat(10_000_000) + "x";
-        assertThatThrownBy(() -> read(SQUARE + "v 0 " + word + " 0\n")).hasMessageContaining("cannot be understood");
+        assertThatThrownBy(() -> read(SQUARE + "v 0 " + word + " 0\n"))
+                .hasMessageContaining("coordinates must be finite numbers, one was ");
     }
 
     @Test
@@ -181,27 +183,27 @@ class MeshFileTest {
             value = {
                 "f 1 2 5             | 6: a face names vertex 5, but there are only 4",
                 "f 1 2 -7            | 6: a face names vertex -7, but there are only 4 above it",
-                "f 1 2 2147483648    | 6: a face names vertex 2147483648, and numbers end at 2147483647",
-                "f 4294967297 2 3    | 6: a face names vertex 4294967297, and numbers end at 2147483647",
-                "f 1 18446744073709551617 3 | 6: a face names vertex 18446744073709551617, and numbers end at",
+                "f 1 2 2147483648    | 6: a face names vertex 2147483648, but there are only 4 above it",
+                "f 4294967297 2 3    | 6: a face names vertex 4294967297, but there are only 4 above it",
+                "f 1 18446744073709551617 3 | 6: a face names vertex 18446744073709551617, but there are only 4",
                 "f 1 2 -4294967297   | 6: a face names vertex -4294967297, but there are only 4 above it",
                 "f 1 -18446744073709551617 3 | 6: a face names vertex -18446744073709551617, but there are only 4",
                 "f 1 2 2147483647    | 6: a face names vertex 2147483647, but there are only 4",
                 "f                   | 6: a face must have three or more corners, has 0",
                 "v                   | 6: a vertex must have three coordinates, has 0",
-                "v 0x1 2 3           | 6: \"v 0x1 2 3\" cannot be understood; a vertex is written like",
-                "v 0,5 2 3           | 6: \"v 0,5 2 3\" cannot be understood; a vertex is written like",
-                "v inf 2 3           | 6: coordinates must be finite, one was inf",
-                "v 1 nan(ind) 3      | 6: \"v 1 nan(ind) 3\" cannot be understood; a vertex is written like",
+                "v 0x1 2 3           | 6: coordinates must be finite numbers, one was 0x1",
+                "v 0,5 2 3           | 6: coordinates must be finite numbers, one was 0,5",
+                "v inf 2 3           | 6: coordinates must be finite numbers, one was inf",
+                "v 1 nan(ind) 3      | 6: coordinates must be finite numbers, one was nan(ind)",
                 "f 1 2/x 3           | 6: \"f 1 2/x 3\" cannot be understood; a vertex is written like",
                 "f 1.0 2 3           | 6: \"f 1.0 2 3\" cannot be understood; a vertex is written like",
                 "f 1 2 -0            | 6: \"f 1 2 -0\" cannot be understood; a vertex is written like",
                 "f 1 2               | 6: a face must have three or more corners, has 2",
                 "v 1 2               | 6: a vertex must have three coordinates, has 2",
-                "v 1 nought 3        | 6: \"v 1 nought 3\" cannot be understood; a vertex is written like",
-                "v 1 NaN 3           | 6: coordinates must be finite, one was NaN",
-                "v 1 1e999 3         | 6: coordinates must be finite, one was 1e999",
-                "v 1 1e19999999999999999999 3 | 6: coordinates must be finite, one was 1e19999999999999999999",
+                "v 1 nought 3        | 6: coordinates must be finite numbers, one was nought",
+                "v 1 NaN 3           | 6: coordinates must be finite numbers, one was NaN",
+                "v 1 1e999 3         | 6: coordinates must be finite numbers, one was 1e999",
+                "v 1 1e19999999999999999999 3 | 6: coordinates must be finite numbers, one was 1e19999999999999999999",
                 "f one two three     | 6: \"f one two three\" cannot be understood; a vertex is written like",
                 "f 0 1 2             | 6: \"f 0 1 2\" cannot be understood; a vertex is written like \"v 0 1.5 -2\", a face"
                         + " like \"f 1 2 3\" with vertices counted from 1",
@@ -220,7 +222,8 @@ class MeshFileTest {
         if (line.startsWith("\0")) {
             assertThat(read(SQUARE + line + "\nf 1 2 3\n").detail().notes()).hasSize(1);
         } else {
-            assertThatThrownBy(() -> read(SQUARE + line + "\n")).hasMessageContaining("cannot be understood");
+            assertThatThrownBy(() -> read(SQUARE + line + "\n"))
+                    .hasMessageMatching(".*(cannot be understood|coordinates must be finite numbers).*");
         }
     }
 

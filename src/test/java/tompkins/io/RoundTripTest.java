@@ -296,18 +296,6 @@ class RoundTripTest {
         assertThat(StudioWriter.writeSelfContained(thrice)).hasSizeLessThan(1000);
     }
 
-    /** A study tells scenes apart by this text, also by what they hold that is too large for a photograph. */
-    @Test
-    void theCompleteTextHoldsEveryPicture() {
-        byte[] one = new byte[14_000_000];
-        byte[] other = one.clone();
-        other[13_999_999] = 1;
-
-        assertThat(StudioWriter.writeComplete(posterOf(one)))
-                .hasSizeGreaterThan(18_000_000)
-                .isNotEqualTo(StudioWriter.writeComplete(posterOf(other)));
-    }
-
     private static Studio posterOf(byte[] file) {
         PixelPicture picture = new PixelPicture("poster.png", 1, 1, new float[4], file);
         return Studio.DEFAULT.withScene(

@@ -156,8 +156,7 @@ class SceneMistakesTest {
             {"velocity": {"beta": 1e400}} | f:1:23: velocity.beta: must be at least 0 and below 1 (the speed of light), was 1e400
             {"camera": {"viewDirection": [0, 1e400, 0]}} | f:1:34: camera.viewDirection[1]: must be a number that is not \
             larger than 1.7976931348623157e308, was 1e400
-            {"settings": {"seed": 1e20}}  | f:1:23: settings.seed: must be a whole number from -2^63 to 2^63 - 1, \
-            written with all its digits beyond 2^53, was 1e20
+            {"settings": {"seed": 1e20}}  | f:1:23: settings.seed: must be a whole number from -2^63 to 2^63 - 1, was 1e20
             {"settings": {"toneCurve": "srbg"}} | f:1:28: settings.toneCurve: must be one of linear, srgb, was "srbg"; did \
             you mean "srgb"?
             {"transformation": "newton"}  | f:1:20: transformation: must be one of lorentz, galilean, none, was "newton"

@@ -57,7 +57,7 @@ class SceneSourcesTest {
         byte[] spaces = new byte[SceneText.LARGEST + 1];
         Arrays.fill(spaces, (byte) ' ');
         Path file = Files.write(folder.resolve("large.json"), spaces);
-        assertFileRefused(file, "a scene file may have at most 67108864 bytes, has more");
+        assertFileRefused(file, "a scene file may have at most 67108864 bytes, has 67108865");
     }
 
     /** Three bytes of a picture are four letters of the text. */

@@ -210,7 +210,7 @@ class LessonNumbersTest {
                 / 1000
                 / (2 * Math.tan(field / 2))
                 * lesson.studio().settings().width();
-        assertThat(front.points().get(0).x() - front.points().get(1).x()).isCloseTo(pixels, within(0.2));
+        assertThat(front.points().get(1).x() - front.points().get(0).x()).isCloseTo(pixels, within(0.2));
         assertThat(front.points().get(0).y()).isEqualTo(front.points().get(1).y());
     }
 
@@ -226,7 +226,7 @@ class LessonNumbersTest {
                 * lesson.studio().settings().width();
 
         assertThat(both.points()).hasSize(2);
-        assertThat(both.points().get(0).x() - both.points().get(1).x()).isCloseTo(pixels, within(0.5));
+        assertThat(both.points().get(1).x() - both.points().get(0).x()).isCloseTo(pixels, within(0.5));
         assertThat(both.lines()).containsExactly(both.points());
     }
 

@@ -25,14 +25,14 @@ class ProfileTest {
     void edgeOfABallIsFoundToTheLastDigits() {
         RenderPlan plan = RenderPlan.of(Studio.DEFAULT.withScene(List.of(BALL)));
 
-        Profile profile = Profile.between(plan, new Vector2d(320, 240), new Vector2d(620, 240), () -> true);
+        List<Sighting> profile = Sighting.along(plan, new Vector2d(320, 240), new Vector2d(620, 240), () -> true);
         Vector2dc edge = new Edges(plan).largestStep(profile).orElseThrow();
 
         double slope = 1 / Math.sqrt(99);
         assertThat(edge.x()).isCloseTo(320 + 320 * slope / Math.tan(Math.toRadians(10)), within(1e-6));
         assertThat(edge.y()).isEqualTo(240);
-        assertThat(profile.points()).hasSize(301);
-        assertThat(profile.points().get(300).x()).isEqualTo(620);
+        assertThat(profile).hasSize(301);
+        assertThat(profile.get(300).x()).isEqualTo(620);
     }
 
     /** Two balls, one in front of a brighter one: the larger step counts, not the first. */
@@ -45,7 +45,7 @@ class ProfileTest {
                         grey,
                         new Sphere("", new Vector3d(1.5, 0, 10), 0.2, new LuminousSurface(Colour.grey(0), true)))));
 
-        Profile across = Profile.between(plan, new Vector2d(0, 240), new Vector2d(640, 240), () -> true);
+        List<Sighting> across = Sighting.along(plan, new Vector2d(0, 240), new Vector2d(640, 240), () -> true);
 
         double towards = Math.asin(0.2 / Math.hypot(1.5, 10));
         double slope = Math.tan(Math.atan(0.15) - towards);
@@ -58,7 +58,7 @@ class ProfileTest {
         RenderPlan plan = RenderPlan.of(Studio.DEFAULT);
         int[] asked = new int[1];
 
-        assertThat(Profile.between(plan, new Vector2d(0, 0), new Vector2d(9, 9), () -> ++asked[0] < 5))
+        assertThat(Sighting.along(plan, new Vector2d(0, 0), new Vector2d(9, 9), () -> ++asked[0] < 5))
                 .isNull();
         assertThat(asked[0]).isEqualTo(5);
     }

@@ -138,7 +138,7 @@ class RayTubesTest {
         SceneObject wall = new Plane("wall", new Vector3d(0, 0, 5), BACK, ColouredSurface.DEFAULT);
         RenderPlan plan = RenderPlan.of(studio(wall).withCamera(Descriptions.with(lens, "exposureTime", 4.0)));
 
-        List<SampleHistory> cone = RayCone.around(plan, 20, 15, 8, 0.25);
+        List<SampleHistory> cone = RayTubes.cone(plan, 20, 15, 8, 0.25);
 
         assertThat(cone).hasSize(8);
         assertThat(cone).allSatisfy(ray -> {
@@ -154,7 +154,7 @@ class RayTubesTest {
         Studio studio = studio(wall);
         RenderPlan plan = RenderPlan.of(studio);
 
-        List<SampleHistory> cone = RayCone.around(plan, 20, 15, 4, 0.5);
+        List<SampleHistory> cone = RayTubes.cone(plan, 20, 15, 4, 0.5);
         Studio drawn = RayTubes.addedTo(studio, "cone", cone);
 
         // a twentieth of the height is 1.5 pixels

@@ -6,23 +6,17 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import tompkins.io.StudioReader;
-import tompkins.sceneobject.Box;
-import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
-import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.surface.ColouredSurface;
 import tompkins.trace.RenderPlan;
-import tompkins.trace.SampleHistory;
 
 /** What is said of objects that a picture does not show, held against the picture. */
 class UnseenObjectsTest {
@@ -59,21 +53,6 @@ class UnseenObjectsTest {
         assertThat(warning(studio(FLOOR))).isEmpty();
         assertThat(new UnseenObjects(RenderPlan.of(studio(ball(0, 0, 8)))).sentence())
                 .isEmpty();
-    }
-
-    /** The picture at the opening time that is told shows the die. */
-    @Test
-    void theOpeningTimeIsThatOfThePicture() {
-        Box die = new Box("die", new Vector3d(-1, -1, -1), new Vector3d(1, 1, 1), ColouredSurface.DEFAULT);
-        Studio studio = studio(FLOOR, new Moving("", Velocity.of(0.9, 0, 0), new Vector3d(0, 0, 12), 0, List.of(die)));
-        String warning = warning(studio);
-        Matcher time = Pattern.compile("\"die\" is to the left .* opening time of about ([0-9.]+)")
-                .matcher(warning);
-        assertThat(time.find()).as(warning).isTrue();
-        Studio then = studio.withCamera(
-                studio.camera().withShutter(studio.camera().shutter().openedAt(Double.parseDouble(time.group(1)))));
-        SampleHistory middle = RenderPlan.of(then).middleHistory();
-        assertThat(middle.end().object().description()).isEqualTo("die");
     }
 
     @Test

@@ -188,14 +188,14 @@ class ExposureTest {
                 place.clear();
                 place.addPixel(0, 0);
                 sampler.choose(place, sample);
-                double x = row.number("X0") + place.x(0) * (row.number("X1") - row.number("X0"));
-                double y = row.number("Y1") + place.y(0) * (row.number("Y0") - row.number("Y1"));
+                double x = row.number("X0") + place.x[0] * (row.number("X1") - row.number("X0"));
+                double y = row.number("Y1") + place.y[0] * (row.number("Y0") - row.number("Y1"));
                 sum += tracer.sample(
                                 WIDTH / 2.0 + x / SLOPE_PER_PIXEL,
                                 HEIGHT / 2.0 - y / SLOPE_PER_PIXEL,
                                 0,
                                 0,
-                                place.moment(0))
+                                place.moments[0])
                         .red();
             }
             return sum / samples;

@@ -69,6 +69,19 @@ class AdaptiveScheduleTest {
         assertThat(film.samples(0)).as("the first sample gives way").isEqualTo(1);
     }
 
+    /** A benchmark compares what it costs to begin with fewer. */
+    @Test
+    void fewerFirstSamplesCanBeTaken() {
+        Film film = new Film(60, 50, 1, true);
+        AdaptiveSchedule everywhere = new AdaptiveSchedule(film, 4, true, false, 0.01, endless());
+        AdaptiveSchedule after = new AdaptiveSchedule(film, 4, false, false, 0.01, endless());
+        takeFirstPasses(after);
+        fill(film, 1, 1);
+
+        assertThat(everywhere.next(() -> false).samples()).isEqualTo(4);
+        assertThat(after.next(() -> false).samples()).isEqualTo(4);
+    }
+
     /** Left all is settled, right the halves differ: there the next samples go, and to the neighbours on the left. */
     @Test
     void roughPixelsGetTwiceAsManySamples() {

@@ -20,16 +20,14 @@ class IsolatedHighlightsTest {
     @Test
     void aLightInOnePixelIsASpeck() {
         IsolatedHighlights specks = specks(film(place(20, 30)));
-        assertThat(specks.isAt(20, 30)).isTrue();
-        assertThat(specks.isAt(21, 30)).isFalse();
+        assertThat(specks.found()).containsExactly(place(20, 30));
         assertThat(specks.isEmpty()).isFalse();
     }
 
     @Test
     void aLightOnTheCornerOfFourPixelsIsASpeck() {
         IsolatedHighlights specks = specks(film(place(20, 30), place(21, 30), place(20, 31), place(21, 31)));
-        assertThat(specks.isAt(20, 30)).isTrue();
-        assertThat(specks.isAt(21, 31)).isTrue();
+        assertThat(specks.found()).contains(place(20, 30), place(21, 31));
     }
 
     /** Neither in the middle nor at the ends. */

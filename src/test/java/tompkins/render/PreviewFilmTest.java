@@ -12,6 +12,8 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.animation.RideFilm;
 import tompkins.image.FramePicture;
 import tompkins.image.PictureDifference;
@@ -21,6 +23,7 @@ import tompkins.studio.RideMoment;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.trace.RenderPlan;
+import tompkins.ui.model.Pace;
 
 /** Pictures that are seen for a moment. The size is that of the picture in a window of 1366 x 768 pixels. */
 class PreviewFilmTest {
@@ -190,6 +193,35 @@ class PreviewFilmTest {
         assertThat(settled(budget, 60, 0.01, 1e-6)).isCloseTo(40_000, within(1L));
         // too slow for pictures that are good enough: these come less often
         assertThat(settled(budget, 60, 0.01, 8e-6)).isEqualTo(16_500);
+    }
+
+    /**
+     * A picture has 12 ms that are not its rays'. Where a fifth of its pixels takes it to 30 ms, the time of a ride, it
+     * has at least that fifth; where it would take longer, it has what it can be looked at with, or what rays allow.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.030, 0.2, 0.2", "0.028, 0.2, 0.25", "0.034, 0.165, 0.165", "0.060, 0.125, 0.125"})
+    void aFifthIsTakenWhereThirtyPicturesFit(double secondsOfAFifth, double least, double most) {
+        int pixels = WIDTH * HEIGHT;
+        double each = (secondsOfAFifth - 0.012) / (0.2 * pixels);
+        PreviewBudget budget = new PreviewBudget();
+        long samples = 0;
+        for (int i = 0; i < 60; i++) {
+            samples = budget.most(pixels / 64, pixels / 64 * each, Pace.RIDE.glimpseSeconds(), pixels);
+            budget.ended(0.012 + each * samples, Pace.RIDE.glimpseSeconds());
+        }
+        assertThat((double) samples / pixels).isBetween(least - 1e-4, most + 1e-4);
+    }
+
+    /** With 0.165 samples of a pixel none of them is as near to the whole picture. */
+    @ParameterizedTest
+    @CsvSource({"cube, 5", "dice, 5.5", "mirror, 4.5"})
+    void aFifthShowsRidesOfMotion(String scene, double levels) throws Exception {
+        RenderPlan plan = plan(StudioReader.read(Path.of("scenes/motion-" + scene + ".json")));
+        RenderJob job = glimpse(plan, 0.2);
+        assertThat(samples(job)).isLessThan(0.21);
+        assertThat(PictureDifference.ofLevels(job.levels().image(), wholeLevels(plan)))
+                .isLessThan(levels);
     }
 
     private static long settled(PreviewBudget budget, int pictures, double fixed, double each) {

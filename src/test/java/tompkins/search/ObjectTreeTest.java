@@ -33,8 +33,8 @@ class ObjectTreeTest {
         int hits = sameHits(tree, list, () -> ray(random));
 
         assertThat(hits).isBetween(1, 299);
-        assertThat(tree.hasTree()).isTrue();
-        assertThat(list.hasTree()).isFalse();
+        assertThat(tree.root()).isNotNull();
+        assertThat(list.root()).isNull();
     }
 
     /** How many of 300 rays hit something: in both the same. */

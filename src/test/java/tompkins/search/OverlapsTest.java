@@ -15,7 +15,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.TestRun;
 import tompkins.fuzz.RandomStudio;
 import tompkins.primitive.Primitive;
-import tompkins.primitive.RayStarts;
 import tompkins.property.Descriptions;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -119,10 +118,9 @@ class OverlapsTest {
 
     /** The first ray of a block, of which all start at one place or several. */
     private static void mustOverlap(Primitive primitive, RayPacket block) {
-        RayStarts starts = new RayStarts();
-        starts.measure(block, 0, block.count());
+        PacketFrustum bundle = bundle(block);
         double[] overlaps = new double[block.count()];
-        if (primitive.overlaps(block, starts, overlaps)) {
+        if (primitive.overlaps(block, bundle.farthest(), overlaps)) {
             assertThat(overlaps[0]).as(primitive.description()).isGreaterThanOrEqualTo(0);
         }
     }
@@ -271,7 +269,7 @@ class OverlapsTest {
 
     private static PacketFrustum bundle(RayPacket block) {
         PacketFrustum bundle = new PacketFrustum();
-        assertThat(bundle.enclose(block, 0, 1)).isTrue();
+        assertThat(bundle.enclose(block)).isTrue();
         return bundle;
     }
 }

@@ -39,7 +39,7 @@ class PacketSearchTest {
         for (int block = 0; block < BLOCKS; block++) {
             aim(rays, lens, random);
             search.begin(rays);
-            found += search.isTogether() ? 1 : 0;
+            found += search.together ? 1 : 0;
             for (int place = 0; place < rays.count(); place++) {
                 Ray ray = rays.ray(place);
                 boolean hit = search.nearest(place, Primitive.NO_HIT);
@@ -67,7 +67,7 @@ class PacketSearchTest {
 
         search.begin(rays);
 
-        assertThat(search.isTogether()).isTrue();
+        assertThat(search.together).isTrue();
         assertThat(counts.tests).isBetween(100L, 2L * RayPacket.MOST);
         assertThat(counts.nodes).isLessThan(RayPacket.MOST);
     }
@@ -83,7 +83,7 @@ class PacketSearchTest {
         PacketSearch search = new PacketSearch(tree, new NearestHit(new RayCounts()));
         search.begin(rays);
 
-        assertThat(search.isTogether()).isFalse();
+        assertThat(search.together).isFalse();
     }
 
     private static ObjectTree balls(int count, double radius, Random random) {

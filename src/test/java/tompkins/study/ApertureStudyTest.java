@@ -40,7 +40,7 @@ class ApertureStudyTest {
         Map<String, SamplingMethod.Factory> broken = randomAlone();
         broken.put(PROGRAM, (seed, samples, space) -> (positions, sample) -> {
             for (int i = 0; i < positions.count(); i++) {
-                positions.choose(i, 0.5, 0.5, 0, 0, 0.5);
+                new Position().give(positions, i);
             }
         });
         SamplingStudy study = study(256, broken);
@@ -86,12 +86,12 @@ class ApertureStudyTest {
         return (positions, sample) -> {
             other.clear();
             for (int i = 0; i < positions.count(); i++) {
-                other.addPixel(column.applyAsInt(positions.column(i)), row.applyAsInt(positions.row(i)));
+                other.addPixel(column.applyAsInt(positions.columns[i]), row.applyAsInt(positions.rows[i]));
             }
             right.choose(other, sample);
             for (int i = 0; i < positions.count(); i++) {
                 position.goTo(other, i);
-                positions.choose(i, position.x, position.y, position.lensX, position.lensY, position.moment);
+                position.give(positions, i);
             }
         };
     }

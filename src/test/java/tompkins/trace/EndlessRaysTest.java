@@ -6,6 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import tompkins.io.StudioReader;
+import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
+import tompkins.search.NearestHit;
 
 /** Rays among mirrors that lose no light: only the depth limit ends them. */
 class EndlessRaysTest {
@@ -69,6 +72,9 @@ class EndlessRaysTest {
         RenderPlan plan = RenderPlan.plain(
                 StudioReader.read("{\"scene\": [{\"type\": \"CylinderLattice\"}]}", "lattice", Path.of(".")));
         assertThat(plan.world().objects(0).size()).isGreaterThan(50);
-        assertThat(plan.world().objects(0).hasTree()).isFalse();
+        RayCounts counts = new RayCounts();
+        plan.world().objects(0).nearest(Ray.from(0, 0, 0, 0, 0, 1, 0), new NearestHit(counts));
+        assertThat(counts.tests).isEqualTo(plan.world().objects(0).size());
+        assertThat(counts.nodes).isZero();
     }
 }

@@ -284,7 +284,7 @@ class EveryFieldTest {
 
     private static void requireSavable(Studio studio, String field, String text) {
         try {
-            String saved = StudioWriter.writeComplete(studio);
+            String saved = StudioWriter.writeSelfContained(studio);
             assertThat(StudioReader.read(saved, "saved", Path.of("."))).isEqualTo(studio);
         } catch (InvalidPropertyException | MistakeException refused) {
             throw new AssertionError(field + " with " + text, refused);

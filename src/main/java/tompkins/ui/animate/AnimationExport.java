@@ -3,8 +3,8 @@ package tompkins.ui.animate;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
-import java.util.concurrent.Callable;
 import java.util.function.BiFunction;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import javax.swing.JFileChooser;
@@ -13,9 +13,11 @@ import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
 import tompkins.animation.FrameSequence;
 import tompkins.animation.RideFilm;
+import tompkins.file.OutputFolder;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
-import tompkins.image.PictureDecoration;
+import tompkins.image.FrameFolder;
+import tompkins.image.FramePicture;
 import tompkins.measure.OverlayKind;
 import tompkins.render.Progress;
 import tompkins.studio.Studio;
@@ -81,29 +83,32 @@ public final class AnimationExport {
     private void save(
             FrameSequence film, FrameSequence.Caption caption, Path file, AnimationFormat format, boolean replace) {
         Set<OverlayKind> drawn = overlays.ofScene();
-        Function<Studio, PictureDecoration> decorations =
-                moment -> picture -> SceneOverlay.paint(picture, moment, drawn);
+        Function<Studio, Consumer<FramePicture>> decorations =
+                moment -> picture -> SceneOverlay.paint(picture.image(), moment, drawn);
+        int threads = Runtime.getRuntime().availableProcessors();
+        AnimationRecorder recorder = new AnimationRecorder(film, caption, decorations, threads);
         dialogs.save(
                 file,
-                progress ->
-                        write(film, caption, decorations, () -> format.open(file, film.frameRate(), replace), progress),
+                progress -> write(recorder, file, format, replace, progress),
                 exported -> dialogs.exported(exported.place(), exported.warnings()));
     }
 
     /** What was saved: where it lies, and what the user should know about it. */
     record Exported(Path place, List<String> warnings) {}
 
-    /** Takes all pictures and writes them; leaves nothing behind if the task is cancelled or fails. */
+    /** Takes all pictures; what is cancelled or fails leaves at most whole pictures in a folder. */
     static Exported write(
-            FrameSequence film,
-            FrameSequence.Caption caption,
-            Function<Studio, PictureDecoration> decorations,
-            Callable<AnimationWriter> file,
-            Progress progress)
+            AnimationRecorder recorder, Path file, AnimationFormat format, boolean replace, Progress progress)
             throws Exception {
-        int threads = Runtime.getRuntime().availableProcessors();
-        try (AnimationWriter writer = file.call()) {
-            List<String> warnings = new AnimationRecorder(film, caption, decorations, threads).record(writer, progress);
+        FrameSequence film = recorder.film();
+        if (format == AnimationFormat.NUMBERED_PNG) {
+            try (OutputFolder folder = OutputFolder.emptyAt(file)) {
+                return new Exported(
+                        file, recorder.record(recorder.allFrames(), new FrameFolder(file), false, progress));
+            }
+        }
+        try (AnimationWriter writer = format.open(file, film.frameRate(), replace)) {
+            List<String> warnings = recorder.record(writer, progress);
             return new Exported(writer.finish(), warnings);
         }
     }

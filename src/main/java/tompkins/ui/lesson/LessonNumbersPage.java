@@ -6,6 +6,7 @@ import tompkins.io.FactText;
 import tompkins.lesson.Lesson;
 import tompkins.lesson.LessonNumber;
 import tompkins.measure.LessonResult;
+import tompkins.property.NumberText;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Part;
 import tompkins.ui.widget.Rows;
@@ -37,7 +38,7 @@ final class LessonNumbersPage extends Part {
             add(new Note(Texts.get("lesson.predicted", predicted, FactText.readable(number.formula()))));
             String measured = FactText.readable(result.measuredText()) + unit;
             String key = result.agrees() ? "lesson.agrees" : "lesson.differs";
-            add(Note.paragraph(Texts.get(key, measured, FactText.readable(result.allowedText()))));
+            add(Note.paragraph(Texts.get(key, measured, NumberText.of(number.tolerance()))));
         }
         boolean agree = results.stream().allMatch(LessonResult::agrees);
         note.setText(agree ? "" : Texts.get("lesson.disagree"));

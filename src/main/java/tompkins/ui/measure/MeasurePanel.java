@@ -148,9 +148,7 @@ final class MeasurePanel extends Part {
     private static String table(Measured measured) {
         Stream<String> lines = measured.profile() == null
                 ? FactCsv.quantities(measured.facts())
-                : FactCsv.table(
-                        RayTable.headings(),
-                        measured.profile().points().stream().map(RayTable::row));
+                : FactCsv.table(RayTable.headings(), measured.profile().stream().map(RayTable::row));
         return lines.collect(Collectors.joining("\n", "", "\n"));
     }
 

@@ -16,7 +16,6 @@ import org.jfree.data.Range;
 import org.jfree.data.general.DatasetUtils;
 import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
-import tompkins.measure.Profile;
 import tompkins.measure.RayTable;
 import tompkins.measure.Sighting;
 import tompkins.ui.widget.Look;
@@ -54,7 +53,7 @@ final class ProfileChart extends ChartPanel {
     /** Half of the width of a number, in sizes of the type. */
     private static final double HALF_NUMBER = 1.8;
 
-    private transient Profile profile;
+    private transient List<Sighting> profile;
     private Content content = Content.COLOUR;
 
     /** An empty chart. */
@@ -71,7 +70,7 @@ final class ProfileChart extends ChartPanel {
         setOpaque(false);
     }
 
-    void show(Profile newProfile) {
+    void show(List<Sighting> newProfile) {
         profile = newProfile;
         draw();
     }
@@ -151,8 +150,8 @@ final class ProfileChart extends ChartPanel {
     /** Numbers over the distance from the first place in pixels. */
     private XYSeries curve(String column) {
         XYSeries curve = new XYSeries(column, false);
-        Sighting first = profile.points().get(0);
-        for (Sighting place : profile.points()) {
+        Sighting first = profile.get(0);
+        for (Sighting place : profile) {
             double number = RayTable.number(place, column);
             curve.add(
                     Math.hypot(place.x() - first.x(), place.y() - first.y()),

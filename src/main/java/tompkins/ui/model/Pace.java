@@ -15,14 +15,14 @@ public enum Pace {
 
     /**
      * Pictures follow each other while somebody steers: each is a {@link tompkins.render.Renderer#startGlimpse
-     * glimpse}, as good as more than thirty a second allow, and shown once.
+     * glimpse}, as good as thirty a second allow with a moment between them, and shown once.
      */
-    RIDE(Duration.ofMillis(28), Duration.ZERO, 0),
+    RIDE(Duration.ofMillis(30), Duration.ZERO, 0),
 
     /**
      * The first picture after thrust has changed on a ride: a glimpse, before which the one in the making is dropped.
      */
-    ANSWER(Duration.ofMillis(28), Duration.ZERO, 0);
+    ANSWER(Duration.ofMillis(30), Duration.ZERO, 0);
 
     private final long patience;
     private final long frame;

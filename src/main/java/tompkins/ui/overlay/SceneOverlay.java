@@ -161,7 +161,8 @@ public final class SceneOverlay implements Overlay {
 
     private static boolean isQuick(RenderPlan plan, Set<OverlayKind> kinds, SceneShapes shapes) {
         boolean followsRays = kinds.contains(OverlayKind.WAVE_FRONTS) && plan.hasFlashes();
-        boolean followsTurns = shapes.haveTurningLines() && !Collections.disjoint(kinds, OverlayKind.OF_LINES);
+        boolean followsTurns = shapes.lines().stream().anyMatch(line -> line.turn() != null)
+                && !Collections.disjoint(kinds, OverlayKind.OF_LINES);
         return !followsRays && !followsTurns && new Projection(plan.studio(), 1, 1).hasOneTime();
     }
 

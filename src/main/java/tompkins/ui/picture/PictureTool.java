@@ -10,7 +10,9 @@ public interface PictureTool {
     boolean isWanted();
 
     /** What a click does, in a sentence; empty if there may be something better to say. */
-    String hint();
+    default String hint() {
+        return "";
+    }
 
     /** The cursor over the picture, by its number in {@link Cursor}. */
     default int cursor() {

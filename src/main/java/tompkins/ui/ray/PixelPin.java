@@ -7,7 +7,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import tompkins.camera.SamplePositions;
-import tompkins.measure.RayCone;
+import tompkins.measure.RayTubes;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleHistory;
 import tompkins.ui.picture.Asker;
@@ -74,11 +74,6 @@ public final class PixelPin implements PictureTool {
     }
 
     @Override
-    public String hint() {
-        return "";
-    }
-
-    @Override
     public void click(Point2D clicked, Picture seen) {
         set(clicked, seen != canvas.shown().now());
     }
@@ -112,12 +107,12 @@ public final class PixelPin implements PictureTool {
         Picture picture = picture();
         if (now.place != null && picture != null) {
             Point2D middle = picture.inPixels(canvas.shown().placeIn(picture, now.place));
-            asker.ask(RayCone.class, () -> cone(picture.plan(), middle), answer);
+            asker.ask(RayTubes.class, () -> cone(picture.plan(), middle), answer);
         }
     }
 
     private static List<SampleHistory> cone(RenderPlan plan, Point2D middle) {
-        return RayCone.around(plan, middle.getX(), middle.getY(), RAYS_OF_CONE, SamplePositions.MIDDLE);
+        return RayTubes.cone(plan, middle.getX(), middle.getY(), RAYS_OF_CONE, SamplePositions.MIDDLE);
     }
 
     private Picture picture() {

@@ -17,6 +17,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.animation.Animation;
+import tompkins.animation.AnimationRecorder;
 import tompkins.image.AnimationFormat;
 import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
@@ -63,12 +64,22 @@ class AnimationExportTest {
             Set<OverlayKind> overlays,
             Progress progress)
             throws Exception {
-        AnimationExport.write(
+        AnimationRecorder recorder = new AnimationRecorder(
                 FASTER.sequence(studio),
                 Captions.ofPictures(studio, FASTER.number(), captioned),
-                moment -> picture -> SceneOverlay.paint(picture, moment, overlays),
-                () -> format.open(file, 25, true),
-                progress);
+                moment -> picture -> SceneOverlay.paint(picture.image(), moment, overlays),
+                1);
+        AnimationExport.write(recorder, file, format, true, progress);
+    }
+
+    @Test
+    void aFolderWithContentIsLeftAlone() throws IOException {
+        Path mine = Files.writeString(folder.resolve("mine.txt"), "mine");
+        assertThatThrownBy(() -> write(Studios.sphere(), folder, AnimationFormat.NUMBERED_PNG, false, progress()))
+                .hasMessage(folder + ": cannot be written: it exists; name a new or an empty folder");
+        try (Stream<Path> files = Files.list(folder)) {
+            assertThat(files).containsExactly(mine);
+        }
     }
 
     /** The outline of the sphere shrinks with the speed straight ahead, and what is drawn lies about it. */

@@ -23,4 +23,11 @@ class PaceTest {
         assertThat(Pace.FILM.waits(1, 40 * MILLISECOND)).isFalse();
         assertThat(Pace.FILM.frame()).isEqualTo(0);
     }
+
+    /** With 2 ms from one to the next, in which the next is planned. */
+    @Test
+    void aRideHasThirtyPicturesInASecond() {
+        assertThat(30 * (Pace.RIDE.glimpseSeconds() + 0.002)).isBetween(0.95, 1.0);
+        assertThat(Pace.ANSWER.glimpseSeconds()).isEqualTo(Pace.RIDE.glimpseSeconds());
+    }
 }

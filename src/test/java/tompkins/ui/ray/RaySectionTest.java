@@ -11,7 +11,7 @@ import javax.swing.JToggleButton;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import tompkins.camera.SamplePositions;
-import tompkins.measure.RayCone;
+import tompkins.measure.RayTubes;
 import tompkins.measure.Sighting;
 import tompkins.sceneobject.Group;
 import tompkins.spacetime.Velocity;
@@ -95,7 +95,7 @@ class RaySectionTest {
     @Test
     void aConeIsFollowedForTheScene() {
         JButton draw = Components.find(content, JButton.class, Texts.get("ray.cone"));
-        List<SampleHistory> cone = RayCone.around(RenderPlan.of(STUDIO), 32, 24, 12, SamplePositions.MIDDLE);
+        List<SampleHistory> cone = RayTubes.cone(RenderPlan.of(STUDIO), 32, 24, 12, SamplePositions.MIDDLE);
         PixelReading reading = reading();
         WindowDriver.onEventThread(() -> {
             section.show(reading, null);
