@@ -47,6 +47,11 @@ record FailureMode(String quantity, String where, double naive, double ours) {
                 farTile());
     }
 
+    String row() {
+        return "| " + quantity + " | " + where + " | " + AccuracyReport.number(naive) + " | "
+                + AccuracyReport.number(ours) + " |";
+    }
+
     private static FailureMode fixedPointTime(double speed) {
         Vector3d place = new Vector3d(0, 0, 2);
         double exact = -speed * (1 + speed * speed / 4);
@@ -125,7 +130,7 @@ record FailureMode(String quantity, String where, double naive, double ours) {
             Vector3d aside =
                     towards.cross(unit(random), new Vector3d()).normalize().mul(0.9 * random.nextDouble());
             Vector3d origin = new Vector3d(towards).mul(-distance).add(aside);
-            double found = method.sphere(origin, towards, new Vector3d(), 1);
+            double found = method.sphere(origin, towards, new Vector3d(), 1, false);
             double depth = Math.sqrt(1 - aside.lengthSquared());
             lost += Math.abs(found - (distance - depth)) < 0.01 + 1e-15 * distance ? 0 : 1;
         }
@@ -137,8 +142,8 @@ record FailureMode(String quantity, String where, double naive, double ours) {
         double exact = Math.sqrt((1 - miss) * (1 + miss));
         Vector3d origin = new Vector3d(miss, 0, -10);
         Vector3d along = new Vector3d(0, 0, 1);
-        double naive = 10 - new NaiveHits().sphere(origin, along, new Vector3d(), 1);
-        double ours = 10 - HitMethod.PROGRAM.sphere(origin, along, new Vector3d(), 1);
+        double naive = 10 - new NaiveHits().sphere(origin, along, new Vector3d(), 1, false);
+        double ours = 10 - HitMethod.PROGRAM.sphere(origin, along, new Vector3d(), 1, false);
         return of(
                 "half the chord of a grazing ray",
                 "1e-12 radii below the edge",
@@ -156,8 +161,8 @@ record FailureMode(String quantity, String where, double naive, double ours) {
             Vector3d place = new Vector3d(normal).mul(1e4).add(centre);
             Vector3d d = unit(random);
             double chord = Math.max(0, -2e4 * normal.dot(d));
-            naive += isSelfHit(new NaiveHits().sphere(place, d, centre, 1e4), chord) ? 1 : 0;
-            ours += isSelfHit(HitMethod.PROGRAM.sphereFromItself(place, d, centre, 1e4), chord) ? 1 : 0;
+            naive += isSelfHit(new NaiveHits().sphere(place, d, centre, 1e4, true), chord) ? 1 : 0;
+            ours += isSelfHit(HitMethod.PROGRAM.sphere(place, d, centre, 1e4, true), chord) ? 1 : 0;
         }
         return of(
                 "rays that start on a sphere and hit their own start; fraction",

@@ -14,12 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.camera.Aim.PicturePosition;
 import tompkins.math.Vectors;
-import tompkins.property.Descriptions;
-import tompkins.sceneobject.Plane;
-import tompkins.sceneobject.Sphere;
-import tompkins.shutter.ArbitraryPlaneShutter;
 import tompkins.spacetime.IdentityTransformation;
-import tompkins.surface.ColouredSurface;
 
 class AimTest {
 
@@ -100,30 +95,5 @@ class AimTest {
         }
         Vector3dc behind = new Vector3d().sub(Vectors.unit(camera.viewDirection()));
         assertThat(rays.position(behind) == null).isEqualTo(camera instanceof ThinLensCamera);
-    }
-
-    /** A turned camera is focused at the same distance, and its shutter is where it was in the picture. */
-    @Test
-    void focusAndShutterTurnWithTheCamera() {
-        Camera camera = Descriptions.with(
-                ThinLensCamera.DEFAULT.withShutter(
-                        new ArbitraryPlaneShutter(1, new Vector3d(0.2, 0.1, 3), new Vector3d(0.1, 0, 1))),
-                "position",
-                new Vector3d(1, 2, -4));
-        Camera turned = Aim.along(camera, new Vector3d(1, 0.3, 0.2));
-        assertThat(FocusDistance.of(turned)).isCloseTo(14, EXACT);
-        for (PicturePosition place : new PicturePosition[] {place(100, 100), place(500, 300)}) {
-            assertThat(time(turned, place)).isCloseTo(time(camera, place), EXACT);
-        }
-        Camera atSphere = Descriptions.with(
-                camera, "focus", new Sphere("focus", new Vector3d(1, 2, 3), 2, ColouredSurface.DEFAULT));
-        assertThat(FocusDistance.of(Aim.along(atSphere, new Vector3d(-1, 0, 0))))
-                .isCloseTo(5, within(1e-9));
-        assertThat(((ThinLensCamera) turned).focus()).isInstanceOf(Plane.class);
-    }
-
-    private static double time(Camera camera, PicturePosition place) {
-        CameraRays rays = camera.rays(640, 480, new IdentityTransformation());
-        return camera.shutter().transmissionTime(rays.chiefRay(place.direction(camera)), new IdentityTransformation());
     }
 }

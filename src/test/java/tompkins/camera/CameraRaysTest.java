@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
@@ -23,7 +24,6 @@ import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.ArbitraryPlaneShutter;
-import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.FocusSurfaceShutter;
 import tompkins.shutter.LensRay;
 import tompkins.shutter.Shutter;
@@ -109,16 +109,6 @@ class CameraRaysTest {
         assertThat(towards.distance(ray.dx, ray.dy, ray.dz)).isLessThan(SMALL);
     }
 
-    @Test
-    void timesAreThoseOfTheShutter() {
-        DetectorPlaneShutter shutter = new DetectorPlaneShutter(5, 2);
-        Ray ray = thinLens(0, 0.25, shutter).rays(80, 30, REST).ray(60, 5, 0, 0, new RayCounts());
-        assertThat(ray.time).isCloseTo(5 - 2 / direction(0.5, 0.25).dot(FORWARD), within(SMALL));
-        Ray focused =
-                thinLens(0, 0, new FocusSurfaceShutter(1)).rays(80, 30, REST).ray(40, 15, 0, 0, new RayCounts());
-        assertThat(focused.time).isCloseTo(1 + 10 * Math.sqrt(2), within(1e-13));
-    }
-
     /** Of several surfaces in focus the nearest in front counts, else the nearest behind. */
     @Test
     void nearestSurfaceInFrontIsInFocus() {
@@ -136,16 +126,8 @@ class CameraRaysTest {
                 .mapToObj(z -> (SceneObject)
                         new Disc("", new Vector3d(0, 0, z), new Vector3d(0, 0, 1), 1, ColouredSurface.DEFAULT))
                 .toList();
-        ThinLensCamera camera = Cameras.lens(
-                new Vector3d(),
-                new Vector3d(0, 0, 1),
-                new Vector3d(0, 1, 0),
-                20,
-                0,
-                0,
-                new Group("", discs),
-                0,
-                shutter);
+        Camera camera = Descriptions.with(ThinLensCamera.DEFAULT, "focus", new Group("", discs))
+                .withShutter(shutter);
         return camera.rays(2, 2, REST).ray(1, 1, 0, 0, new RayCounts()).time;
     }
 
@@ -253,12 +235,6 @@ class CameraRaysTest {
                         1,
                         0,
                         AperturePlaneShutter.DEFAULT));
-    }
-
-    @Test
-    void aPinholeIsOpenWhenItsShutterIs() {
-        Ray ray = thinLens(0, 0, new AperturePlaneShutter(4)).rays(80, 30, REST).ray(7, 5, 0, 0, new RayCounts());
-        assertThat(ray.time).isEqualTo(4);
     }
 
     /** Meridians come nearer to each other like the cosine of the latitude. */

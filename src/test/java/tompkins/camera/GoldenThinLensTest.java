@@ -31,31 +31,11 @@ class GoldenThinLensTest {
         return new LensRay(row.vector("c"), row.vector("x"), chief, inverseFocusDistance, axis).towardsFocus();
     }
 
-    @Test
-    void imagePositionFailsForObjectsInTheFocalPlane() {
-        List<GoldenRow> inFocalPlane = ROWS.stream()
-                .filter(row -> row.has("class", "object_in_focal_plane"))
-                .toList();
-        assertThat(Worst.of(inFocalPlane, row -> {
-                            double focalLength = 1 / row.number("power");
-                            return excess(
-                                    row,
-                                    NaiveThinLens.bend(
-                                            row.vector("d"), axis(row), offset(row), row.number("power"), focalLength));
-                        })
-                        .excess())
-                .isInfinite();
-    }
-
     private static double excess(GoldenRow row, Vector3d direction) {
         return row.distance(direction.normalize(), "out") / (4 * U * row.number("acond_dir"));
     }
 
     private static Vector3d axis(GoldenRow row) {
         return Vectors.unit(row.vector("n"));
-    }
-
-    private static Vector3d offset(GoldenRow row) {
-        return row.vector("x").sub(row.vector("c"));
     }
 }

@@ -63,48 +63,6 @@ class PixelSamplerTest {
         return intervals;
     }
 
-    /** The first two dimensions, those of the lens, fill squares and oblongs of any shape. */
-    @Test
-    void lensIsFilledInTwoDimensions() {
-        for (int columns = 1; columns <= 64; columns *= 2) {
-            int rows = 64 / columns;
-            Set<Integer> cells = new HashSet<>();
-            for (int sample = 0; sample < 64; sample++) {
-                int[] point = new int[1];
-                SobolPoints.shuffle(sample, new int[] {99}, point, 1);
-                int column = (int) (coordinate(0, point, 12) * columns);
-                int row = (int) (coordinate(1, point, 34) * rows);
-                cells.add(column * rows + row);
-            }
-            assertThat(cells).as("%d x %d", columns, rows).hasSize(64);
-        }
-    }
-
-    @Test
-    void discIsFilledEvenly() {
-        PixelSampler sampler = new PixelSampler(3, true, true);
-        double sumX = 0;
-        double sumY = 0;
-        double squares = 0;
-        double mixed = 0;
-        int inner = 0;
-        for (int sample = 0; sample < 4096; sample++) {
-            SamplePositions place = place(sampler, 0, 0, sample);
-            double x = place.lensX[0];
-            double y = place.lensY[0];
-            sumX += x / 4096;
-            sumY += y / 4096;
-            squares += (x * x - y * y) / 4096;
-            mixed += x * y / 4096;
-            inner += x * x + y * y < 0.25 ? 1 : 0;
-        }
-        assertThat(sumX).isCloseTo(0, within(2e-3));
-        assertThat(sumY).isCloseTo(0, within(2e-3));
-        assertThat(squares).isCloseTo(0, within(2e-3));
-        assertThat(mixed).isCloseTo(0, within(2e-3));
-        assertThat(inner / 4096.0).isCloseTo(0.25, within(3e-3));
-    }
-
     /** The concentric map takes the square's sides to the circle and keeps the axes. */
     @Test
     void concentricMapKeepsCentreAxesAndRim() {
@@ -162,26 +120,6 @@ class PixelSamplerTest {
         assertThat(firstPlaces).hasSize(6);
     }
 
-    /** A changed bit of the input changes about half of the bits of the output. */
-    @Test
-    void hashMixesAllBits() {
-        long changed = 0;
-        int[] byOutput = new int[32];
-        for (int value = 1; value <= 1000; value++) {
-            for (int bit = 0; bit < 32; bit++) {
-                int difference = hash(value * 7919) ^ hash(value * 7919 ^ 1 << bit);
-                changed += Integer.bitCount(difference);
-                for (int i = 0; i < 32; i++) {
-                    byOutput[i] += difference >>> i & 1;
-                }
-            }
-        }
-        assertThat(changed / 32_000.0).isCloseTo(16, within(0.2));
-        for (int count : byOutput) {
-            assertThat(count / 32_000.0).isCloseTo(0.5, within(0.03));
-        }
-    }
-
     /** A block gives each pixel the places that it gets alone. */
     @Test
     void placesDoNotDependOnTheBlock() {
@@ -230,19 +168,5 @@ class PixelSamplerTest {
         place.addPixel(column, row);
         sampler.choose(place, sample);
         return place;
-    }
-
-    private static double coordinate(int dimension, int[] point, int seed) {
-        int[] fraction = new int[1];
-        int[] upper = new int[1];
-        SobolPoints.upperFractions(dimension, point, upper, 1);
-        SobolPoints.fractions(dimension, point, upper, new int[] {seed}, fraction, 1);
-        return SobolPoints.number(fraction[0]);
-    }
-
-    private static int hash(int value) {
-        int[] values = {value};
-        PixelSampler.hash(values, 1);
-        return values[0];
     }
 }

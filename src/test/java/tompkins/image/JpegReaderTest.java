@@ -138,18 +138,7 @@ class JpegReaderTest {
 
     /** The white corner, which is stored at the upper left, where a viewer shows it. */
     @ParameterizedTest
-    @CsvSource({
-        "1, 0, 0",
-        "2, 1, 0",
-        "3, 1, 1",
-        "4, 0, 1",
-        "5, 0, 0",
-        "6, 1, 0",
-        "7, 1, 1",
-        "8, 0, 1",
-        "0, 0, 0",
-        "77, 0, 0"
-    })
+    @CsvSource({"1, 0, 0", "3, 1, 1", "6, 1, 0", "77, 0, 0"})
     void exifTurnsThePicture(int orientation, int right, int bottom) throws IOException {
         byte[] exif = segment(0xe1, text("Exif\0\0"), PngReaderTest.exif(orientation));
         byte[] other = segment(0xe1, text("http://ns.adobe.com/xap/1.0/\0"));
@@ -187,8 +176,6 @@ class JpegReaderTest {
             value = {
                 "195| its coding is lossless; a JPEG picture must be baseline or progressive; convert it, for example with ImageMagick or GIMP",
                 "197| its coding is hierarchical; a JPEG picture must be baseline or progressive; convert it, for example with ImageMagick or GIMP",
-                "201| its coding is arithmetic; a JPEG picture must be baseline or progressive; convert it, for example with ImageMagick or GIMP",
-                "202| its coding is arithmetic; a JPEG picture must be baseline or progressive; convert it, for example with ImageMagick or GIMP",
                 "203| its coding is arithmetic; a JPEG picture must be baseline or progressive; convert it, for example with ImageMagick or GIMP",
                 "247| its coding is JPEG-LS; a JPEG picture must be baseline or progressive; convert it, for example with ImageMagick or GIMP"
             })

@@ -70,12 +70,6 @@ class PictureLabelTest {
         graphics.dispose();
     }
 
-    @Test
-    void aTextThatFitsKeepsItsSize() {
-        assertThat(painted(TEXT, 700, Corner.BOTTOM_LEFT).getSize())
-                .isEqualTo(painted(TEXT, 900, Corner.BOTTOM_LEFT).getSize());
-    }
-
     /** Parts that have no room beside each other stand below each other, in their usual size. */
     @Test
     void partsGoIntoAsManyLinesAsTheyNeed() {
@@ -91,21 +85,6 @@ class PictureLabelTest {
         }
         graphics.dispose();
         assertThat(lines).containsExactly(1, 2, 3, 5);
-    }
-
-    /** What would be too small to read from the back row goes into lines of its own, between its clauses. */
-    @Test
-    void aLongPartIsWrittenClauseByClause() {
-        Graphics2D graphics = new BufferedImage(800, 400, BufferedImage.TYPE_INT_RGB).createGraphics();
-        int line = PictureLabel.height(graphics, FONT);
-        List<Integer> lines = new ArrayList<>();
-        for (int width : new int[] {800, 400, 320, 150}) {
-            Rectangle below = PictureLabel.paintParts(graphics, FONT, List.of(TEXT), new Rectangle(0, 0, width, 400));
-            lines.add(below.y / line);
-        }
-        graphics.dispose();
-        // some 600 pixels with margins: 0.6 of it fit into 400, and not into 320, where the first two clauses fit
-        assertThat(lines).containsExactly(1, 1, 3, 4);
     }
 
     /** Beside each other two labels look alike, unless one had to become very small. */

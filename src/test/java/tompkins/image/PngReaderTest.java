@@ -14,7 +14,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import tompkins.ray.PixelPicture;
 
 class PngReaderTest {
 
@@ -236,12 +235,5 @@ class PngReaderTest {
                 .hasMessage(
                         "p.png: begins with what only Apple devices read (CgBI); a PNG picture must begin with its header (IHDR)"
                                 + "; convert it, for example with ImageMagick or GIMP");
-    }
-
-    @Test
-    void aTransparentLevelIsNotDark() throws IOException {
-        PixelPicture mask = PictureFile.read(png(8, 0, new int[] {1, 0}, "tRNS", shorts(1)), "p.png");
-        assertThat(mask.isDark(0.25, 0.5)).isFalse();
-        assertThat(mask.isDark(0.75, 0.5)).isTrue();
     }
 }

@@ -3,13 +3,10 @@ package tompkins.image;
 import static java.nio.charset.StandardCharsets.ISO_8859_1;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
-import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -56,7 +53,7 @@ class RadianceFileTest {
     @Test
     void randomPixelsHaveTheCodesOfTheDefinition() throws IOException {
         Random random = new Random(7);
-        for (int i = 0; i < 2000; i++) {
+        for (int i = 0; i < 500; i++) {
             float[] light = new float[3];
             for (int channel = 0; channel < 3; channel++) {
                 light[channel] = (float) (random.nextDouble() * Math.pow(10, random.nextInt(40) - 20));
@@ -101,43 +98,11 @@ class RadianceFileTest {
 
         String header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X " + width + "\n";
         assertThat(new String(file, 0, header.length(), ISO_8859_1)).isEqualTo(header);
-        InputStream in = new ByteArrayInputStream(file, header.length(), file.length);
-        for (int y = 0; y < 2; y++) {
-            int[][] row = width < 8 || width > 32767 ? flat(in, width) : unpacked(in, width);
-            for (int x = 0; x < width; x++) {
-                float[] pixel = Arrays.copyOfRange(rgb, 3 * (y * width + x), 3 * (y * width + x) + 3);
-                assertThat(row[x]).as("pixel %d, %d", x, y).isEqualTo(code(pixel[0], pixel[1], pixel[2]));
-            }
+        // multiples of 1/64 below 4 lose nothing
+        float[] read = RadianceReader.read(file, "p.hdr").rgba();
+        for (int i = 0; i < rgb.length; i++) {
+            assertThat(read[i / 3 * 4 + i % 3]).as("value %d", i).isEqualTo(rgb[i]);
         }
-        assertThat(in.read()).isEqualTo(-1);
-    }
-
-    private static int[][] flat(InputStream in, int width) throws IOException {
-        int[][] row = new int[width][4];
-        for (int[] pixel : row) {
-            for (int i = 0; i < 4; i++) {
-                pixel[i] = in.read();
-            }
-        }
-        return row;
-    }
-
-    private static int[][] unpacked(InputStream in, int width) throws IOException {
-        assertThat(new int[] {in.read(), in.read(), in.read(), in.read()})
-                .containsExactly(2, 2, width / 256, width % 256);
-        int[][] row = new int[width][4];
-        for (int plane = 0; plane < 4; plane++) {
-            for (int x = 0; x < width; ) {
-                int count = in.read();
-                assertThat(count).isPositive();
-                boolean run = count > 128;
-                int value = run ? in.read() : 0;
-                for (int i = run ? count - 128 : count; i > 0; i--) {
-                    row[x++][plane] = run ? value : in.read();
-                }
-            }
-        }
-        return row;
     }
 
     @Test

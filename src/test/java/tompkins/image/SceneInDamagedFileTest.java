@@ -128,19 +128,16 @@ class SceneInDamagedFileTest {
 
     @Test
     void aSceneThatSwellsWithoutEndIsRefused() throws IOException {
-        ByteArrayOutputStream text = new ByteArrayOutputStream();
-        text.write("tompkins.scene\0\1\0\0\0".getBytes(ISO_8859_1));
-        try (DeflaterOutputStream deflater = new DeflaterOutputStream(text)) {
+        ByteArrayOutputStream packed = new ByteArrayOutputStream();
+        try (DeflaterOutputStream deflater = new DeflaterOutputStream(packed)) {
             byte[] blanks = new byte[1 << 20];
-            for (int i = 0; i < 200; i++) {
+            for (int i = 0; i <= PhotographInfo.LONGEST_STORED_SCENE >> 20; i++) {
                 deflater.write(blanks);
             }
         }
-        ByteArrayOutputStream png = new ByteArrayOutputStream();
-        png.writeBytes(PngChunk.SIGNATURE);
-        new PngChunk("iTXt", text.toByteArray()).write(png);
+        Path file = file(pngWith(packed.toByteArray()));
 
-        assertThatThrownBy(() -> PhotographFile.readScene(file(png.toByteArray())))
+        assertThatThrownBy(() -> PhotographFile.readScene(file))
                 .isInstanceOf(FileException.class)
                 .hasMessageContaining("too long");
     }

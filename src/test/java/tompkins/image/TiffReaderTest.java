@@ -9,11 +9,11 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.ProcessorTime;
@@ -54,25 +54,18 @@ class TiffReaderTest {
 
     /** Every number of bits in every arrangement: strips and tiles, both byte orders, together and in planes. */
     private static Stream<TiffSample> arrangements(int photometric, int[] bits, TiffSample.Codes codes) {
+        Supplier<TiffSample> plain = () -> new TiffSample(WIDTH, HEIGHT, photometric, bits, codes);
         return ORDERS.stream()
                 .flatMap(order -> Stream.of(
-                                new TiffSample(WIDTH, HEIGHT, photometric, bits, codes),
-                                new TiffSample(WIDTH, HEIGHT, photometric, bits, codes).strips(3),
-                                new TiffSample(WIDTH, HEIGHT, photometric, bits, codes).tiles(16, 16),
-                                new TiffSample(WIDTH, HEIGHT, photometric, bits, codes).tiles(4, 5),
-                                new TiffSample(WIDTH, HEIGHT, photometric, bits, codes).planar(),
-                                new TiffSample(WIDTH, HEIGHT, photometric, bits, codes)
-                                        .planar()
-                                        .strips(2),
-                                new TiffSample(WIDTH, HEIGHT, photometric, bits, codes)
-                                        .planar()
-                                        .tiles(4, 5),
-                                new TiffSample(WIDTH, HEIGHT, photometric, bits, codes)
-                                        .strips(3)
-                                        .compression(TiffSample.DEFLATE, 1),
-                                new TiffSample(WIDTH, HEIGHT, photometric, bits, codes)
-                                        .tiles(4, 5)
-                                        .compression(TiffSample.LZW, 1))
+                                plain.get(),
+                                plain.get().strips(3),
+                                plain.get().tiles(16, 16),
+                                plain.get().tiles(4, 5),
+                                plain.get().planar(),
+                                plain.get().planar().strips(2),
+                                plain.get().planar().tiles(4, 5),
+                                plain.get().strips(3).compression(TiffSample.DEFLATE, 1),
+                                plain.get().tiles(4, 5).compression(TiffSample.LZW, 1))
                         .map(sample -> sample.order(order)));
     }
 
@@ -303,18 +296,6 @@ class TiffReaderTest {
     }
 
     @ParameterizedTest
-    @EnumSource
-    void turningKeepsEveryPixel(Orientation orientation) {
-        float[] rgba = new float[4 * 12];
-        for (int i = 0; i < rgba.length; i++) {
-            rgba[i] = i;
-        }
-        float[] turned = orientation.turn(new Pixels(4, 3, rgba)).rgba().clone();
-        Arrays.sort(turned);
-        assertThat(turned).containsExactly(rgba);
-    }
-
-    @ParameterizedTest
     @MethodSource
     void whatIsNotReadIsNamed(TiffSample sample, String reason) {
         assertThatThrownBy(() -> PictureFile.read(sample.bytes(), "p.tif"))
@@ -325,45 +306,25 @@ class TiffReaderTest {
     static List<Object[]> whatIsNotReadIsNamed() {
         return List.of(
                 new Object[] {plain(1, 8).tag(339, 2), "has signed samples of 8 bits; "},
-                new Object[] {plain(1, 16).tag(339, 2), "has signed samples of 16 bits; "},
                 new Object[] {plain(1, 8).tag(339, 5), "has complex signed samples of 8 bits; "},
                 new Object[] {plain(1, 8).tag(339, 7), "has unknown samples of 8 bits; "},
-                new Object[] {plain(3, 32).tag(339, 3, 1, 3), "has several kinds of samples; "},
                 new Object[] {plain(3, 8).tag(258, 5, 6, 5), "has several kinds of samples; "},
-                new Object[] {plain(1, 24).tag(339, 3), "has floating-point samples of 24 bits; "},
                 new Object[] {plain(1, 64).tag(339, 3), "has floating-point samples of 64 bits; "},
                 new Object[] {plain(1, 32).tag(339, 3).tag(262, 0), "has floating-point samples of 32 bits; "},
-                new Object[] {
-                    plain(1, 12), "has unsigned samples of 12 bits; a TIFF picture must have unsigned ones of 8 or 16"
-                },
-                new Object[] {plain(1, 32), "has unsigned samples of 32 bits; "},
                 new Object[] {plain(3, 4), "has unsigned samples of 4 bits; "},
                 new Object[] {plain(1, 16).tag(262, 3), "has unsigned samples of 16 bits; "},
-                new Object[] {plain(2, 8).tag(262, 3).tag(338, 2), "has 2 samples a pixel for a palette; "},
-                new Object[] {plain(1, 8).tag(259, 50000), "has compression number 50000; "},
                 new Object[] {plain(1, 8).tag(259, 7), "has compression number 7; "},
-                new Object[] {plain(1, 1).tag(259, 4), "has compression number 4; "},
                 new Object[] {plain(4, 8).tag(262, 5), "has colours of kind 5; "},
-                new Object[] {plain(3, 8).tag(262, 6), "has colours of kind 6; "},
-                new Object[] {plain(1, 8).tag(262, 99), "has colours of kind 99; "},
-                new Object[] {plain(1, 8).tag(259, 32773).tag(317, 2), "has predictor 2 for unsigned samples of 8 bits"
-                },
                 new Object[] {plain(1, 8).tag(259, 5).tag(317, 4), "has predictor 4 for unsigned samples of 8 bits; "},
                 new Object[] {plain(1, 4).tag(259, 5).tag(317, 2), "has predictor 2 for unsigned samples of 4 bits; "},
                 new Object[] {plain(1, 16).tag(259, 5).tag(317, 3), "has predictor 3 for unsigned samples of 16 bits; "
                 },
-                new Object[] {
-                    plain(1, 32).tag(339, 3).tag(259, 8).tag(317, 2), "has predictor 2 for floating-point samples of 32"
-                },
                 new Object[] {plain(1, 8).tag(262, 2), "has 1 samples a pixel for 3 of colour; "},
-                new Object[] {plain(4, 8), "has 4 samples a pixel for 3 of colour; "},
                 new Object[] {plain(4, 8).tag(338, 0), "has 4 samples a pixel for 3 of colour; "},
                 new Object[] {
                     plain(1, 8).tiles(16, 16).tag(322, 1L << 31), "has tiles of 2147483648 x 16 pixels; a TIFF picture"
                 },
-                new Object[] {plain(1, 8).tag(278, 0), "has strips of 11 x 0 pixels; "},
-                new Object[] {plain(1, 8).tag(256, 100_000).tag(257, 100_000), "claims to have 100000 x 100000 pixels"
-                });
+                new Object[] {plain(1, 8).tag(278, 0), "has strips of 11 x 0 pixels; "});
     }
 
     private static TiffSample plain(int samples, int bits) {

@@ -75,16 +75,6 @@ class FitsTest {
     }
 
     @Test
-    void smallCirclesKeepTheirDigits() {
-        List<Vector3d> points = new ArrayList<>();
-        for (int i = 0; i < 3; i++) {
-            points.add(LookCone.around(new Vector3d(1, 2, 3), 1e-4).direction(0.3 + 2 * i));
-        }
-
-        assertThat(CircleFit.of(points).circle().halfAngle()).isCloseTo(1e-4, within(1e-11));
-    }
-
-    @Test
     void straightLinesOfAPictureFitAGreatCircle() {
         Projection projection = Projection.of(Studio.DEFAULT);
         List<Vector3d> points = new ArrayList<>();

@@ -214,24 +214,6 @@ class LessonNumbersTest {
         assertThat(front.points().get(0).y()).isEqualTo(front.points().get(1).y());
     }
 
-    /** All round the ball; what was measured in another picture is not marked in this one. */
-    @Test
-    void anOutlineIsDrawnAroundTheBall() throws IOException {
-        List<LessonResult> results =
-                LessonStudio.of(studio("01-round-ball")).orElseThrow().results();
-        assertThat(results.get(0).sketch().lines().get(0)).hasSize(64);
-        assertThat(results.get(1).sketch()).isEqualTo(Sketch.EMPTY);
-    }
-
-    /** Also if a measurement says at which place of the slider, and that is the one of the picture. */
-    @Test
-    void whatIsMeasuredInThisPictureIsDrawn() throws IOException {
-        List<LessonResult> results =
-                LessonStudio.of(studio("11-slices")).orElseThrow().results();
-        assertThat(results.get(1).sketch().points()).isNotEmpty();
-        assertThat(results.get(0).sketch()).isEqualTo(Sketch.EMPTY);
-    }
-
     /** A unit of time later the ball of lesson 5 is seen 3.042 bars of its ruler, of 34 in all, farther right. */
     @Test
     void theSecondPlaceOfTheFastBallIsDrawn() throws IOException {
@@ -265,16 +247,6 @@ class LessonNumbersTest {
                 .isNotEmpty()
                 .allSatisfy(line ->
                         assertThat(line.get(0).x()).isCloseTo(line.get(1).x(), within(1e-6)));
-    }
-
-    @Test
-    void onlyOneLessonComparesShutters() throws IOException {
-        assertThat(BundledScenes.studios().stream()
-                        .map(Studio::lesson)
-                        .filter(Lesson.class::isInstance)
-                        .map(Lesson.class::cast)
-                        .filter(lesson -> LessonStudio.otherShutter(lesson).isPresent()))
-                .containsExactly((Lesson) studio("12-shutter").lesson());
     }
 
     @Test

@@ -13,7 +13,6 @@ import tompkins.ray.Colour;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
 import tompkins.studio.UniformBackground;
-import tompkins.surface.ColouredSurface;
 import tompkins.surface.LuminousSurface;
 import tompkins.trace.RenderPlan;
 
@@ -34,17 +33,6 @@ class ProfileTest {
         assertThat(edge.y()).isEqualTo(240);
         assertThat(profile).hasSize(301);
         assertThat(profile.get(300).x()).isEqualTo(620);
-    }
-
-    /** The sky is brighter than the shaded ball in places, and the ball fades slowly over a hundred places. */
-    @Test
-    void shadingIsNoEdge() {
-        Sphere shaded = new Sphere("", new Vector3d(0, 0, 10), 1, ColouredSurface.DEFAULT);
-        RenderPlan plan = RenderPlan.of(Studio.DEFAULT.withScene(List.of(shaded)));
-
-        List<Sighting> across = Sighting.along(plan, new Vector2d(240, 240), new Vector2d(400, 240), () -> true);
-
-        assertThat(new Edges(plan).largestStep(across)).isEmpty();
     }
 
     /** Two balls, one in front of a brighter one: the larger step counts, not the first. */

@@ -124,7 +124,7 @@ class ProjectionTest {
     }
 
     /** Where, in its rest frame, a point is that the traced ray of a place meets at a distance. */
-    private static Vector3d point(RenderPlan plan, FrameMotion motion, double x, double y, double distance) {
+    static Vector3d point(RenderPlan plan, FrameMotion motion, double x, double y, double distance) {
         SampleHistory life = SampleHistory.of(plan, x, y, 0, 0);
         Event start = life.sceneStart();
         Vector3d place = new Vector3d(life.sceneDirection()).mul(distance).add(start.position());

@@ -8,7 +8,6 @@ import java.util.SplittableRandom;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import tompkins.TestRun;
-import tompkins.camera.Cameras;
 import tompkins.camera.ThinLensCamera;
 import tompkins.fuzz.RandomStudio;
 import tompkins.ray.Colour;
@@ -16,7 +15,6 @@ import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
-import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Lighting;
@@ -81,16 +79,7 @@ class CrestsTest {
     }
 
     private static ThinLensCamera pinhole(double time) {
-        return Cameras.lens(
-                new Vector3d(),
-                new Vector3d(0.1, -0.2, 1),
-                new Vector3d(0, 1, 0),
-                60,
-                0,
-                0,
-                ThinLensCamera.DEFAULT.focus(),
-                0,
-                new AperturePlaneShutter(time));
+        return Photograph.pinhole(new Vector3d(0.1, -0.2, 1), 60, time);
     }
 
     /** A camera flies in a ball of glass, in which mirrors, other glass and dull things fly about. */

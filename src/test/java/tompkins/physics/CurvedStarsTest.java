@@ -60,7 +60,7 @@ class CurvedStarsTest {
 
     /** Twenty-five places in a pixel; the first has its corner there. */
     private static void forEachPlace(double pixelX, double pixelY, Place place) {
-        for (int i = 0; i < 25; i += TestRun.cases(7, 1)) {
+        for (int i = 0; i < 25; i += TestRun.cases(12, 1)) {
             place.at(pixelX + i % 5 * 0.2 + 0.05, pixelY + i / 5 * 0.2 + 0.05);
         }
     }

@@ -10,8 +10,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import tompkins.camera.Camera;
-import tompkins.camera.Cameras;
 import tompkins.camera.ThinLensCamera;
 import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
@@ -20,7 +18,6 @@ import tompkins.render.RenderJob;
 import tompkins.render.Renderer;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
-import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
@@ -74,34 +71,32 @@ class HorizonTest {
         return mean;
     }
 
-    /** Rows below the horizon, with the exact mean of each pixel. */
-    private static double[] errors(Vector3dc beta, TransformationLaw law) {
+    /** In the moving camera the width of a pixel on the floor grows or shrinks with its angle, under both laws. */
+    @ParameterizedTest
+    @CsvSource({
+        "LORENTZ, 0, 0, 0",
+        "LORENTZ, 0, 0, 0.9",
+        "LORENTZ, 0.1, 0.05, 0.99",
+        "LORENTZ, 0, 0, -0.9",
+        "GALILEAN, 0, 0, 0.5",
+        "GALILEAN, 0, 0, -0.8",
+        "GALILEAN, 0.1, 0.05, 0.6"
+    })
+    void filteredTilesAreTheMeanOfThePixel(TransformationLaw law, double bx, double by, double bz) {
+        Vector3d beta = new Vector3d(bx, by, bz);
         SampleTracer filtered = floor(beta, law, true).plan().tracer(new RayCounts());
         SampleTracer sharp = floor(beta, law, false).plan().tracer(new RayCounts());
-        double filteredSum = 0;
-        double sharpSum = 0;
+        double squares = 0;
         int pixels = 0;
         for (int row = 0; row < HEIGHT; row += 3) {
             for (int column = 1; column < WIDTH; column += 5) {
-                double mean = mean(sharp, column, row, FINE * FINE);
                 double smooth =
                         filtered.sample(column + 0.5, row + 0.5, 0, 0, 0.5).red();
-                double single = sharp.sample(column + 0.5, row + 0.5, 0, 0, 0.5).red();
-                filteredSum += (smooth - mean) * (smooth - mean);
-                sharpSum += (single - mean) * (single - mean);
+                squares += Math.pow(smooth - mean(sharp, column, row, FINE * FINE), 2);
                 pixels++;
             }
         }
-        return new double[] {Math.sqrt(filteredSum / pixels), Math.sqrt(sharpSum / pixels)};
-    }
-
-    /** In the moving camera the width of a pixel on the floor grows or shrinks by the Doppler factor. */
-    @ParameterizedTest
-    @CsvSource({"0, 0, 0", "0, 0, 0.9", "0.1, 0.05, 0.99", "0, 0, -0.9"})
-    void filteredTilesAreTheMeanOfThePixel(double bx, double by, double bz) {
-        double[] errors = errors(new Vector3d(bx, by, bz), TransformationLaw.LORENTZ);
-        assertThat(errors[0]).as("filtered").isLessThan(0.08);
-        assertThat(errors[1]).as("naive: one sharp sample").isGreaterThan(2 * errors[0]);
+        assertThat(Math.sqrt(squares / pixels)).isLessThan(0.08);
     }
 
     /** A filter as wide as the pixel on top of many samples in it would blur tiles twice. */
@@ -136,15 +131,6 @@ class HorizonTest {
         return Math.sqrt(squares);
     }
 
-    /** Newton's world changes the angles of a pixel, too: one sample is as near to the mean as under Einstein's law. */
-    @ParameterizedTest
-    @CsvSource({"0, 0, 0.5", "0, 0, -0.8", "0.1, 0.05, 0.6"})
-    void filteredTilesAreTheMeanOfThePixelInNewtonsWorld(double bx, double by, double bz) {
-        double[] errors = errors(new Vector3d(bx, by, bz), TransformationLaw.GALILEAN);
-        assertThat(errors[0]).as("filtered").isLessThan(0.08);
-        assertThat(errors[1]).as("naive: one sharp sample").isGreaterThan(2 * errors[0]);
-    }
-
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.9})
     void horizonIsGreyWithoutMoire(double speed) {
@@ -165,33 +151,5 @@ class HorizonTest {
         }
         assertThat(spreadOfMoire).isEqualTo(0.5);
         assertThat(spreadOfSmooth).isLessThan(0.05);
-    }
-
-    /** Coordinates beyond the range of an int. */
-    @ParameterizedTest
-    @ValueSource(doubles = {1e6, 1e9, 1e10, 1e12, -1e6, -1e10, -1e12})
-    void farTilesStillAlternate(double x) {
-        for (boolean filtered : new boolean[] {true, false}) {
-            for (int step = 0; step < 4; step++) {
-                Camera down = Cameras.lens(
-                        new Vector3d(x + step + 0.5, 0, 0.5),
-                        new Vector3d(0, -1, 0),
-                        new Vector3d(0, 0, 1),
-                        1,
-                        0,
-                        0,
-                        ThinLensCamera.DEFAULT.focus(),
-                        0,
-                        new AperturePlaneShutter(0));
-                SceneObject plane = new Plane("floor", new Vector3d(0, -1, 0), new Vector3d(0, 1, 0), tiles(filtered));
-                Photograph photograph = Photograph.of(List.of(plane), down, Velocity.REST, 1, 1);
-                assertThat(photograph.image().value(0, 0, 0)).isEqualTo(step % 2);
-                if (Math.abs(x) > Integer.MAX_VALUE) {
-                    assertThat((int) Math.floor(x + step + 0.5))
-                            .as("naive: the cast saturates")
-                            .isEqualTo((int) Math.floor(x + step + 1.5));
-                }
-            }
-        }
     }
 }

@@ -10,8 +10,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import tompkins.camera.Cameras;
+import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.property.Descriptions;
 import tompkins.sceneobject.ImagePointGrid;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
@@ -49,8 +50,8 @@ class ImagePointGridTest {
         ImagePointGrid grid = grid(3);
         SceneObject plane = new Plane(
                 "focus", new Vector3d(0, 0, focus), new Vector3d(0.2, 0, 1).normalize(), ColouredSurface.DEFAULT);
-        ThinLensCamera camera =
-                Cameras.lens(new Vector3d(), new Vector3d(0, 0, 1), new Vector3d(0, 1, 0), 90, 0, 0, plane, 0, shutter);
+        Camera camera = Descriptions.with(Photograph.pinhole(new Vector3d(0, 0, 1), 90, 0), "focus", plane)
+                .withShutter(shutter);
         Photograph photograph = Photograph.of(List.of(grid), camera, Velocity.of(0.3, -0.4, 0.6), 5, 5);
         for (int row = 0; row < 5; row++) {
             for (int column = 0; column < 5; column++) {

@@ -139,35 +139,6 @@ class MediaFactsTest {
                 .isLessThan(EXACT);
     }
 
-    /**
-     * Vacuum behind a boundary that recedes with .3 along its normal from glass of 1.5, whose light meets it at 21.8014
-     * degrees: by Fermat's principle it goes on at 22.0132 degrees in the frame of the boundary.
-     */
-    @Test
-    void recedingBoundaryBendsTheWave() {
-        double angle = Math.toRadians(21.8014);
-        Moving cavity = new Moving(
-                "",
-                Velocity.of(0, 0, 0.3),
-                new Vector3d(0, 0, 5),
-                0,
-                List.of(new Box(
-                        "cavity", new Vector3d(-50, -50, 0), new Vector3d(50, 50, 9), new Refractive(1 / 1.5))));
-        SampleHistory life =
-                life(studio(1.5, Velocity.REST, new Vector3d(Math.sin(angle), 0, Math.cos(angle)), cavity));
-
-        List<SampleHistory.Encounter> hits = life.mainHits();
-        Vector3d way = hits.get(1)
-                .rest()
-                .event()
-                .position()
-                .sub(hits.get(0).rest().event().position());
-        assertThat(Math.toDegrees(Math.atan2(way.x, way.z))).isCloseTo(22.0132, within(1e-3));
-        double time =
-                hits.get(0).rest().event().time() - hits.get(1).rest().event().time();
-        assertThat(time).isCloseTo(way.length(), within(1e-9));
-    }
-
     /** A camera that has flown in the glass for a long time sees what it saw, and in the same directions. */
     @ParameterizedTest
     @ValueSource(doubles = {1e6, 1e12})

@@ -103,25 +103,6 @@ class MirrorCorridorTest {
         assertThat(photograph.job().report().counts().rays).isEqualTo(500_001);
     }
 
-    @Test
-    void recursionOverflowsTheStack() {
-        int[] deepest = {0};
-        Thread small = new Thread(null, () -> naiveBounce(1, deepest), "naive", 1 << 18);
-        small.setUncaughtExceptionHandler((thread, error) -> assertThat(error).isInstanceOf(StackOverflowError.class));
-        small.start();
-        try {
-            small.join();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-        assertThat(deepest[0]).isBetween(100, 500_000);
-    }
-
-    private static double naiveBounce(double light, int[] deepest) {
-        deepest[0]++;
-        return deepest[0] == 500_000 ? light : 1 * naiveBounce(light, deepest);
-    }
-
     /** Walls whose tiles, far smaller than a pixel, are half lamp and half mirror: a geometric sum. */
     @ParameterizedTest
     @ValueSource(doubles = {0.5, 0.9, 0.99, 1})

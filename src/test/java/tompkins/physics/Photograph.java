@@ -1,8 +1,6 @@
 package tompkins.physics;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Consumer;
 import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -100,48 +98,6 @@ final class Photograph {
 
     boolean isLit(int column, int row, int channel) {
         return image().value(column, row, channel) > 0.5;
-    }
-
-    /** Places in the picture, in pixels, half way between lit pixels and their dark neighbours in rows and columns. */
-    List<Vector2d> outline() {
-        List<Vector2d> outline = new ArrayList<>();
-        LinearImage picture = image();
-        float[] rgb = picture.rgb();
-        int width = picture.width();
-        for (int row = 0; row < picture.height(); row++) {
-            for (int column = 0; column < width; column++) {
-                boolean lit = rgb[3 * (row * width + column)] > 0.5;
-                if (column + 1 < width && lit != rgb[3 * (row * width + column + 1)] > 0.5) {
-                    outline.add(new Vector2d(column + 1, row + 0.5));
-                }
-                if (row + 1 < picture.height() && lit != rgb[3 * ((row + 1) * width + column)] > 0.5) {
-                    outline.add(new Vector2d(column + 0.5, row + 1));
-                }
-            }
-        }
-        return outline;
-    }
-
-    /** The mean place of the lit pixels of a channel. */
-    Vector2d centroid(int channel) {
-        Vector2d sum = new Vector2d();
-        int[] count = {0};
-        forEachLit(channel, place -> {
-            sum.add(place);
-            count[0]++;
-        });
-        return sum.div(count[0]);
-    }
-
-    /** Calls somebody with the centre of every lit pixel of a channel. */
-    void forEachLit(int channel, Consumer<Vector2d> visitor) {
-        for (int row = 0; row < image().height(); row++) {
-            for (int column = 0; column < image().width(); column++) {
-                if (isLit(column, row, channel)) {
-                    visitor.accept(new Vector2d(column + 0.5, row + 0.5));
-                }
-            }
-        }
     }
 
     /** The direction that belongs to a place in the picture, in the camera frame. */

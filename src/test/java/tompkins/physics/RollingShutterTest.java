@@ -1,11 +1,9 @@
 package tompkins.physics;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.Camera;
@@ -69,35 +67,5 @@ class RollingShutterTest {
         }
         assertThat(lit).isBetween(WIDTH * HEIGHT / 4, WIDTH * HEIGHT * 3 / 4);
         assertThat(wrong).as("pixels").isZero();
-    }
-
-    /** Straight ahead and slow, an edge leans by v sweep/Z over the height of the picture. */
-    @Test
-    void uprightEdgesLeanBySpeedTimesSweep() {
-        Photograph photograph = edge(0.05, 0, 10 - 5, new RollingShutter(SweepDirection.DOWN, 10));
-        double lean = (crossing(photograph, 0) - crossing(photograph, HEIGHT - 1)) / (HEIGHT - 1) * HEIGHT * PER_PIXEL;
-        assertThat(lean).isCloseTo(0.05 * 10 / DEPTH, within(PER_PIXEL));
-    }
-
-    /** A picture of another size has the same shape. */
-    @Test
-    void shapeDoesNotDependOnTheSize() {
-        RollingShutter down = new RollingShutter(SweepDirection.DOWN, 10);
-        Photograph large = edge(0.3, 0, 5, down);
-        Photograph small = new Photograph(
-                large.studio().withSettings(large.studio().settings().withSize(WIDTH / 4, HEIGHT / 4)));
-        for (int row = 0; row < HEIGHT / 4; row++) {
-            double mean = (crossing(large, 4 * row + 1) + crossing(large, 4 * row + 2)) / 2;
-            assertThat(4 * crossing(small, row)).isCloseTo(mean, within(4.0));
-        }
-    }
-
-    /** How many pixels of a row are lit; they lie to the left. */
-    private static double crossing(Photograph photograph, int row) {
-        int lit = 0;
-        while (photograph.isLit(lit, row, 0)) {
-            lit++;
-        }
-        return lit;
     }
 }

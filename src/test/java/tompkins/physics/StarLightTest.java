@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.joml.Vector2d;
 import org.joml.Vector3d;
@@ -165,7 +166,7 @@ class StarLightTest {
     static Stream<Arguments> pictures() {
         List<Arguments> pictures = new ArrayList<>();
         for (int width : new int[] {16, 64, 320}) {
-            for (int samples : new int[] {1, 2, 3, 5, 16}) {
+            for (int samples : new int[] {1, 3, 16}) {
                 pictures.add(Arguments.of(width, samples));
             }
         }
@@ -282,7 +283,7 @@ class StarLightTest {
 
     static Stream<Arguments> mirrors() {
         return Stream.of(MirrorPlace.values())
-                .flatMap(place -> Stream.of(1, 2, 5, 16)
+                .flatMap(place -> Stream.of(1, 5)
                         .flatMap(samples -> Stream.of(ColourLaw.UNCHANGED, ColourLaw.SEARCHLIGHT)
                                 .map(law -> Arguments.of(place, samples, law))));
     }
@@ -312,20 +313,6 @@ class StarLightTest {
         Vector3d inFront = inScene(look, -beta);
         double factor = law == ColourLaw.UNCHANGED ? 1 : dopplerFactor(inFront, beta);
         expect(studio, LIGHT * factor * factor, 40.3, 11.8);
-    }
-
-    /** A lens at the distance d before the pinhole, of focal length f, shows angles near its axis as 1/(1 - d/f). */
-    @ParameterizedTest
-    @CsvSource({"4, 1", "4, 4", "-2, 1", "-0.5, 4", "1.25, 1", "1.25, 16"})
-    void aLensChangesTheLightByItsMagnification(double focalLength, int samples) {
-        Disc lens = new Disc(
-                "lens", new Vector3d(0, 0, 1), new Vector3d(0, 0, -1), 1, new IdealLens(focalLength, 0.5, 0.5, 1));
-        Vector3d look = look(40.3, 11.8, 64, 2);
-        double growth = 1 - 1 / focalLength;
-        Vector3d star = new Vector3d(growth * look.x, growth * look.y, 1).normalize();
-        Studio studio = Descriptions.with(studio(look, 0, 64, samples, 2), "background", sky(star))
-                .withCameraFrame(List.of(lens));
-        expect(studio, LIGHT / (growth * growth), 40.3, 11.8);
     }
 
     /**
@@ -361,38 +348,25 @@ class StarLightTest {
 
     /** What sheets at the distance 1 make of directions, whose depth is 1. */
     enum Sheet {
-        LENS(new IdealLens(3, 0.5, 0.5, 1)) {
-            @Override
-            Vector3d slopes(Vector3d look) {
-                return new Vector3d(look.x * 2 / 3, look.y * 2 / 3, 1);
-            }
-        },
-        LENSLETS(new ConfocalLensletArray(1.4, 0.8, 0, 0, 1)) {
-            @Override
-            Vector3d slopes(Vector3d look) {
-                // the ray enters at the front
-                return new Vector3d(look.x * 1.4, look.y * 0.8, 1);
-            }
-        },
-        REFRACTION(new ComplexRefraction(1.3, 0, 1)) {
-            @Override
-            Vector3d slopes(Vector3d look) {
-                double sine = Math.hypot(look.x, look.y) / look.length() / 1.3;
-                double slope = sine / Math.sqrt(1 - sine * sine) / Math.hypot(look.x, look.y);
-                return new Vector3d(look.x * slope, look.y * slope, 1);
-            }
-        };
+        LENS(new IdealLens(3, 0.5, 0.5, 1), look -> new Vector3d(look.x * 2 / 3, look.y * 2 / 3, 1)),
+        /** The ray enters at the front. */
+        LENSLETS(new ConfocalLensletArray(1.4, 0.8, 0, 0, 1), look -> new Vector3d(look.x * 1.4, look.y * 0.8, 1)),
+        REFRACTION(new ComplexRefraction(1.3, 0, 1), look -> {
+            double sine = Math.hypot(look.x, look.y) / look.length() / 1.3;
+            double slope = sine / Math.sqrt(1 - sine * sine) / Math.hypot(look.x, look.y);
+            return new Vector3d(look.x * slope, look.y * slope, 1);
+        });
 
         private final Surface surface;
+        private final UnaryOperator<Vector3d> slopes;
 
-        Sheet(Surface surface) {
+        Sheet(Surface surface, UnaryOperator<Vector3d> slopes) {
             this.surface = surface;
+            this.slopes = slopes;
         }
 
-        abstract Vector3d slopes(Vector3d look);
-
         Vector3d beyond(Vector3d look) {
-            return slopes(look).normalize();
+            return slopes.apply(look).normalize();
         }
     }
 
@@ -438,27 +412,6 @@ class StarLightTest {
         Parallelogram left = new Parallelogram(
                 "left", new Vector3d(-50, -50, 5), new Vector3d(50, 0, 0), new Vector3d(0, 100, 0), Photograph.RED);
         assertThat(green(wide.withScene(List.of(left))) / green(wide)).isCloseTo(0.5, within(0.01));
-    }
-
-    /** One star, all speeds: in each picture its light is that of the law. */
-    @ParameterizedTest
-    @CsvSource({"UNCHANGED", "SEARCHLIGHT"})
-    void aSweepOfSpeedsKeepsTheLight(ColourLaw law) {
-        Vector3d star = inScene(look(20.3, 11.8, 64, 60), 0.3);
-        double least = Double.POSITIVE_INFINITY;
-        double most = 0;
-        for (int i = 0; i < 100; i++) {
-            double beta = 0.3 + 0.002 * i;
-            Vector3d look = inScene(star, -beta);
-            Studio studio = Descriptions.with(studio(look, beta, 64, 1, 60).withColours(law), "background", sky(star))
-                    .withVelocity(Velocity.of(0, 0, beta));
-            double factor = law == ColourLaw.UNCHANGED ? 1 : dopplerFactor(look, beta);
-            double flux = Spot.of(studio).flux() / (LIGHT * factor * factor);
-            least = Math.min(least, flux);
-            most = Math.max(most, flux);
-        }
-        assertThat(least).isGreaterThan(0.99);
-        assertThat(most).isLessThan(1.01);
     }
 
     /** While the speed is dragged a star moves by parts of pixels; a glimpse must show all of it in each picture. */

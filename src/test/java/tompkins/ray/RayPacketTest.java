@@ -31,18 +31,6 @@ class RayPacketTest {
         assertThat(rays.ray(1).part).as("it starts on nothing").isZero();
     }
 
-    @Test
-    void memoryIsUsedAgain() {
-        RayPacket rays = new RayPacket(1);
-        rays.begin(1);
-        rays.set(0, FROM_CAMERA);
-        Ray memory = Ray.blank().setShadow(Hit.blank().set(FROM_CAMERA, 2, 0, 0, 1, null, 3, null), 0, 1, 0);
-
-        assertThat(rays.copy(0, memory)).isSameAs(memory);
-
-        assertThat(memory).usingRecursiveComparison().isEqualTo(FROM_CAMERA);
-    }
-
     /** As of a ray that leaves tiled glass before the lens, while its neighbours have yet to be followed. */
     @Test
     void aRayInAMediumLeavesTheOthersInVacuum() {

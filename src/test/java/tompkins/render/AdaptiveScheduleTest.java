@@ -1,10 +1,8 @@
 package tompkins.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -41,28 +39,6 @@ class AdaptiveScheduleTest {
         assertThat(schedule.isOver()).isFalse();
         now = 10_000_000_000L;
         assertThat(schedule.isOver()).isTrue();
-    }
-
-    @Test
-    void nothingIsPlannedWhenTheTimeIsOver() {
-        Film film = new Film(4, 4, 1, true);
-        AdaptiveSchedule schedule = schedule(film, false, 10);
-        for (int stride = 8; stride >= 1; stride /= 2) {
-            assertThat(schedule.next(() -> false).stride()).isEqualTo(stride);
-        }
-        now = 10_000_000_000L;
-
-        assertThat(schedule.next(() -> false)).isNull();
-    }
-
-    @Test
-    void progressIsTheShareOfTheTime() {
-        AdaptiveSchedule schedule = schedule(new Film(4, 4, 1, true), false, 10);
-
-        now = 2_500_000_000L;
-
-        assertThat(schedule.progress(0)).isEqualTo(0.25);
-        assertThat(schedule.wantedError()).isZero();
     }
 
     /** The border, and of the rest one pixel of 17 in each row, five columns on from row to row. */
@@ -134,67 +110,6 @@ class AdaptiveScheduleTest {
         assertThat(schedule.wantedError()).isEqualTo(0.05);
         assertThat(schedule.progress(0)).isZero();
         assertThat(schedule.progress(16)).isBetween(0.1, 1.0);
-    }
-
-    @Test
-    void nothingIsTakenWhenTheErrorIsReached() {
-        Film film = new Film(8, 8, 1, true);
-        AdaptiveSchedule schedule = new AdaptiveSchedule(film, true, false, 0.05, endless());
-        takeFirstPasses(schedule);
-        fill(film, 1, 8);
-        fill(film, 1.01, 8);
-
-        assertThat(schedule.next(() -> false)).isNull();
-    }
-
-    /** Sixteen pixels tell less of each other than the 64 of a region. */
-    @Test
-    void smallPicturesGetMoreFirstSamples() {
-        Film film = new Film(16, 1, 1, true);
-        AdaptiveSchedule schedule = new AdaptiveSchedule(film, true, false, 0.05, endless());
-        double work = 0;
-        for (int pass = 0; pass < 4; pass++) {
-            work += schedule.next(() -> false).work();
-        }
-        assertThat(work).isEqualTo(64);
-    }
-
-    @Test
-    void whoIsStoppedPlansNoMore() {
-        Film film = new Film(4, 4, 1, true);
-        AdaptiveSchedule schedule = new AdaptiveSchedule(film, false, false, 0.05, endless());
-        takeFirstPasses(schedule);
-        fill(film, 1, 1);
-
-        assertThatThrownBy(() -> schedule.next(() -> true)).isInstanceOf(CancellationException.class);
-    }
-
-    @Test
-    void fixedSamplesAreWhatWasAskedFor() {
-        FixedSchedule schedule = new FixedSchedule(Pass.of(4, 4, false));
-
-        double work = 0;
-        for (Pass pass = schedule.next(() -> false); pass != null; pass = schedule.next(() -> false)) {
-            work += pass.work();
-        }
-
-        assertThat(work).isEqualTo(4);
-        assertThat(schedule.progress(1)).isEqualTo(0.25);
-        assertThat(schedule.wantedError()).isZero();
-        assertThat(schedule.isOver()).isFalse();
-    }
-
-    @Test
-    void timeIsCountedFromTheStart() {
-        now = 5_000_000_000L;
-        TimeBudget time = new TimeBudget(10, () -> now);
-        now = 8_000_000_000L;
-
-        assertThat(time.spent()).isEqualTo(3);
-        assertThat(time.left()).isEqualTo(7);
-        assertThat(time.isLimited()).isTrue();
-        assertThat(endless().isLimited()).isFalse();
-        assertThat(endless().isOver()).isFalse();
     }
 
     /** A pixel of each tile, and all others. */

@@ -3,17 +3,14 @@ package tompkins.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.TestRun;
-import tompkins.io.StudioReader;
+import tompkins.io.BundledScenes;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
@@ -27,15 +24,16 @@ class CostForecastTest {
     /** Foretells from the first blocks alone, so that nothing depends on the speed of the machine. */
     private static final double NO_PATIENCE = 0;
 
-    private static final Set<String> QUICK = Set.of(
-            "fig2b.json",
-            "flash-train.json",
-            "lesson-10-rod-in-the-barn.json",
-            "long-exposure.json",
-            "rolling-fence.json",
-            "stereo-panorama.json",
-            "surface-ideal-lens.json",
-            "terrell-cube.json");
+    private static final String[] QUICK = {
+        "fig2b",
+        "flash-train",
+        "lesson-10-rod-in-the-barn",
+        "long-exposure",
+        "rolling-fence",
+        "stereo-panorama",
+        "surface-ideal-lens",
+        "terrell-cube"
+    };
 
     @AfterAll
     static void close() {
@@ -44,7 +42,7 @@ class CostForecastTest {
 
     @ParameterizedTest
     @MethodSource("someScenes")
-    void foretellsTheSamplesOfAWantedError(Path scene) throws InterruptedException {
+    void foretellsTheSamplesOfAWantedError(Studio scene) throws InterruptedException {
         RenderPlan plan = plan(scene, TestRun.cases(128, 320), TestRun.cases(96, 240));
         Quality quality = new Quality.TargetError(0.01);
 
@@ -58,7 +56,7 @@ class CostForecastTest {
 
     @ParameterizedTest
     @MethodSource("someScenes")
-    void knowsTheSamplesOfAFixedNumber(Path scene) throws InterruptedException {
+    void knowsTheSamplesOfAFixedNumber(Studio scene) throws InterruptedException {
         RenderPlan plan = plan(scene, 50, 30);
 
         CostForecast forecast =
@@ -66,17 +64,6 @@ class CostForecastTest {
 
         assertThat(forecast.samplesPerPixel()).isEqualTo(5);
         assertThat(forecast.seconds()).isPositive();
-    }
-
-    @Test
-    void aTimeLimitIsTheTime() throws InterruptedException {
-        RenderPlan plan = plan(Path.of("scenes/fig1b.json"), 160, 120);
-
-        CostForecast forecast = CostForecast.of(plan, new Quality.TimeLimit(100), RENDERER, NO_PATIENCE)
-                .orElseThrow();
-
-        assertThat(forecast.seconds()).isEqualTo(100);
-        assertThat(forecast.samplesPerPixel()).isGreaterThan(100);
     }
 
     /** A cold part at 1000 samples in a second, half done, and a warm one at 4000; 0.5 s of planning. */
@@ -108,20 +95,13 @@ class CostForecastTest {
         assertThat(costs.seconds(1101)).isEqualTo(2 + 4 + 1 + 10, within(1e-9));
     }
 
-    private static RenderPlan plan(Path scene, int width, int height) {
-        Studio studio = StudioReader.read(scene);
+    private static RenderPlan plan(Studio studio, int width, int height) {
         return RenderPlan.of(studio.withSettings(studio.settings().withSize(width, height)));
     }
 
     /** Usually some of different kinds, whose first blocks take a fraction of a second. */
-    static Stream<Path> someScenes() throws IOException {
-        return scenes().filter(scene ->
-                TestRun.THOROUGH || QUICK.contains(scene.getFileName().toString()));
-    }
-
-    static Stream<Path> scenes() throws IOException {
-        try (Stream<Path> files = Files.list(Path.of("scenes"))) {
-            return files.filter(file -> file.toString().endsWith(".json")).sorted().toList().stream();
-        }
+    static Stream<Named<Studio>> someScenes() {
+        return BundledScenes.named(TestRun.THOROUGH ? new String[0] : QUICK).entrySet().stream()
+                .map(scene -> Named.of(scene.getKey(), scene.getValue()));
     }
 }

@@ -46,14 +46,6 @@ class FilmTest {
     }
 
     @Test
-    void withoutSamplesAPixelIsBlack() {
-        LinearImage image = new Film(2, 2, 1, true).image();
-
-        assertThat(image.value(1, 1, 0) + image.value(1, 0, 1) + image.value(0, 1, 2))
-                .isZero();
-    }
-
-    @Test
     void aPixelWithoutSampleIsInterpolatedBetweenCoarseOnes() {
         Film film = new Film(12, 12, 1, false);
         add(film, 0, 0, Colour.grey(1));
@@ -124,30 +116,6 @@ class FilmTest {
                 assertThat(image.value(column, row, 2)).isEqualTo(2f * right + 6f * down);
             }
         }
-    }
-
-    @Test
-    void aMeanIsThatOfAllSamplesExposed() {
-        Film film = new Film(2, 3, 2, false);
-        Films.add(film, film.pixel(0, 2), 3, 6, 9, 1);
-        Films.add(film, film.pixel(0, 2), 1, 0, 3, 1);
-        Films.add(film, film.pixel(1, 2), 30, 60, 90, 3);
-
-        assertThat(film.mean(0, 2, 1)).isEqualTo(6);
-        assertThat(film.mean(1, 2, 2)).isEqualTo(60);
-        assertThat(film.mean(0, 0, 0)).as("no samples").isNaN();
-        assertThat(film.mean(2, 2, 0)).as("outside").isNaN();
-        assertThat(film.height()).isEqualTo(3);
-        assertThat(film.width()).isEqualTo(2);
-    }
-
-    /** Three floats and an int for each pixel; three floats more for the half, and one for the squares. */
-    @Test
-    void memoryIsWhatItHolds() {
-        assertThat(Film.bytesPerPixel(false)).isEqualTo(16);
-        assertThat(Film.bytesPerPixel(true)).isEqualTo(32);
-        assertThat(new Film(1, 1, 1, true).comparesSamples()).isTrue();
-        assertThat(new Film(1, 1, 1, false).comparesSamples()).isFalse();
     }
 
     /**

@@ -56,32 +56,6 @@ class IsolatedHighlightsTest {
         assertThat(specks(film).isEmpty()).isTrue();
     }
 
-    /** One sample in each pixel, 16 in one: its neighbours may show more of the same, or not. */
-    @Test
-    void neighboursWithOneSampleAreNamed() {
-        Film film = new Film(SIDE, SIDE, 1, true);
-        for (int pixel = 0; pixel < SIDE * SIDE; pixel++) {
-            add(film, pixel, 1, 0);
-        }
-        film.restart(place(20, 30));
-        meet(film, place(20, 30));
-
-        IsolatedHighlights specks = specks(film);
-
-        assertThat(specks.isEmpty()).isTrue();
-        assertThat(specks.untested().stream())
-                .containsExactly(
-                        place(19, 29),
-                        place(20, 29),
-                        place(21, 29),
-                        place(19, 30),
-                        place(21, 30),
-                        place(19, 31),
-                        place(20, 31),
-                        place(21, 31));
-        assertThat(specks(film(place(20, 30))).untested().isEmpty()).isTrue();
-    }
-
     /**
      * The lights cover 1/16 of their pixels, as far as 16 samples can tell: half of the variance of 16 independent
      * samples is left where samples are spread evenly and one of them is expected to meet such a light.
@@ -101,30 +75,6 @@ class IsolatedHighlightsTest {
         assertThat(variance.variance(place(4, 4)))
                 .as("as likely elsewhere as where it was found")
                 .isCloseTo(perPixel / 16 / 2, withinPercentage(20));
-    }
-
-    @Test
-    void whereNoneAreFoundFewerAreExpected() {
-        int[] places = IntStream.range(0, 32)
-                .map(i -> place(3 + 4 * (i % 7), 2 + 9 * (i / 7)))
-                .toArray();
-        IsolatedHighlights specks = specks(film(places));
-        assertThat(specks.unseen(10, 10)).isGreaterThan(5 * specks.unseen(50, 50));
-        assertThat(specks.unseen(50, 50)).isPositive();
-    }
-
-    /** Of a thousand samples one in a thousand would miss what covers a hundredth, by exp(-10). */
-    @Test
-    void whatIsFoundByAllIsNotExpectedElsewhere() {
-        Film film = film();
-        for (int pixel = 0; pixel < SIDE * SIDE; pixel++) {
-            boolean isLit = pixel % SIDE % 8 == 3 && pixel / SIDE % 8 == 3;
-            int met = isLit ? 10 : 0;
-            film.add(pixel, met, met, met, 3 * met, 1008);
-        }
-        IsolatedHighlights specks = specks(film);
-        assertThat(specks.found()).contains(place(11, 11));
-        assertThat(specks.missed(11, 11)).isLessThan(0.01);
     }
 
     private static IsolatedHighlights specks(Film film) {

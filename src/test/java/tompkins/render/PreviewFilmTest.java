@@ -71,11 +71,11 @@ class PreviewFilmTest {
         return known;
     }
 
-    /** Differences to the whole pictures on the ride of the first scene, every four seconds, moving and at rest. */
+    /** Differences to the whole pictures on the ride of the first scene, every six seconds, moving and at rest. */
     private static List<Double> differences(double samples) throws Exception {
         RideFilm film = new RideFilm(StudioReader.read(Path.of("scenes/town-square.json")));
         List<Double> differences = new ArrayList<>();
-        for (double time = 0; time <= film.seconds(); time += 4) {
+        for (double time = 0; time <= film.seconds(); time += 6) {
             RideMoment moment = film.moment(time);
             for (Studio studio : List.of(moment.studio(), moment.atRest())) {
                 RenderPlan plan = plan(studio);
@@ -184,13 +184,6 @@ class PreviewFilmTest {
         }
     }
 
-    /** With 0.165 samples of a pixel it can be looked at, if the rays take no longer than a picture may. */
-    @Test
-    void aPictureGetsEnoughToBeLookedAt() {
-        assertThat(new PreviewBudget().most(1000, 1e-3, 0.02, 100_000)).isEqualTo(16_500);
-        assertThat(new PreviewBudget().most(100, 1e-3, 0.02, 100_000)).isCloseTo(2_000, within(1L));
-    }
-
     /** Pictures of 10 ms and 2 microseconds for each sample fit into 60 ms with 25 000 samples. */
     @Test
     void samplesFillTheTimeThatIsThere() {
@@ -231,15 +224,6 @@ class PreviewFilmTest {
                 .isLessThan(levels);
     }
 
-    /** A single picture that waited for something else changes the next one by a sixth. */
-    @Test
-    void oneSlowPictureChangesLittle() {
-        PreviewBudget budget = new PreviewBudget();
-        settled(budget, 60, 0.01, 2e-6);
-        budget.ended(3, 0.06);
-        assertThat(budget.most(1000, 1e-3, 0.06, 100_000)).isCloseTo(25_000 * 5 / 6, within(250L));
-    }
-
     private static long settled(PreviewBudget budget, int pictures, double fixed, double each) {
         long samples = 0;
         for (int i = 0; i < pictures; i++) {
@@ -247,18 +231,5 @@ class PreviewFilmTest {
             budget.ended(fixed + each * samples, 0.06);
         }
         return samples;
-    }
-
-    /** A slow moment is not taken for a slow machine; a slow scene is, after some time. */
-    @Test
-    void slownessCountsOnceItLasts() {
-        PreviewBudget budget = new PreviewBudget();
-        budget.most(1000, 1e-3, 0.02, 1_000_000);
-        assertThat(budget.most(1000, 1e-2, 0.02, 1_000_000)).isCloseTo(19_600, within(1L));
-        long last = 0;
-        for (int i = 0; i < 200; i++) {
-            last = budget.most(1000, 1e-2, 0.02, 1_000_000);
-        }
-        assertThat(last).isCloseTo(2000, within(1L));
     }
 }

@@ -189,29 +189,16 @@ class RenderWorkTest {
                 .toList();
     }
 
-    /** Once compiled: about 20 bytes, more where the compiler has seen other scenes before. */
-    @Test
-    void aSampleAllocatesLittle() {
-        assertThat(bytesOfASample(PaperStudios.fig1b())).isLessThanOrEqualTo(BYTES_PER_SAMPLE);
-    }
-
-    /** A wall, seen by a camera that moves through water. */
-    @Test
-    void aSampleInAMediumAllocatesLittle() {
+    /**
+     * A figure of the paper; a wall, seen by a camera that moves through water; and thin spokes that turn, where most
+     * rays are searched for as curves and meet none, because a hit takes memory of its own.
+     */
+    static Stream<Studio> studios() {
         Studio water = Studio.DEFAULT
                 .withScene(List.of(
                         new Sphere("water", new Vector3d(), 30, new Refractive(1.33)),
                         new Plane("wall", new Vector3d(0, 0, 5), new Vector3d(0, 0, -1), ColouredSurface.DEFAULT)))
                 .withVelocity(Velocity.of(new Vector3d(0, 0, 0.5)));
-
-        assertThat(bytesOfASample(water)).isLessThanOrEqualTo(BYTES_PER_SAMPLE);
-    }
-
-    /**
-     * Thin spokes that turn: most rays are searched for as curves and meet none, because a hit takes memory of its own.
-     */
-    @Test
-    void aSampleOfWhatTurnsAllocatesLittle() {
         List<SceneObject> spokes = IntStream.range(0, 12)
                 .mapToDouble(spoke -> Math.PI * spoke / 6)
                 .<SceneObject>mapToObj(angle -> new Cylinder(
@@ -224,8 +211,14 @@ class RenderWorkTest {
                 .toList();
         Studio wheel = Studio.DEFAULT.withScene(
                 List.of(new Rotating("wheel", new Vector3d(0, 0, 10), new Vector3d(0, 0, 1), 0.4, 0, spokes)));
+        return Stream.of(PaperStudios.fig1b(), water, wheel);
+    }
 
-        assertThat(bytesOfASample(wheel)).isLessThanOrEqualTo(BYTES_PER_SAMPLE);
+    /** Once compiled: about 20 bytes, more where the compiler has seen other scenes before. */
+    @ParameterizedTest(name = "{index}")
+    @MethodSource("studios")
+    void aSampleAllocatesLittle(Studio studio) {
+        assertThat(bytesOfASample(studio)).isLessThanOrEqualTo(BYTES_PER_SAMPLE);
     }
 
     private static long bytesOfASample(Studio studio) {

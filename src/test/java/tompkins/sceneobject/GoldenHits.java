@@ -57,20 +57,10 @@ public final class GoldenHits {
         Vector3d direction = row.vector("d");
         Vector3d point = row.vector("p");
         return switch (row.text("shape")) {
-            case "sphere" ->
-                fromItself
-                        ? method.sphereFromItself(origin, direction, point, row.number("R"))
-                        : method.sphere(origin, direction, point, row.number("R"));
+            case "sphere" -> method.sphere(origin, direction, point, row.number("R"), fromItself);
             case "plane" -> method.plane(origin, direction, point, row.vector("n"));
-            default ->
-                fromItself
-                        ? method.cylinderFromItself(origin, direction, point, end(row), row.number("R"))
-                        : method.cylinder(origin, direction, point, end(row), row.number("R"));
+            default -> method.cylinder(origin, direction, point, row.vector("p2"), row.number("R"), fromItself);
         };
-    }
-
-    private static Vector3d end(GoldenRow row) {
-        return row.vector("p2");
     }
 
     /** The exact distance of the first hit on the piece that is there, or null if there is none. */

@@ -48,8 +48,7 @@ public final class GoldenSolids {
         if (row.has("shape", "box")) {
             return method.box(origin, direction, row.vector("p"), row.vector("q"));
         }
-        return row.text("class").startsWith("self_")
-                ? method.coneFromItself(origin, direction, row.vector("p"), row.vector("q"), row.number("R"))
-                : method.cone(origin, direction, row.vector("p"), row.vector("q"), row.number("R"));
+        boolean fromItself = row.text("class").startsWith("self_");
+        return method.cone(origin, direction, row.vector("p"), row.vector("q"), row.number("R"), fromItself);
     }
 }

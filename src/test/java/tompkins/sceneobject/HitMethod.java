@@ -10,26 +10,28 @@ import tompkins.surface.ColouredSurface;
 /** A way to find where a ray meets a sphere, a plane, a cylinder, a cone or a box. */
 public interface HitMethod {
 
-    /** Distance of the first hit in front, in lengths of the direction; infinite if there is none. */
-    double sphere(Vector3dc origin, Vector3dc direction, Vector3dc centre, double radius);
-
-    /** As {@link #sphere}, for a ray that starts on the sphere. */
-    double sphereFromItself(Vector3dc origin, Vector3dc direction, Vector3dc centre, double radius);
+    /**
+     * Distance of the first hit in front, in lengths of the direction; infinite if there is none.
+     *
+     * @param fromItself whether the ray starts on the sphere; so for the mantles of cylinders and cones
+     */
+    double sphere(Vector3dc origin, Vector3dc direction, Vector3dc centre, double radius, boolean fromItself);
 
     /** Distance of a plane. */
     double plane(Vector3dc origin, Vector3dc direction, Vector3dc point, Vector3dc normal);
 
     /** Distance of the first hit of the mantle of a cylinder. */
-    double cylinder(Vector3dc origin, Vector3dc direction, Vector3dc start, Vector3dc end, double radius);
-
-    /** As {@link #cylinder}, for a ray that starts on the mantle. */
-    double cylinderFromItself(Vector3dc origin, Vector3dc direction, Vector3dc start, Vector3dc end, double radius);
+    double cylinder(
+            Vector3dc origin, Vector3dc direction, Vector3dc start, Vector3dc end, double radius, boolean fromItself);
 
     /** Distance of the first hit of the mantle of a cone. */
-    double cone(Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc baseCentre, double radius);
-
-    /** As {@link #cone}, for a ray that starts on the mantle. */
-    double coneFromItself(Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc baseCentre, double radius);
+    double cone(
+            Vector3dc origin,
+            Vector3dc direction,
+            Vector3dc tip,
+            Vector3dc baseCentre,
+            double radius,
+            boolean fromItself);
 
     /** Normal of the mantle of a cone, outwards, where a ray that hits it meets it after a distance. */
     Vector3d coneNormal(
@@ -40,15 +42,10 @@ public interface HitMethod {
 
     /** The way of the program: the primitives of its objects. */
     HitMethod PROGRAM = new HitMethod() {
-
         @Override
-        public double sphere(Vector3dc origin, Vector3dc direction, Vector3dc centre, double radius) {
-            return distance(new Sphere("", centre, radius, ColouredSurface.DEFAULT), origin, direction, false);
-        }
-
-        @Override
-        public double sphereFromItself(Vector3dc origin, Vector3dc direction, Vector3dc centre, double radius) {
-            return distance(new Sphere("", centre, radius, ColouredSurface.DEFAULT), origin, direction, true);
+        public double sphere(
+                Vector3dc origin, Vector3dc direction, Vector3dc centre, double radius, boolean fromItself) {
+            return distance(new Sphere("", centre, radius, ColouredSurface.DEFAULT), origin, direction, fromItself);
         }
 
         @Override
@@ -57,27 +54,26 @@ public interface HitMethod {
         }
 
         @Override
-        public double cylinder(Vector3dc origin, Vector3dc direction, Vector3dc start, Vector3dc end, double radius) {
-            return distance(
-                    new Cylinder("", start, end, radius, false, ColouredSurface.DEFAULT), origin, direction, false);
+        public double cylinder(
+                Vector3dc origin,
+                Vector3dc direction,
+                Vector3dc start,
+                Vector3dc end,
+                double radius,
+                boolean fromItself) {
+            Cylinder mantle = new Cylinder("", start, end, radius, false, ColouredSurface.DEFAULT);
+            return distance(mantle, origin, direction, fromItself);
         }
 
         @Override
-        public double cylinderFromItself(
-                Vector3dc origin, Vector3dc direction, Vector3dc start, Vector3dc end, double radius) {
-            return distance(
-                    new Cylinder("", start, end, radius, false, ColouredSurface.DEFAULT), origin, direction, true);
-        }
-
-        @Override
-        public double cone(Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc baseCentre, double radius) {
-            return distance(mantle(tip, baseCentre, radius), origin, direction, false);
-        }
-
-        @Override
-        public double coneFromItself(
-                Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc baseCentre, double radius) {
-            return distance(mantle(tip, baseCentre, radius), origin, direction, true);
+        public double cone(
+                Vector3dc origin,
+                Vector3dc direction,
+                Vector3dc tip,
+                Vector3dc baseCentre,
+                double radius,
+                boolean fromItself) {
+            return distance(mantle(tip, baseCentre, radius), origin, direction, fromItself);
         }
 
         private Cone mantle(Vector3dc tip, Vector3dc baseCentre, double radius) {

@@ -7,14 +7,9 @@ import org.joml.Vector3dc;
 public final class NaiveHits implements HitMethod {
 
     @Override
-    public double sphere(Vector3dc origin, Vector3dc direction, Vector3dc centre, double radius) {
+    public double sphere(Vector3dc origin, Vector3dc direction, Vector3dc centre, double radius, boolean fromItself) {
         Vector3d from = origin.sub(centre, new Vector3d());
         return first(direction.lengthSquared(), from.dot(direction), from.lengthSquared() - radius * radius);
-    }
-
-    @Override
-    public double sphereFromItself(Vector3dc origin, Vector3dc direction, Vector3dc centre, double radius) {
-        return sphere(origin, direction, centre, radius);
     }
 
     @Override
@@ -24,7 +19,8 @@ public final class NaiveHits implements HitMethod {
     }
 
     @Override
-    public double cylinder(Vector3dc origin, Vector3dc direction, Vector3dc start, Vector3dc end, double radius) {
+    public double cylinder(
+            Vector3dc origin, Vector3dc direction, Vector3dc start, Vector3dc end, double radius, boolean fromItself) {
         Vector3d axis = end.sub(start, new Vector3d()).normalize();
         Vector3d d = new Vector3d(axis).mul(-direction.dot(axis)).add(direction);
         Vector3d from = origin.sub(start, new Vector3d());
@@ -32,15 +28,15 @@ public final class NaiveHits implements HitMethod {
         return first(d.lengthSquared(), from.dot(d), from.lengthSquared() - radius * radius);
     }
 
-    @Override
-    public double cylinderFromItself(
-            Vector3dc origin, Vector3dc direction, Vector3dc start, Vector3dc end, double radius) {
-        return cylinder(origin, direction, start, end, radius);
-    }
-
     /** The roots of (x.a)^2 = |x|^2 cos^2, a form with the unit axis a and half the opening angle at the tip. */
     @Override
-    public double cone(Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc baseCentre, double radius) {
+    public double cone(
+            Vector3dc origin,
+            Vector3dc direction,
+            Vector3dc tip,
+            Vector3dc baseCentre,
+            double radius,
+            boolean fromItself) {
         Vector3d axis = baseCentre.sub(tip, new Vector3d());
         double height = axis.length();
         axis.div(height);
@@ -60,12 +56,6 @@ public final class NaiveHits implements HitMethod {
     private static double withinCone(double distance, double startAlong, double rayAlong, double height) {
         double along = startAlong + distance * rayAlong;
         return distance > 0 && along >= 0 && along <= height ? distance : Double.POSITIVE_INFINITY;
-    }
-
-    @Override
-    public double coneFromItself(
-            Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc baseCentre, double radius) {
-        return cone(origin, direction, tip, baseCentre, radius);
     }
 
     /** The gradient of that form. */

@@ -93,6 +93,11 @@ public final class SampleShapes {
         return Stream.concat(closed(middle, size, surface), open(middle, size, surface));
     }
 
+    /** What a sample is a sample of. */
+    static Class<?> shape(SceneObject object) {
+        return object instanceof Placed placed ? placed.object().getClass() : object.getClass();
+    }
+
     private static Vector3d at(Vector3dc middle, double size, double x, double y, double z) {
         return new Vector3d(middle).fma(size, new Vector3d(x, y, z));
     }

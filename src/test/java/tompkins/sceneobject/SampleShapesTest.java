@@ -26,23 +26,11 @@ class SampleShapesTest {
     @Test
     void everyShapeHasASample() {
         List<Class<?>> samples = SampleShapes.all(new Vector3d(), 1, ColouredSurface.DEFAULT)
-                .<Class<?>>map(SampleShapesTest::shape)
+                .<Class<?>>map(SampleShapes::shape)
                 .toList();
         assertThat(Descriptions.members(SceneObject.class))
                 .as("to be added to SampleShapes")
                 .filteredOn(type -> !OTHERS.contains(type))
                 .isSubsetOf(samples);
-    }
-
-    @Test
-    void everyClosedShapeIsAmongTheClosed() {
-        assertThat(SampleShapes.closed(new Vector3d(), 1, ColouredSurface.DEFAULT)
-                        .<Class<?>>map(SampleShapesTest::shape)
-                        .toList())
-                .containsExactlyInAnyOrderElementsOf(ClosedTypes.types().toList());
-    }
-
-    private static Class<?> shape(SceneObject object) {
-        return object instanceof Placed placed ? placed.object().getClass() : object.getClass();
     }
 }

@@ -14,9 +14,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.primitive.Bounds;
-import tompkins.primitive.PlanePrimitive;
 import tompkins.primitive.Primitive;
-import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.PixelPicture;
 import tompkins.ray.Ray;
@@ -25,7 +23,6 @@ import tompkins.search.RandomAims;
 import tompkins.surface.Clear;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.CutOut;
-import tompkins.surface.LuminousSurface;
 import tompkins.surface.Surface;
 import tompkins.surface.Tiling;
 
@@ -301,95 +298,13 @@ class ShapeGeometryTest {
                 .isTrue();
     }
 
-    @Test
-    void clearThingsThrowNoShadowAndOthersDo() {
-        Ray ray = ray(new Vector3d(), new Vector3d(0, 0, 5));
-        for (Surface surface : List.of(Clear.DEFAULT, new LuminousSurface(Colour.WHITE, false))) {
-            assertThat(ball(surface).shadows(ray, 20)).isFalse();
-        }
-        assertThat(ball(ColouredSurface.DEFAULT).shadows(ray, 20)).isTrue();
-        assertThat(ball(ColouredSurface.DEFAULT).shadows(ray, 3)).isFalse();
-    }
-
     private static Primitive ball(Surface surface) {
         return PrimitiveCollector.primitivesOf(new Sphere("", new Vector3d(0, 0, 5), 1, surface))
                 .get(0);
     }
 
-    @Test
-    void planesKnowWhatLiesBehind() {
-        Vector3d d = new Vector3d(1, 2, -2).div(3);
-        Vector3d behind = new Vector3d(d).mul(-10);
-        PlanePrimitive plane =
-                (PlanePrimitive) PrimitiveCollector.primitivesOf(new Plane("", behind, new Vector3d(1, 0, 0), TILED))
-                        .get(0);
-        assertThat(1 / plane.inverseDistance(Ray.from(0, 0, 0, d.x, d.y, d.z, 0)))
-                .isCloseTo(-10, within(SMALL));
-        assertThat(plane.inverseDistance(Ray.from(0, 0, 0, 0, 1, 0, 0))).isZero();
-    }
-
-    /** What rounding cannot tell from a point or a line faces the ray. */
-    @Test
-    void hitsOfVanishingShapesHaveANormal() {
-        Vector3d far = new Vector3d(3e20, 4e20, 0);
-        Ray ray = ray(new Vector3d(), far);
-        Primitive ball = PrimitiveCollector.primitivesOf(new Sphere("", far, 1e-3, TILED))
-                .get(0);
-        Hit hit = ball.hit(ray, 5e20);
-        assertThat(new Vector3d(hit.normalX, hit.normalY, hit.normalZ).length()).isCloseTo(1, within(SMALL));
-        Cylinder rod = new Cylinder("", new Vector3d(3e20, 4e20, -1), new Vector3d(3e20, 4e20, 1), 1e-3, false, TILED);
-        Hit ofRod = PrimitiveCollector.primitivesOf(rod).get(0).hit(ray, 5e20);
-        assertThat(new Vector3d(ofRod.normalX, ofRod.normalY, ofRod.normalZ).length())
-                .isCloseTo(1, within(SMALL));
-    }
-
     private static Ray ray(Vector3dc origin, Vector3dc target) {
         Vector3d d = target.sub(origin, new Vector3d()).normalize();
         return Ray.from(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 0);
-    }
-
-    /**
-     * From near and from far a cone keeps its form, and so do a needle and a cone that is nearly a disc: the way to a
-     * point is known to the rounding of the places.
-     */
-    @ParameterizedTest
-    @CsvSource({"1.5, 1", "1.5, 1e2", "1.5, 1e4", "1.5, 1e6", "1.5, 1e8", "1e-7, 3", "1e-7, 30", "1e7, 1e8", "1e7, 1e12"
-    })
-    void conesAreHitWhereTheyAre(double radius, double distance) {
-        Vector3d tip = new Vector3d(0.3, 1, -0.2);
-        double slope = radius / 2;
-        Primitive cone = PrimitiveCollector.primitivesOf(
-                        new Cone("", tip, new Vector3d(0.3, -1, -0.2), radius, false, ColouredSurface.DEFAULT))
-                .get(0);
-        for (int i = 0; i < 200; i++) {
-            double angle = 0.1 * i;
-            double below = 0.2 + 0.008 * i;
-            Vector3d radial = new Vector3d(Math.cos(angle), 0, Math.sin(angle));
-            Vector3d point =
-                    new Vector3d(radial).mul(slope * below).add(0, -below, 0).add(tip);
-            Vector3d normal = new Vector3d(radial).add(0, slope, 0).normalize();
-            Vector3d from = new Vector3d(normal).add(0, 0.3, 0.1).normalize();
-            Vector3d origin = new Vector3d(from).mul(distance).add(point);
-            double expected = origin.distance(point);
-            double rounding = 1e-14 * (distance + radius + 1) / normal.dot(from);
-            assertThat(cone.distance(ray(origin, point), 10 * distance)).isCloseTo(expected, within(rounding));
-            Vector3d inside = new Vector3d(tip).sub(0, below, 0);
-            assertThat(cone.distance(ray(inside, point), distance + radius))
-                    .isCloseTo(slope * below, within(1e-14 * (radius + 1) / normal.dot(radial)));
-        }
-    }
-
-    @Test
-    void tiledThingsThrowTheShadowsOfTheirTiles() {
-        Surface tiles = new Tiling(ColouredSurface.DEFAULT, Clear.DEFAULT, 0.5, 0.5, true);
-        Primitive sheet = PrimitiveCollector.primitivesOf(new Parallelogram(
-                        "", new Vector3d(0, 0, 5), new Vector3d(2, 0, 0), new Vector3d(0, 2, 0), tiles))
-                .get(0);
-        assertThat(sheet.shadows(ray(new Vector3d(0.5, 0.5, 0), new Vector3d(0.5, 0.5, 5)), 10))
-                .as("the first tile")
-                .isTrue();
-        assertThat(sheet.shadows(ray(new Vector3d(1.5, 0.5, 0), new Vector3d(1.5, 0.5, 5)), 10))
-                .as("the second tile")
-                .isFalse();
     }
 }

@@ -1,7 +1,6 @@
 package tompkins.search;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Random;
@@ -9,10 +8,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import tompkins.primitive.Bounds;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
@@ -68,84 +65,6 @@ class LampTrackTest {
         assertThat(asked).isGreaterThan(RAYS / 10);
         assertThat(shadows).isBetween(asked / 20, asked * 19 / 20);
         assertThat(counts.tests).isLessThan(6L * asked);
-    }
-
-    /** A row of balls around (0, 0, 10): a lamp on the x axis is nearest to it in the middle of 64 pieces of 10/8. */
-    @Test
-    void piecesAreAnEighthOfTheLeastDistance() {
-        LampTrack track = track(new Vector3d(7, 0, 0), new Vector3d(8, 0, 0), 30);
-
-        assertThat(at(track, 0, 0, 0)).isEqualTo(32, within(1e-12));
-        assertThat(at(track, 1.25, 0, 0)).isEqualTo(33, within(1e-12));
-        assertThat(at(track, -39.9, 0, 0)).isEqualTo(0.08, within(1e-12));
-        assertThat(at(track, 39.9, 0, 0)).isEqualTo(63.92, within(1e-12));
-        assertThat(at(track, -40.1, 0, 0)).isEqualTo(LampTrack.NOWHERE);
-        assertThat(at(track, 40.1, 0, 0)).isEqualTo(LampTrack.NOWHERE);
-    }
-
-    @Test
-    void whatRoundingMovesAwayIsNotOnTheTrack() {
-        LampTrack track = track(new Vector3d(7, 0, 0), new Vector3d(8, 0, 0), 30);
-
-        assertThat(at(track, 1, 1e-10, 0)).isNotEqualTo(LampTrack.NOWHERE);
-        assertThat(at(track, 1, 1e-8, 0)).isEqualTo(LampTrack.NOWHERE);
-        assertThat(track.at(towards(new Vector3d(0, 0, 1e7), new Vector3d()), 1e7))
-                .isEqualTo(LampTrack.NOWHERE);
-        assertThat(at(track, Double.NaN, 0, 0)).isEqualTo(LampTrack.NOWHERE);
-    }
-
-    @Test
-    void trackIsMadeOnlyWhereItPays() {
-        Vector3d from = new Vector3d(7, 0, 0);
-        Vector3d to = new Vector3d(8, 0, 0);
-
-        assertThat(track(from, to, 9)).as("few").isNull();
-        assertThat(track(from, to, 10)).as("enough").isNotNull();
-        assertThat(track(from, to, 20_001)).as("too many").isNull();
-        assertThat(track(from, from, 30)).as("at rest").isNull();
-        assertThat(track(new Vector3d(0, 0, 2e7), new Vector3d(1, 0, 2e7), 30))
-                .as("far away")
-                .isNotNull();
-        ObjectTree far = balls(30, new Vector3d(0, 0, 2e7));
-        assertThat(LampTrack.of(from, to, far, left)).as("objects far away").isNotNull();
-        assertThat(LampTrack.of(new Vector3d(7, 0, 2e7), new Vector3d(8, 0, 2e7), far, left))
-                .as("both far away")
-                .isNull();
-    }
-
-    /** A piece counts as 4000 primitives more than it holds. */
-    @Test
-    void onlySoManyPiecesAreMade() {
-        left.set(3 * 4_030);
-        LampTrack track = track(new Vector3d(7, 0, 0), new Vector3d(8, 0, 0), 30);
-
-        assertThat(track.seenFrom(32.5)).isNotNull();
-        assertThat(track.seenFrom(30.1)).isNotNull();
-        assertThat(track.seenFrom(32.1)).isSameAs(track.seenFrom(32.9));
-        assertThat(track.seenFrom(35)).isNotNull();
-        assertThat(track.seenFrom(36)).isNull();
-        assertThat(track.seenFrom(32.5)).as("made before").isNotNull();
-    }
-
-    /** What lies in the plane of the middle keeps its slopes; half as far it has twice the parallax. */
-    @Test
-    void slopesInThePlaneStayAsTheLampPasses() {
-        LampProjection first = LampProjection.first(new Vector3d(), new Vector3d(0, 0, 1));
-        LampProjection aside = first.next(new Vector3d(1, 0, 0), 10);
-        LampProjection nearer = first.next(new Vector3d(0, 0, 2), 10);
-
-        assertThat(slope(first, 3, 10)).isEqualTo(0.3, within(1e-6));
-        assertThat(slope(aside, 3, 10)).isEqualTo(0.3, within(1e-6));
-        assertThat(slope(nearer, 3, 10)).isEqualTo(0.3, within(1e-6));
-        // the line from (1, 0) to (3, 5) is at 5 in the plane, that from (0, 2) at 8
-        assertThat(slope(aside, 3, 5)).isEqualTo(0.5, within(1e-6));
-        assertThat(slope(nearer, 3, 5)).isEqualTo(0.8, within(1e-6));
-    }
-
-    /** The middle of the slopes of a point at (x, 0, z). */
-    private static double slope(LampProjection place, double x, double z) {
-        Interval slopes = place.slopes(new Bounds(x, 0, z, x, 0, z), new Vector3d(1, 0, 0));
-        return (slopes.least() + slopes.most()) / 2;
     }
 
     private LampTrack track(Vector3dc from, Vector3dc to, int balls) {

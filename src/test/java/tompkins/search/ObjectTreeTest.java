@@ -6,9 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
-import java.util.stream.Stream;
+import java.util.function.Supplier;
 import org.joml.Vector3d;
-import org.joml.Vector3i;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -17,8 +16,6 @@ import tompkins.primitive.Placement;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
-import tompkins.ray.RayPacket;
-import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -26,21 +23,27 @@ import tompkins.surface.ColouredSurface;
 
 class ObjectTreeTest {
 
-    private static final int NEIGHBOURS = 32;
-
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 7, 50, 1000, 9000})
     void theTreeFindsWhatTheListFinds(int count) {
         List<Primitive> primitives = spheres(count, new Random(count));
         ObjectTree tree = new ObjectTree(primitives, 1);
         ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
+        Random random = new Random(7);
+        int hits = sameHits(tree, list, () -> ray(random));
+
+        assertThat(hits).isBetween(1, 299);
+        assertThat(tree.root()).isNotNull();
+        assertThat(list.root()).isNull();
+    }
+
+    /** How many of 300 rays hit something: in both the same. */
+    private static int sameHits(ObjectTree tree, ObjectTree list, Supplier<Ray> rays) {
         NearestHit inTree = new NearestHit(new RayCounts());
         NearestHit inList = new NearestHit(new RayCounts());
-        Random random = new Random(7);
-
         int hits = 0;
         for (int i = 0; i < 300; i++) {
-            Ray ray = ray(random);
+            Ray ray = rays.get();
             boolean hit = list.nearest(ray, inList);
             hits += hit ? 1 : 0;
 
@@ -49,81 +52,7 @@ class ObjectTreeTest {
             assertThat(inTree.distance()).isEqualTo(inList.distance());
             assertThat(tree.shadow(ray, 5, inTree) == null).isEqualTo(list.shadow(ray, 5, inList) == null);
         }
-        assertThat(hits).isBetween(1, 299);
-        assertThat(tree.root()).isNotNull();
-        assertThat(list.root()).isNull();
-    }
-
-    @ParameterizedTest
-    @ValueSource(ints = {1, 3, 50, 1000, 9000})
-    void raysTogetherFindWhatTheListFinds(int count) {
-        List<Primitive> primitives = spheres(count, new Random(count));
-        ObjectTree tree = new ObjectTree(primitives, 1);
-        ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
-        NearestHit inTree = new NearestHit(new RayCounts());
-        PacketSearch search = new PacketSearch(tree, inTree);
-        NearestHit inList = new NearestHit(new RayCounts());
-        Random random = new Random(11);
-
-        int hits = 0;
-        for (int i = 0; i < 100; i++) {
-            Ray[] rays = neighbours(ray(random), random.nextDouble(0.1), random);
-            search.begin(block(rays));
-            for (int place = 0; place < rays.length; place++) {
-                boolean hit = list.nearest(rays[place], inList);
-                hits += hit ? 1 : 0;
-
-                assertThat(search.nearest(place, Primitive.NO_HIT)).isEqualTo(hit);
-                if (hit) {
-                    assertThat(order(inTree)).isEqualTo(order(inList));
-                    assertThat(inTree.distance()).isEqualTo(inList.distance());
-                }
-            }
-        }
-        assertThat(hits).isBetween(1, 100 * NEIGHBOURS - 1);
-    }
-
-    /** A block that meets too many rods leaves to its rays what it has found out on its way. */
-    @Test
-    void raysOfABlockThatGaveUpFindWhatTheListFinds() {
-        CylinderLattice usual = CylinderLattice.DEFAULT;
-        List<Primitive> rods = PrimitiveCollector.primitivesOf(new CylinderLattice(
-                "rods",
-                usual.from(),
-                usual.to(),
-                new Vector3i(30),
-                0.003,
-                usual.surfaceAlongX(),
-                usual.surfaceAlongY(),
-                usual.surfaceAlongZ()));
-        ObjectTree tree = new ObjectTree(rods, 1);
-        ObjectTree list = new ObjectTree(rods, Integer.MAX_VALUE);
-        NearestHit inTree = new NearestHit(new RayCounts());
-        PacketSearch search = new PacketSearch(tree, inTree);
-        NearestHit inList = new NearestHit(new RayCounts());
-        Random random = new Random(12);
-
-        int hits = 0;
-        int gaveUp = 0;
-        for (int i = 0; i < 20; i++) {
-            Ray towards = Ray.from(0, 0, 0, random.nextDouble(-0.1, 0.1), random.nextDouble(-0.1, 0.1), 1, 0);
-            Ray[] rays = Stream.generate(() -> neighbours(towards, 0.02, random))
-                    .limit(RayPacket.MOST / NEIGHBOURS)
-                    .flatMap(Stream::of)
-                    .toArray(Ray[]::new);
-            search.begin(block(rays));
-            gaveUp += search.together ? 0 : 1;
-            for (int place = 0; place < rays.length; place++) {
-                boolean hit = list.nearest(rays[place], inList);
-                hits += hit ? 1 : 0;
-
-                assertThat(search.nearest(place, Primitive.NO_HIT)).isEqualTo(hit);
-                assertThat(order(inTree)).isEqualTo(order(inList));
-                assertThat(inTree.distance()).isEqualTo(inList.distance());
-            }
-        }
-        assertThat(gaveUp).isGreaterThan(10);
-        assertThat(hits).isGreaterThan(500);
+        return hits;
     }
 
     /** 0 times infinity is no number, which must not make a box count as missed. */
@@ -139,35 +68,6 @@ class ObjectTreeTest {
         assertThat(node.entry(1.5, 3, 0, 1 / 0.0, 1 / 0.0, 1, Primitive.NO_HIT)).isCloseTo(3, within(1e-9));
         assertThat(node.entry(1.5, 3, 7, 1 / 0.0, 1 / 0.0, 1, Primitive.NO_HIT)).isEqualTo(TreeNode.MISSED);
         assertThat(node.entry(1.5, 5, 0, 1 / 0.0, 1 / 0.0, 1, Primitive.NO_HIT)).isEqualTo(TreeNode.MISSED);
-    }
-
-    @Test
-    void raysAllAroundHaveNoFrustum() {
-        Ray[] opposite = {Ray.from(0, 0, 0, 0, 0, 1, 0), Ray.from(0, 0, 0, 0, 0, -1, 0)};
-
-        assertThat(new PacketFrustum().enclose(block(opposite))).isFalse();
-    }
-
-    private static RayPacket block(Ray... rays) {
-        RayPacket block = new RayPacket(rays.length);
-        block.begin(rays.length);
-        for (int i = 0; i < rays.length; i++) {
-            block.set(i, rays[i]);
-        }
-        return block;
-    }
-
-    /** Rays that start near another and go almost the same way. */
-    private static Ray[] neighbours(Ray ray, double spread, Random random) {
-        Ray[] rays = new Ray[NEIGHBOURS];
-        for (int i = 0; i < rays.length; i++) {
-            Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz)
-                    .add(random.nextDouble(spread + 1e-9), random.nextDouble(spread + 1e-9), 0)
-                    .normalize();
-            rays[i] = Ray.from(
-                    ray.x + random.nextDouble(spread + 1e-9), ray.y, ray.z, direction.x, direction.y, direction.z, 0);
-        }
-        return rays;
     }
 
     /** Of a hundred spheres in one place the first is seen, whatever the tree makes of them. */
@@ -187,14 +87,6 @@ class ObjectTreeTest {
         assertThat(nearest.primitive().description()).isEqualTo("sphere 0");
     }
 
-    /** Large trees are built by several threads. */
-    @Test
-    void theTreeIsTheSameEachTime() {
-        List<Primitive> primitives = spheres(30_000, new Random(3));
-
-        assertThat(shape(tree(primitives))).isEqualTo(shape(tree(primitives)));
-    }
-
     /** Which primitive was found; the tree holds copies. */
     private static int order(NearestHit nearest) {
         return nearest.primitive() == null ? -1 : nearest.primitive().order();
@@ -202,26 +94,6 @@ class ObjectTreeTest {
 
     private static TreeNode tree(List<Primitive> primitives) {
         return TreeBuilder.build(primitives.toArray(Primitive[]::new), 2);
-    }
-
-    /** Numbers of primitives in the order of the leaves, with brackets for the nodes. */
-    private static String shape(TreeNode node) {
-        StringBuilder text = new StringBuilder();
-        append(text, node);
-        return text.toString();
-    }
-
-    private static void append(StringBuilder text, TreeNode node) {
-        text.append('(');
-        if (node.primitives == null) {
-            append(text, node.low);
-            append(text, node.high);
-        } else {
-            for (int i = node.from; i < node.to; i++) {
-                text.append(node.primitives[i].order()).append(' ');
-            }
-        }
-        text.append(')');
     }
 
     @Test
@@ -252,22 +124,13 @@ class ObjectTreeTest {
         }
         ObjectTree tree = new ObjectTree(collector.primitives(), 1);
         ObjectTree list = new ObjectTree(collector.primitives(), Integer.MAX_VALUE);
-        NearestHit inTree = new NearestHit(new RayCounts());
-        NearestHit inList = new NearestHit(new RayCounts());
         Random random = new Random(17);
 
         assertThat(depth(tree.root())).isLessThan(NearestHit.DEEPEST_TREE);
-        int hits = 0;
-        for (int i = 0; i < 300; i++) {
+        int hits = sameHits(tree, list, () -> {
             Vector3d direction = new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), 0).normalize();
-            Ray ray = Ray.from(random.nextDouble(), 0, 0, direction.x, direction.y, direction.z, 0);
-            boolean hit = list.nearest(ray, inList);
-            hits += hit ? 1 : 0;
-
-            assertThat(tree.nearest(ray, inTree)).isEqualTo(hit);
-            assertThat(order(inTree)).isEqualTo(order(inList));
-            assertThat(inTree.distance()).isEqualTo(inList.distance());
-        }
+            return Ray.from(random.nextDouble(), 0, 0, direction.x, direction.y, direction.z, 0);
+        });
         assertThat(hits).isBetween(30, 300);
     }
 

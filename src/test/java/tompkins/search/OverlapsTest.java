@@ -111,11 +111,18 @@ class OverlapsTest {
         assertThat(bundle.misses(primitive)).as(name).isFalse();
         assertThat(bundle.leastDistance(node)).as(name).isLessThanOrEqualTo(distance);
 
-        double[] overlap = new double[1];
-        if (primitive.overlaps(block, bundle.farthest(), overlap)) {
-            assertThat(overlap[0]).as(name).isGreaterThanOrEqualTo(0);
-        }
+        mustOverlap(primitive, block);
+        mustOverlap(primitive, block(ray, Ray.from(ray.x + 1, ray.y, ray.z, ray.dx, ray.dy, ray.dz, 0)));
         return 1;
+    }
+
+    /** The first ray of a block, of which all start at one place or several. */
+    private static void mustOverlap(Primitive primitive, RayPacket block) {
+        PacketFrustum bundle = bundle(block);
+        double[] overlaps = new double[block.count()];
+        if (primitive.overlaps(block, bundle.farthest(), overlaps)) {
+            assertThat(overlaps[0]).as(primitive.description()).isGreaterThanOrEqualTo(0);
+        }
     }
 
     /** Shapes so far from the origin, lamps so far from them, and places so many times as far behind them. */
@@ -251,10 +258,12 @@ class OverlapsTest {
         return node.entry(ray.x, ray.y, ray.z, 1 / ray.dx, 1 / ray.dy, 1 / ray.dz, limit);
     }
 
-    private static RayPacket block(Ray ray) {
-        RayPacket block = new RayPacket(1);
-        block.begin(1);
-        block.set(0, ray);
+    private static RayPacket block(Ray... rays) {
+        RayPacket block = new RayPacket(rays.length);
+        block.begin(rays.length);
+        for (int i = 0; i < rays.length; i++) {
+            block.set(i, rays[i]);
+        }
         return block;
     }
 

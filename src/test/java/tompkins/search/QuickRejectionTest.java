@@ -2,16 +2,10 @@ package tompkins.search;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
-import java.util.List;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
-import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.fuzz.RandomStudio;
 import tompkins.primitive.CapPrimitive;
 import tompkins.primitive.CylinderPrimitive;
@@ -19,19 +13,15 @@ import tompkins.primitive.Primitive;
 import tompkins.property.Descriptions;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
-import tompkins.ray.RayPacket;
-import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
-import tompkins.sceneobject.Sphere;
 import tompkins.surface.ColouredSurface;
 
 /** What tells rays from a primitive without testing them never tells one that hits, and tells most that miss. */
 class QuickRejectionTest {
 
     private static final int RAYS = 200;
-    private static final double RADIUS = 0.02;
 
     private final RandomAims aims = new RandomAims(3);
 
@@ -43,100 +33,6 @@ class QuickRejectionTest {
                                                 RandomStudio.object(seed, type, ColouredSurface.DEFAULT))
                                         .stream()
                                         .limit(3)));
-    }
-
-    @ParameterizedTest
-    @ValueSource(booleans = {false, true})
-    void noRayThatHitsHasAnOverlapBelowZero(boolean oneStart) {
-        int hits = 0;
-        for (Primitive primitive : primitives().toList()) {
-            hits += hitsThatKeepTheirOverlap(primitive, 30, oneStart);
-        }
-        assertThat(hits).isGreaterThan(5000);
-    }
-
-    /** Rounding grows with the distance of the start; the overlap knows. */
-    @ParameterizedTest
-    @MethodSource("thinOnes")
-    void rayThatStartsFarAwayAndHitsHasNoOverlapBelowZero(Primitive primitive) {
-        for (double distance : new double[] {1e2, 1e4, 1e6, 1e8}) {
-            assertThat(hitsThatKeepTheirOverlap(primitive, distance, false)).isPositive();
-            assertThat(hitsThatKeepTheirOverlap(primitive, distance, true)).isPositive();
-        }
-    }
-
-    static Stream<Primitive> thinOnes() {
-        return Stream.of(
-                        new Cylinder(
-                                "rod",
-                                new Vector3d(-3, 1, 2),
-                                new Vector3d(4, 2, 3),
-                                RADIUS,
-                                false,
-                                ColouredSurface.DEFAULT),
-                        new Sphere("ball", new Vector3d(1, 2, 3), RADIUS, ColouredSurface.DEFAULT))
-                .map(object -> PrimitiveCollector.primitivesOf(object).get(0));
-    }
-
-    private int hitsThatKeepTheirOverlap(Primitive primitive, double reach, boolean oneStart) {
-        RayPacket rays = new RayPacket(RAYS);
-        rays.begin(RAYS);
-        Vector3d start = aims.vector(reach);
-        for (int i = 0; i < RAYS; i++) {
-            rays.set(i, aimed(primitive, oneStart ? start : aims.vector(reach)));
-        }
-        double[] overlaps = new double[RAYS];
-        if (!primitive.overlaps(rays, farthest(rays), overlaps)) {
-            return 0;
-        }
-        int hits = 0;
-        for (int i = 0; i < RAYS; i++) {
-            if (primitive.distance(rays.ray(i), Primitive.NO_HIT) < Primitive.NO_HIT) {
-                hits++;
-                assertThat(overlaps[i])
-                        .as("%s, ray %d", primitive.description(), i)
-                        .isGreaterThanOrEqualTo(0);
-            }
-        }
-        return hits;
-    }
-
-    private static double farthest(RayPacket rays) {
-        return IntStream.range(0, rays.count())
-                .mapToDouble(i -> Math.abs(rays.x[i]) + Math.abs(rays.y[i]) + Math.abs(rays.z[i]))
-                .max()
-                .orElseThrow();
-    }
-
-    /** Rays pass the axis of the rod, or the centre of the ball, at a distance that is known. */
-    @ParameterizedTest
-    @MethodSource("thinOnes")
-    void rayThatPassesHalfARadiusBesideIsTold(Primitive primitive) {
-        assertThat(overlapsOfRaysThatPass(primitive, 0.99)).allMatch(overlap -> overlap > 0);
-        assertThat(overlapsOfRaysThatPass(primitive, 1.5)).allMatch(overlap -> overlap < 0);
-    }
-
-    /** Two rays from one start, and two from different ones. */
-    private static List<Double> overlapsOfRaysThatPass(Primitive primitive, double radii) {
-        Vector3d middle = primitive.bounds().centre();
-        Vector3d axis = new Vector3d(7, 1, 1);
-        Vector3d direction = axis.cross(0, 0, 1, new Vector3d()).normalize();
-        Vector3d beside = axis.cross(direction, new Vector3d()).normalize(radii * RADIUS);
-        RayPacket rays = new RayPacket(2);
-        rays.begin(2);
-        List<Double> all = new ArrayList<>();
-        for (double apart : new double[] {0, 1}) {
-            for (int i = 0; i < 2; i++) {
-                Vector3d start =
-                        new Vector3d(direction).mul(-10 - i * apart).add(middle).add(beside);
-                rays.set(i, ray(start, direction));
-            }
-            double[] overlaps = new double[2];
-            assertThat(primitive.overlaps(rays, farthest(rays), overlaps)).isTrue();
-            all.add(overlaps[0]);
-            all.add(overlaps[1]);
-        }
-        return all;
     }
 
     @Test

@@ -259,7 +259,7 @@ class RotatingHitsTest {
         NearestHit nearest = new NearestHit(new RayCounts());
 
         assertTimeoutPreemptively(Duration.ofMinutes(10), () -> {
-            for (int i = 0; i < RAYS / 10; i++) {
+            for (int i = 0; i < RAYS / 50; i++) {
                 Ray ray = ray();
                 ray.setInFrame(ray, ray.x, ray.y, ray.z, ray.dx, ray.dy, ray.dz, ray.time, 1e8, 1, 1);
                 tree.nearest(ray, nearest);

@@ -88,26 +88,6 @@ class ShutterContractTest {
         assertThat(shutter.hasOpeningTime()).isEqualTo(hasOpeningTime);
     }
 
-    /** All rays of a pixel reach its image point after the same time: both models differ by a constant. */
-    @Test
-    void idealLensIsTheFocusSurfaceUpToAConstant() {
-        for (double inverse : new double[] {0.1, 2, -0.1, -2}) {
-            LensRay middle = lensRay(inverse);
-            double constant = difference(middle);
-            for (int i = 0; i < 20; i++) {
-                Vector3d pupil = new Vector3d(random.nextDouble(), random.nextDouble(), 0).add(middle.centre());
-                LensRay ray =
-                        new LensRay(middle.centre(), pupil, middle.chiefDirection(), inverse, middle.viewDirection());
-                assertThat(difference(ray)).isCloseTo(constant, within(1e-13));
-            }
-        }
-    }
-
-    private static double difference(LensRay ray) {
-        return new DetectorPlaneShutter(1, 1).transmissionTime(ray, MOVING)
-                - new FocusSurfaceShutter(0).transmissionTime(ray, MOVING);
-    }
-
     @Test
     void aNormalMayHaveAnyLength() {
         ArbitraryPlaneShutter shutter =

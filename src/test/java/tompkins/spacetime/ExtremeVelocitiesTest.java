@@ -7,7 +7,6 @@ import static org.assertj.core.api.Assertions.within;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.explain.Explanation;
 import tompkins.property.InvalidPropertyException;
@@ -28,10 +27,6 @@ class ExtremeVelocitiesTest {
         Ray ray = rest.transform(Ray.from(1, 2, 3, 0.6, 0, 0.8, 5));
         assertThat(new Vector3d(ray.dx, ray.dy, ray.dz).distance(0.6, 0, 0.8)).isLessThan(2 * U);
         assertThat(rest.fixedPointTime(new Vector3d(1, 2, 3))).isZero();
-        NaiveFrames naive = new NaiveFrames();
-        assertThat(naive.event(new Vector3d(), event).x()).isNaN();
-        assertThat(NaiveFrames.fixedPointTime(new Vector3d(), new Vector3d(1, 2, 3)))
-                .isNaN();
     }
 
     @ParameterizedTest
@@ -44,28 +39,6 @@ class ExtremeVelocitiesTest {
         double expected = -speed * 3 / 2 * (1 + speed * speed / 4);
         double time = new LorentzTransformation(velocity).fixedPointTime(new Vector3d(3, 1, 1));
         assertThat(time).isEqualTo(expected, within(Math.abs(expected) * 4 * U + Double.MIN_VALUE));
-        double naive = NaiveFrames.fixedPointTime(beta, new Vector3d(3, 1, 1));
-        if (speed <= 1e-8) {
-            assertThat(Math.abs(naive - expected) < 0.4 * Math.abs(expected)).isFalse();
-        }
-    }
-
-    /** 1 - beta, so that the input itself holds the digits; directions next to the pole. */
-    @ParameterizedTest
-    @CsvSource({"10, 8", "1e3, 8", "1e6, 8", "1e8, 8"})
-    void directionsAtThePoleKeepTheirDigits(double gamma, double limit) {
-        Velocity velocity = Velocity.of(SpeedScale.GAMMA, gamma, new Vector3d(0, 0, 1));
-        LorentzTransformation sceneFromCamera = new LorentzTransformation(velocity);
-        for (double angle : new double[] {0, 1e-12, 1e-8, 1e-6, 1e-3, 0.1, 1, 2, 3, Math.PI}) {
-            Vector3d result = new Vector3d();
-            double ratio = sceneFromCamera.direction(new Vector3d(Math.sin(angle), 0, Math.cos(angle)), result);
-            double expected =
-                    2 * Math.atan2((gamma + velocity.properSpeed()) * Math.sin(angle / 2), Math.cos(angle / 2));
-            assertThat(Math.atan2(result.x, result.z)).isCloseTo(expected, within(limit * U * gamma));
-            double half = Math.sin(angle / 2);
-            double expectedRatio = velocity.expMinusRapidity() + 2 * velocity.properSpeed() * half * half;
-            assertThat(ratio).isCloseTo(expectedRatio, within(8 * gamma * U * expectedRatio));
-        }
     }
 
     @ParameterizedTest
@@ -99,9 +72,6 @@ class ExtremeVelocitiesTest {
         }) {
             assertThatThrownBy(() -> Velocity.of(beta)).isInstanceOf(InvalidPropertyException.class);
         }
-        // naive: 1 - beta^2 < 0 lets light itself and no numbers pass
-        assertThat(1 - new Vector3d(1, 0, 0).lengthSquared() < 0).isFalse();
-        assertThat(1 - new Vector3d(Double.NaN, 0, 0).lengthSquared() < 0).isFalse();
     }
 
     @Test
@@ -110,7 +80,5 @@ class ExtremeVelocitiesTest {
         assertThat(velocity.gamma()).isCloseTo(707106.9579628198, within(707106 * 1e-6));
         double exact = 1 / Math.sqrt(1e-12 * (2 - 1e-12));
         assertThat(velocity.gamma()).isEqualTo(exact);
-        assertThat(Math.abs(1 / Math.sqrt(1 - 0.999999999999 * 0.999999999999) - exact))
-                .isGreaterThan(1);
     }
 }

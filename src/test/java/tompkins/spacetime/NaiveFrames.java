@@ -39,11 +39,6 @@ public final class NaiveFrames implements FrameMethod {
         return Math.acos((cosine - beta) / (1 - beta * cosine));
     }
 
-    /** The Doppler factor by the textbook's formula. */
-    public static double dopplerFactor(double beta, double cameraAngle) {
-        return 1 / (1 / Math.sqrt(1 - beta * beta) * (1 - beta * Math.cos(cameraAngle)));
-    }
-
     /** The time of the fixed-point surface as the paper writes it. */
     public static double fixedPointTime(Vector3dc beta, Vector3dc place) {
         double gamma = 1 / Math.sqrt(1 - beta.lengthSquared());

@@ -154,35 +154,6 @@ class TransformationTest {
                 .isCloseTo(-1.000002, within(1e-6));
     }
 
-    @ParameterizedTest
-    @EnumSource
-    void placesFromNearbyAreThoseFromTheOrigin(TransformationLaw law) {
-        SpaceTimeTransformation transformation = transformation(law);
-        Vector3d near = new Vector3d(1, 2, 3);
-        Vector3d expected = transformation.transform(EVENT).position().sub(near);
-        assertThat(Nearby.place(transformation, near, EVENT).distance(expected)).isLessThan(1e-13);
-        Vector3d back = transformation.inverse().transform(EVENT).position().sub(near);
-        assertThat(Nearby.place(transformation.inverse(), near, EVENT).distance(back))
-                .isLessThan(1e-13);
-    }
-
-    @ParameterizedTest
-    @ValueSource(doubles = {0.9, 1.7, 20})
-    void placesFromNearbyKnowEveryScale(double rapidity) {
-        Velocity[] same = {
-            Velocity.of(SpeedScale.RAPIDITY, rapidity, new Vector3d(1, 2, -2)),
-            Velocity.of(SpeedScale.GAMMA, Math.cosh(rapidity), new Vector3d(1, 2, -2)),
-            Velocity.of(SpeedScale.ONE_MINUS_BETA, 2 / (Math.exp(2 * rapidity) + 1), new Vector3d(1, 2, -2)),
-            Velocity.of(SpeedScale.BETA, Math.tanh(Math.min(rapidity, 5)), new Vector3d(1, 2, -2))
-        };
-        for (Velocity velocity : same) {
-            LorentzTransformation transformation = new LorentzTransformation(velocity);
-            Vector3d expected = transformation.transform(EVENT).position();
-            assertThat(Nearby.place(transformation, new Vector3d(), EVENT).distance(expected))
-                    .isLessThan(1e-14 * (10 + expected.length()));
-        }
-    }
-
     @Test
     void restIsNoChange() {
         LorentzTransformation rest = new LorentzTransformation(Velocity.REST);

@@ -66,15 +66,6 @@ class ChartDrawingTest {
     }
 
     @Test
-    void aSinglePointIsShown() {
-        ValueAxis axis = ChartDrawing.drawing(chart(), List.of(point(OWN, 3, 1e-12)), ChartStyle.PRINTED)
-                .getXYPlot()
-                .getRangeAxis();
-        assertThat(axis.getLowerBound()).isPositive().isLessThan(1e-12);
-        assertThat(axis.getUpperBound()).isGreaterThan(1e-12);
-    }
-
-    @Test
     void lessThanADecadeHasNumbers() {
         XYPlot plot = ChartDrawing.drawing(
                         chart(), List.of(point(OWN, 1, 0.11), point(OWN, 2, 0.38)), ChartStyle.PRINTED)

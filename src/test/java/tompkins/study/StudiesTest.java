@@ -20,6 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.TestRun;
+import tompkins.Thorough;
 import tompkins.studio.PaperStudios;
 import tompkins.studio.Studio;
 import tompkins.study.Conclusion.Finding;
@@ -62,6 +63,7 @@ class StudiesTest {
 
     /** Triangles that are thinner than the way between a curve and its chord. */
     @Test
+    @Thorough
     void moreChordsOfACurveMissFewerSlivers() {
         List<Double> missed = new ChordStudy(5)
                 .trials().stream()

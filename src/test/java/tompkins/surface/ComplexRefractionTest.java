@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.primitive.Primitive;
@@ -64,51 +63,5 @@ class ComplexRefractionTest {
             assertThat(next.throughput).isEqualTo(0.9);
         }
         assertThat(reflected).matches(count -> size < 1 ? count > 20 : count == 0);
-    }
-
-    /** What has passed comes back the way it came. */
-    @ParameterizedTest
-    @CsvSource({"1, 90", "1.5, 40", "0.6, 200"})
-    void takesTheSameLightBack(double size, double degrees) {
-        ComplexRefraction surface = new ComplexRefraction(size, degrees, 1);
-        for (int i = 0; i < 200; i++) {
-            Vector3d d = direction();
-            Ray there = beyond(surface, ray(d.x, d.y, d.z));
-            Ray back = beyond(surface, ray(-there.dx, -there.dy, -there.dz));
-            if (there.dz > 0) {
-                assertThat(new Vector3d(back.dx, back.dy, back.dz).add(d).length())
-                        .isLessThan(1e-12);
-            }
-        }
-    }
-
-    /** Two directions beside one say how large a solid angle becomes: by its root the width of a ray grows. */
-    @ParameterizedTest
-    @CsvSource({"1, 90", "1.5, 40", "0.6, 200"})
-    void opensBundlesAsItsDirectionsTell(double size, double degrees) {
-        ComplexRefraction surface = new ComplexRefraction(size, degrees, 1);
-        Vector3d d = new Vector3d(0.3, -0.2, 0.8).normalize();
-        Vector3d one = new Vector3d(0, 1, 0).cross(d).normalize();
-        Vector3d other = one.cross(d, new Vector3d());
-        Vector3d middle = turned(surface, d, one, 0);
-        double step = 1e-6;
-        Vector3d first = turned(surface, d, one, step).sub(middle);
-        Vector3d second = turned(surface, d, other, step).sub(middle);
-        double area = first.cross(second, new Vector3d()).length() / (step * step);
-        assertThat(beyond(surface, ray(d.x, d.y, d.z).opened(1)).spread).isCloseTo(Math.sqrt(area), within(1e-5));
-    }
-
-    private static Vector3d turned(ComplexRefraction surface, Vector3d d, Vector3d aside, double step) {
-        Vector3d near = new Vector3d(d).fma(step, aside).normalize();
-        Ray next = beyond(surface, ray(near.x, near.y, near.z));
-        return new Vector3d(next.dx, next.dy, next.dz);
-    }
-
-    @Test
-    void withTheRatioOneNothingTurns() {
-        Vector3d d = direction();
-        Ray next = beyond(new ComplexRefraction(1, 0, 0.7), ray(d.x, d.y, d.z));
-        assertThat(new Vector3d(next.dx, next.dy, next.dz)).isEqualTo(d);
-        assertThat(next.throughput).isEqualTo(0.7);
     }
 }

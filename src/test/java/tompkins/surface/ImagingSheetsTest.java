@@ -133,7 +133,9 @@ class ImagingSheetsTest {
                 new IdealLens(2, 0.5, 0.5, 1),
                 new IdealLens(-0.3, 0.1, 0.9, 1),
                 new ConfocalLensletArray(1.4, -0.6, 0.3, -0.2, 1),
-                new ConfocalLensletArray(7, 7, 0, 0, 1));
+                new ConfocalLensletArray(7, 7, 0, 0, 1),
+                new ComplexRefraction(1, 90, 1),
+                new ComplexRefraction(1.5, 40, 1));
     }
 
     /** The other side takes the same light back. */
@@ -278,6 +280,7 @@ class ImagingSheetsTest {
         return List.of(
                 Arguments.of(new IdealLens(2, 0.5, 0.5, 0.25)),
                 Arguments.of(new ConfocalLensletArray(2, 2, 0, 0, 0.25)),
-                Arguments.of(new ConfocalLensletArray(1, 1, 0, 0, 0.25)));
+                Arguments.of(new ConfocalLensletArray(1, 1, 0, 0, 0.25)),
+                Arguments.of(new ComplexRefraction(1, 0, 0.25)));
     }
 }

@@ -2,6 +2,7 @@ package tompkins.surface;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -14,38 +15,17 @@ class NestedSurfacesTest {
 
     /** Where a surface of two parts may hold another one of two parts. */
     private enum Place {
-        FIRST {
-            @Override
-            Surface around(Surface inner) {
-                return new Tiling(inner, Clear.DEFAULT, 1, 1, true);
-            }
-        },
-        SECOND {
-            @Override
-            Surface around(Surface inner) {
-                return new Tiling(Clear.DEFAULT, inner, 1, 1, true);
-            }
-        },
-        SIDE {
-            @Override
-            Surface around(Surface inner) {
-                return new TwoSided(inner, Clear.DEFAULT);
-            }
-        },
-        DARK {
-            @Override
-            Surface around(Surface inner) {
-                return new CutOut(CutOut.DEFAULT.picture(), inner, Clear.DEFAULT);
-            }
-        },
-        BRIGHT {
-            @Override
-            Surface around(Surface inner) {
-                return new CutOut(CutOut.DEFAULT.picture(), Clear.DEFAULT, inner);
-            }
-        };
+        FIRST(inner -> new Tiling(inner, Clear.DEFAULT, 1, 1, true)),
+        SECOND(inner -> new Tiling(Clear.DEFAULT, inner, 1, 1, true)),
+        SIDE(inner -> new TwoSided(inner, Clear.DEFAULT)),
+        DARK(inner -> new CutOut(CutOut.DEFAULT.picture(), inner, Clear.DEFAULT)),
+        BRIGHT(inner -> new CutOut(CutOut.DEFAULT.picture(), Clear.DEFAULT, inner));
 
-        abstract Surface around(Surface inner);
+        private final UnaryOperator<Surface> around;
+
+        Place(UnaryOperator<Surface> around) {
+            this.around = around;
+        }
     }
 
     /** Twice the work for each level would be 2^190. */
@@ -53,11 +33,11 @@ class NestedSurfacesTest {
     @EnumSource
     @Timeout(value = 600, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
     void whatTheyAreIsKnownInNoTime(Place place) {
-        Surface clear = Stream.iterate((Surface) Clear.DEFAULT, place::around)
+        Surface clear = Stream.iterate((Surface) Clear.DEFAULT, place.around)
                 .skip(DEEP)
                 .findFirst()
                 .orElseThrow();
-        Surface opaque = Stream.iterate((Surface) ColouredSurface.DEFAULT, place::around)
+        Surface opaque = Stream.iterate((Surface) ColouredSurface.DEFAULT, place.around)
                 .skip(DEEP)
                 .findFirst()
                 .orElseThrow();

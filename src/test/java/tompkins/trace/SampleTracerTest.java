@@ -5,12 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
-import java.util.stream.Stream;
-import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.camera.PixelSampler;
 import tompkins.io.StudioReader;
 import tompkins.ray.Colour;
@@ -103,65 +98,5 @@ class SampleTracerTest {
 
         tracer.sampleBlock(0, new StoppingTaker(Integer.MAX_VALUE));
         assertThat(counts.samples).isEqualTo(stopping.taken + 16 * 16);
-    }
-
-    /** A few of many scenes: rays without focus, pixels behind windows and filters, motion, and parts of the tree. */
-    static Stream<Named<Studio>> studios() {
-        Set<String> few = Set.of("figure 1b", "dust", "dust behind a window");
-        Studio missed = StudioReader.read("""
-                {
-                  "velocity": [0, 0, 0.5],
-                  "scene": [ { "type": "CylinderLattice" } ],
-                  "camera": { "shutter": { "type": "FocusSurfaceShutter" }, "focus": { "type": "Sphere" } },
-                  "cameraFrame": [
-                    { "type": "Disc", "centre": [-1, 0, 5], "normal": [0, 0, 1],
-                      "surface": { "type": "ColourFilter" } },
-                    { "type": "Disc", "centre": [1, 0, 5], "normal": [0, 0, 1] }
-                  ]
-                }
-                """, "scene", Path.of("."));
-        Studio motion = StudioReader.read("""
-                {
-                  "scene": [
-                    { "type": "Moving", "velocity": [0.6, 0, 0], "objects": [ { "type": "CylinderLattice" } ] },
-                    { "type": "Sphere" }
-                  ]
-                }
-                """, "scene", Path.of("."));
-        return Stream.concat(
-                VariedStudios.all().filter(studio -> few.contains(studio.getName())),
-                Stream.of(Named.of("missed focus", missed), Named.of("motion", motion)));
-    }
-
-    @ParameterizedTest
-    @MethodSource("studios")
-    void blockHasTheColoursOfSingleSamples(Studio studio) {
-        Studio small = studio.withSettings(studio.settings().withSize(60, 45));
-        SampleTracer simple = RenderPlan.of(small).tracer(new RayCounts());
-        RayCounts counts = new RayCounts();
-        SampleTracer tracer = RenderPlan.of(small).tracer(counts);
-        int[] taken = new int[1];
-        for (int stride = 1; stride <= 3; stride += 2) {
-            int side = stride * RayPacket.SIDE;
-            int left = 60 - side - 1;
-            // fewer rows than the block has room for
-            int height = Math.min(side, 45 - 2);
-            SampleSink taker = new StoppingTaker(Integer.MAX_VALUE) {
-                @Override
-                public void take(BlockSamples samples) {
-                    taken[0] += samples.count();
-                    assertThat(tracer.column()).isBetween(left, left + side - 1);
-                    assertThat(tracer.row()).isBetween(1, height);
-                    for (int i = 0; i < samples.count(); i++) {
-                        assertThat(samples.colour(i)).isEqualTo(simple.sample(samples.column(i), samples.row(i), 1));
-                    }
-                }
-            };
-            tracer.beginBlock(left, 1, side, height, stride, taker);
-            tracer.sampleBlock(1, taker);
-        }
-
-        assertThat(taken[0]).isEqualTo(16 * 16 + 16 * 15);
-        assertThat(counts.samples).isEqualTo(taken[0]);
     }
 }

@@ -12,9 +12,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import tompkins.camera.Cameras;
 import tompkins.camera.FocusDistance;
 import tompkins.camera.ThinLensCamera;
+import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Hidden;
@@ -91,17 +91,7 @@ class UsableObjectsTest {
     }
 
     private static ThinLensCamera focusedOn(SceneObject focus) {
-        ThinLensCamera camera = ThinLensCamera.DEFAULT;
-        return Cameras.lens(
-                camera.position(),
-                camera.viewDirection(),
-                camera.topDirection(),
-                camera.horizontalAngleDegrees(),
-                camera.verticalAngleDegrees(),
-                camera.apertureRadius(),
-                focus,
-                camera.exposureStops(),
-                camera.shutter());
+        return Descriptions.with(ThinLensCamera.DEFAULT, "focus", focus);
     }
 
     private static SceneObject millionOf(SceneObject object) {

@@ -55,21 +55,6 @@ class GoldenLampsTest {
                         row -> MovingQuantity.share(
                                 row, row.difference(new LampWay(row).atSurface.dopplerFactor, "D"), "D")))
                 .matches(Worst::passes);
-        assertThat(Worst.of(rows, row -> MovingQuantity.share(row, row.difference(naiveFactor(row), "D"), "D"))
-                        .excess())
-                .isGreaterThan(1e3);
-    }
-
-    /** From the reference direction, by D = gamma (1 + v.n) in plain numbers. */
-    private static double naiveFactor(GoldenRow row) {
-        Vector3d place = row.vector("p_");
-        Event hit = new Event(row.number("x_x"), row.number("x_y"), row.number("x_z"), row.number("t"));
-        NaiveMotion lamp = new NaiveMotion(row.vector("vl_"));
-        Event inLamp = lamp.into(hit.minus(new Event(place.x, place.y, place.z, 0)));
-        Vector3d way = row.vector("q_").sub(inLamp.position());
-        Event atSurface =
-                new NaiveMotion(row.vector("vs_")).into(lamp.outOf(new Event(way.x, way.y, way.z, -way.length())));
-        return -atSurface.time() / way.length();
     }
 
     @Test

@@ -3,7 +3,9 @@ package tompkins.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static tompkins.golden.GoldenTable.U;
 
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -20,6 +22,12 @@ class GoldenMediaTest {
         return row.number("decidable_eps") >= 16 * U;
     }
 
+    private static final Map<GoldenRow, MediumRow> MEDIA = new IdentityHashMap<>();
+
+    private static MediumRow medium(GoldenRow row) {
+        return MEDIA.computeIfAbsent(row, MediumRow::new);
+    }
+
     private static List<GoldenRow> seen() {
         return ROWS.stream()
                 .filter(row -> !row.has("images", "0"))
@@ -30,15 +38,14 @@ class GoldenMediaTest {
     @ParameterizedTest
     @EnumSource
     void quantityPassesEveryRow(MediumQuantity quantity) {
-        assertThat(Worst.of(seen(), row -> quantity.excess(row, new MediumRow(row))))
-                .matches(Worst::passes);
+        assertThat(Worst.of(seen(), row -> quantity.excess(row, medium(row)))).matches(Worst::passes);
     }
 
     /** Nothing, one thing or two are seen in a direction. */
     @Test
     void asManyImagesAreSeenInEveryRow() {
         assertThat(ROWS).filteredOn(GoldenMediaTest::isDecidable).allSatisfy(row -> {
-            MediumRow medium = new MediumRow(row);
+            MediumRow medium = medium(row);
             int images = (medium.met == null ? 0 : 1) + (medium.overtaken == null ? 0 : 1);
             assertThat(row.text("images")).isEqualTo(Integer.toString(images));
         });

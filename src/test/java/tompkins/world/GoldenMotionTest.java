@@ -96,27 +96,9 @@ class GoldenMotionTest {
                 .matches(Worst::passes);
     }
 
-    /** One boost with the composed velocity lacks the rotation. */
-    @Test
-    void oneBoostFails() {
-        List<GoldenRow> rows =
-                NESTED.stream().filter(row -> row.has("class", "both")).toList();
-        assertThat(Worst.of(rows, row -> {
-                            Event place = event(row).minus(at(row.vector("p12_")));
-                            Event own = new NaiveMotion(row.vector("v12_")).into(place);
-                            return MovingQuantity.share(row, row.distance(own.position(), "x2_"), "x2");
-                        })
-                        .excess())
-                .isGreaterThan(1e6);
-    }
-
     private static Event event(GoldenRow row) {
         Vector3d x = row.vector("x_");
         return new Event(x.x, x.y, x.z, row.number("t"));
-    }
-
-    private static Event at(Vector3d place) {
-        return new Event(place.x, place.y, place.z, 0);
     }
 
     private static final class Nested {

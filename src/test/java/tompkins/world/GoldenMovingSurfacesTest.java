@@ -78,21 +78,6 @@ class GoldenMovingSurfacesTest {
                         row -> MovingQuantity.share(
                                 row, row.difference(new Passage(row).inScene.frequency, "ratio"), "ratio")))
                 .matches(Worst::passes);
-        assertThat(Worst.of(
-                                MIRRORS,
-                                row -> MovingQuantity.share(row, row.difference(naiveRatio(row), "ratio"), "ratio"))
-                        .excess())
-                .isGreaterThan(1e3);
-    }
-
-    private static double naiveRatio(GoldenRow row) {
-        Vector3d d = row.vector("d_").normalize();
-        Vector3d n = row.vector("n_").normalize();
-        NaiveMotion mirror = new NaiveMotion(row.vector("v_"));
-        Event own = mirror.into(new Event(d.x, d.y, d.z, -1));
-        Vector3d reflected = own.position().fma(-2 * own.position().dot(n), n);
-        return -mirror.outOf(new Event(reflected.x, reflected.y, reflected.z, own.time()))
-                .time();
     }
 
     private static Vector3d direction(Ray ray) {

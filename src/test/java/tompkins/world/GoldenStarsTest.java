@@ -6,6 +6,7 @@ import static tompkins.golden.GoldenTable.U;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.ToDoubleBiFunction;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import org.joml.Vector3d;
@@ -34,86 +35,48 @@ class GoldenStarsTest {
 
     /** What the reference data tell of a star. */
     enum StarQuantity {
-        DIRECTION {
-            @Override
-            double excess(GoldenRow row, Seen seen) {
-                return Worst.share(row.distance(seen.scene(), "n_"), 4 * U * row.number("acond_n"));
-            }
-        },
-        CAMERA_DIRECTION {
-            @Override
-            double excess(GoldenRow row, Seen seen) {
-                return Worst.share(row.distance(seen.look(), "dir_"), 4 * U * row.number("acond_dir"));
-            }
-        },
-        DOPPLER_FACTOR {
-            @Override
-            double excess(GoldenRow row, Seen seen) {
-                return Worst.share(row.difference(seen.dopplerFactor(), "D"), 4 * U * row.number("acond_D"));
-            }
-        },
+        DIRECTION((row, seen) -> Worst.share(row.distance(seen.scene(), "n_"), 4 * U * row.number("acond_n"))),
+        CAMERA_DIRECTION(
+                (row, seen) -> Worst.share(row.distance(seen.look(), "dir_"), 4 * U * row.number("acond_dir"))),
+        DOPPLER_FACTOR(
+                (row, seen) -> Worst.share(row.difference(seen.dopplerFactor(), "D"), 4 * U * row.number("acond_D"))),
         /** Between vectors of doubles, whose rounding alone turns each of them by up to u. */
-        ANGLE {
-            @Override
-            double excess(GoldenRow row, Seen seen) {
-                if (!row.isNumber("angle")) {
-                    return 0;
-                }
-                double angle = Angles.between(seen.look(), row.vector("beta_"));
-                return Worst.share(row.difference(angle, "angle"), 4 * U * row.number("acond_angle") + 2 * U);
-            }
-        },
-        FLUX_AT_REST {
-            @Override
-            double excess(GoldenRow row, Seen seen) {
-                return Worst.share(row.relativeDifference(seen.star().light(), "flux_rest"), 8 * U);
-            }
-        },
-        FLUX_OF_SEARCHLIGHT {
-            @Override
-            double excess(GoldenRow row, Seen seen) {
-                double flux = seen.star().light() * seen.factor(ColourLaw.SEARCHLIGHT);
-                return Worst.share(row.relativeDifference(flux, "flux_searchlight"), relative(row));
-            }
-        },
-        FACTOR_OF_DOPPLER {
-            @Override
-            double excess(GoldenRow row, Seen seen) {
-                double error = row.relativeDifference(seen.factor(ColourLaw.DOPPLER), "factor_doppler");
-                return Worst.share(error, row.number("temperature_seen") > 1500 ? 1e-4 : 1e-3);
-            }
-        },
-        TEMPERATURE {
-            @Override
-            double excess(GoldenRow row, Seen seen) {
-                return Worst.share(row.relativeDifference(seen.star().temperature(), "temperature"), 8 * U);
-            }
-        },
-        TEMPERATURE_SEEN {
-            @Override
-            double excess(GoldenRow row, Seen seen) {
-                double temperature = seen.dopplerFactor() * seen.star().temperature();
-                return Worst.share(row.relativeDifference(temperature, "temperature_seen"), relative(row));
-            }
-        },
-        COLOUR_AT_REST {
-            @Override
-            double excess(GoldenRow row, Seen seen) {
-                Colour colour = ColourLaw.UNCHANGED.ofBlackBody(seen.star().temperature(), 1);
-                return colours(row, "rest_", colour.times(seen.star().light()), row.number("temperature"));
-            }
-        },
-        COLOUR_SEEN {
-            @Override
-            double excess(GoldenRow row, Seen seen) {
-                double square = seen.dopplerFactor() * seen.dopplerFactor();
-                Colour colour = ColourLaw.DOPPLER.ofBlackBody(seen.star().temperature(), seen.dopplerFactor());
-                return colours(
-                        row, "seen_", colour.times(seen.star().light() / square), row.number("temperature_seen"));
-            }
-        };
+        ANGLE((row, seen) -> row.isNumber("angle")
+                ? Worst.share(
+                        row.difference(Angles.between(seen.look(), row.vector("beta_")), "angle"),
+                        4 * U * row.number("acond_angle") + 2 * U)
+                : 0),
+        FLUX_AT_REST(
+                (row, seen) -> Worst.share(row.relativeDifference(seen.star().light(), "flux_rest"), 8 * U)),
+        FLUX_OF_SEARCHLIGHT((row, seen) -> {
+            double flux = seen.star().light() * seen.factor(ColourLaw.SEARCHLIGHT);
+            return Worst.share(row.relativeDifference(flux, "flux_searchlight"), relative(row));
+        }),
+        FACTOR_OF_DOPPLER((row, seen) -> {
+            double error = row.relativeDifference(seen.factor(ColourLaw.DOPPLER), "factor_doppler");
+            return Worst.share(error, row.number("temperature_seen") > 1500 ? 1e-4 : 1e-3);
+        }),
+        TEMPERATURE(
+                (row, seen) -> Worst.share(row.relativeDifference(seen.star().temperature(), "temperature"), 8 * U)),
+        TEMPERATURE_SEEN((row, seen) -> {
+            double temperature = seen.dopplerFactor() * seen.star().temperature();
+            return Worst.share(row.relativeDifference(temperature, "temperature_seen"), relative(row));
+        }),
+        COLOUR_AT_REST((row, seen) -> {
+            Colour colour = ColourLaw.UNCHANGED.ofBlackBody(seen.star().temperature(), 1);
+            return colours(row, "rest_", colour.times(seen.star().light()), row.number("temperature"));
+        }),
+        COLOUR_SEEN((row, seen) -> {
+            double square = seen.dopplerFactor() * seen.dopplerFactor();
+            Colour colour = ColourLaw.DOPPLER.ofBlackBody(seen.star().temperature(), seen.dopplerFactor());
+            return colours(row, "seen_", colour.times(seen.star().light() / square), row.number("temperature_seen"));
+        });
 
-        abstract double excess(GoldenRow row, Seen seen);
+        private final ToDoubleBiFunction<GoldenRow, Seen> excess;
+
+        StarQuantity(ToDoubleBiFunction<GoldenRow, Seen> excess) {
+            this.excess = excess;
+        }
 
         private static double relative(GoldenRow row) {
             return 8 * U * Math.max(1, row.number("acond_D") / row.number("D"));
@@ -153,7 +116,7 @@ class GoldenStarsTest {
     @ParameterizedTest
     @EnumSource
     void starsPassEveryRow(StarQuantity quantity) {
-        Worst worst = Worst.of(ROWS, row -> quantity.excess(row, Seen.of(row)));
+        Worst worst = Worst.of(ROWS, row -> quantity.excess.applyAsDouble(row, Seen.of(row)));
         assertThat(worst).matches(Worst::passes);
     }
 

@@ -10,75 +10,40 @@ import tompkins.spacetime.Event;
 
 /** What the reference data tell of a hit on something that moves, each within 4 u of its condition. */
 enum MovingQuantity {
-    LAMBDA {
-        @Override
-        double excess(GoldenRow row, FoundHit hit, boolean measures) {
-            return share(row, row.difference(hit.lambda(), "lambda"), "lambda");
-        }
-    },
-    SCENE_PLACE {
-        @Override
-        double excess(GoldenRow row, FoundHit hit, boolean measures) {
-            return share(row, row.distance(hit.inScene().position(), "s"), "s");
-        }
-    },
-    SCENE_TIME {
-        @Override
-        double excess(GoldenRow row, FoundHit hit, boolean measures) {
-            return share(row, row.difference(hit.inScene().time(), "st"), "st");
-        }
-    },
-    OWN_PLACE {
-        @Override
-        double excess(GoldenRow row, FoundHit hit, boolean measures) {
-            return share(row, row.distance(hit.own().position(), "k"), "k");
-        }
-    },
-    OWN_TIME {
-        @Override
-        double excess(GoldenRow row, FoundHit hit, boolean measures) {
-            return share(row, row.difference(hit.own().time(), "ktau"), "ktau");
-        }
-    },
-    READING {
-        @Override
-        double excess(GoldenRow row, FoundHit hit, boolean measures) {
-            double condition = row.number("acond_ktau") + Math.abs(row.number("tau0"));
-            return Worst.share(row.difference(hit.hit.clockReading(), "reading"), 4 * U * condition);
-        }
-    },
-    NORMAL {
-        @Override
-        double excess(GoldenRow row, FoundHit hit, boolean measures) {
-            return share(row, row.distance(hit.normal(), "n"), "n");
-        }
-    },
-    OWN_DIRECTION {
-        @Override
-        double excess(GoldenRow row, FoundHit hit, boolean measures) {
-            // what measures has a tangent, not a direction
-            Vector3d direction = hit.ownDirection().mul(measures ? hit.ray.directionLength : 1);
-            return share(row, row.distance(direction, "kd"), "kd");
-        }
-    },
-    TANGENT_TIME {
-        @Override
-        double excess(GoldenRow row, FoundHit hit, boolean measures) {
-            double time = -hit.ray.slowness * hit.ray.directionLength;
-            return measures ? share(row, row.difference(time, "kdt"), "kd") : 0;
-        }
-    },
-    DOPPLER_FACTOR {
-        @Override
-        double excess(GoldenRow row, FoundHit hit, boolean measures) {
-            return measures || !row.isNumber("D") ? 0 : share(row, row.difference(hit.dopplerFactor(), "D"), "D");
-        }
-    };
+    LAMBDA((row, hit, measures) -> share(row, row.difference(hit.lambda(), "lambda"), "lambda")),
+    SCENE_PLACE((row, hit, measures) -> share(row, row.distance(hit.inScene().position(), "s"), "s")),
+    SCENE_TIME((row, hit, measures) -> share(row, row.difference(hit.inScene().time(), "st"), "st")),
+    OWN_PLACE((row, hit, measures) -> share(row, row.distance(hit.own().position(), "k"), "k")),
+    OWN_TIME((row, hit, measures) -> share(row, row.difference(hit.own().time(), "ktau"), "ktau")),
+    READING((row, hit, measures) -> {
+        double condition = row.number("acond_ktau") + Math.abs(row.number("tau0"));
+        return Worst.share(row.difference(hit.hit.clockReading(), "reading"), 4 * U * condition);
+    }),
+    NORMAL((row, hit, measures) -> share(row, row.distance(hit.normal(), "n"), "n")),
+    OWN_DIRECTION((row, hit, measures) -> {
+        // what measures has a tangent, not a direction
+        Vector3d direction = hit.ownDirection().mul(measures ? hit.ray.directionLength : 1);
+        return share(row, row.distance(direction, "kd"), "kd");
+    }),
+    TANGENT_TIME((row, hit, measures) -> {
+        double time = -hit.ray.slowness * hit.ray.directionLength;
+        return measures ? share(row, row.difference(time, "kdt"), "kd") : 0;
+    }),
+    DOPPLER_FACTOR((row, hit, measures) ->
+            measures || !row.isNumber("D") ? 0 : share(row, row.difference(hit.dopplerFactor(), "D"), "D"));
 
-    abstract double excess(GoldenRow row, FoundHit hit, boolean measures);
+    private interface Excess {
+        double of(GoldenRow row, FoundHit hit, boolean measures);
+    }
 
-    /** The largest excess of the quantity over a row: infinite if something is hit that should not be, or not. */
-    double excess(GoldenRow row, boolean measures) {
+    private final Excess excess;
+
+    MovingQuantity(Excess excess) {
+        this.excess = excess;
+    }
+
+    /** What the ray of a row hits; null if nothing. */
+    static FoundHit find(GoldenRow row, boolean measures) {
         Event camera = new Event(row.number("ox"), row.number("oy"), row.number("oz"), row.number("ot"));
         MovingRow scene = MovingRow.of(
                 List.of(MovingRow.moving(
@@ -86,12 +51,16 @@ enum MovingQuantity {
                 row.vector("beta_"),
                 camera,
                 row.has("law", "galilean"));
-        FoundHit hit = scene.find(scene.inScene(camera, row.vector("d"), measures));
+        return scene.find(scene.inScene(camera, row.vector("d"), measures));
+    }
+
+    /** The excess of the quantity over a row: infinite if something is hit that should not be, or not. */
+    double excess(GoldenRow row, FoundHit hit, boolean measures) {
         boolean decidable = row.number("decidable_eps") >= 16 * U;
         if (hit == null || row.has("hit", "0")) {
             return (hit == null) == row.has("hit", "0") || !decidable ? 0 : Double.POSITIVE_INFINITY;
         }
-        return excess(row, hit, measures);
+        return excess.of(row, hit, measures);
     }
 
     static double share(GoldenRow row, double error, String column) {

@@ -3,16 +3,12 @@ package tompkins.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import tompkins.camera.ThinLensCamera;
-import tompkins.light.AmbientLight;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
@@ -60,45 +56,22 @@ class WorldTest {
         return world(before).isOf(after, frames(after, lens));
     }
 
+    /** A law of motion matters only to what moves, be it an object or a lamp; coordinates begin near the camera. */
     @Test
-    void worldServesAnotherCamera() {
-        Studio studio = studio(BALL, moving(0.6, 2, BALL));
-        Studio moved = studio.withVelocity(Velocity.of(0, 0.3, 0)).withCamera(ThinLensCamera.DEFAULT);
-
-        assertThat(serves(studio, moved, new Event(5, 0, 0, 3))).isTrue();
-    }
-
-    @Test
-    void worldServesNoOtherScene() {
-        Studio studio = studio(BALL);
-
-        assertThat(serves(studio, studio(BALL, BALL), AT_THE_ORIGIN)).isFalse();
-        assertThat(serves(studio, Lighting.of(studio, List.of()), AT_THE_ORIGIN))
-                .isFalse();
-    }
-
-    /** Coordinates begin near a moving camera that is far away. */
-    @Test
-    void worldServesNoCameraFarAway() {
-        Studio studio = studio(BALL).withVelocity(Velocity.of(0, 0.3, 0));
-
-        assertThat(serves(studio, studio, AT_THE_ORIGIN)).isTrue();
-        assertThat(serves(studio, studio, FAR_AWAY)).isFalse();
-    }
-
-    /** A law of motion matters only to what moves, be it an object or a lamp. */
-    @Test
-    void worldAtRestServesEveryLaw() {
-        Studio rest = studio(BALL);
-        Studio motion = studio(moving(0.6, 0, BALL));
+    void worldServesWhatChangesNothingInIt() {
+        Studio rest = studio(BALL).withVelocity(Velocity.of(0, 0.3, 0));
+        Studio motion = rest.withScene(List.of(moving(0.6, 0, BALL)));
         Studio lamp = Lighting.of(rest, List.of(MovingLights.DEFAULT));
-        Studio empty = studio(moving(0.6, 0));
+        Studio galilean = rest.withTransformation(TransformationLaw.GALILEAN);
 
-        assertThat(serves(rest, rest.withTransformation(TransformationLaw.GALILEAN), AT_THE_ORIGIN))
+        assertThat(serves(motion, motion.withVelocity(Velocity.REST), new Event(5, 0, 0, 3)))
                 .isTrue();
-        assertThat(List.of(motion, lamp, empty))
-                .noneMatch(
-                        studio -> serves(studio, studio.withTransformation(TransformationLaw.GALILEAN), AT_THE_ORIGIN));
+        assertThat(serves(rest, galilean, AT_THE_ORIGIN)).isTrue();
+        assertThat(serves(rest, rest, FAR_AWAY)).isFalse();
+        assertThat(List.of(motion, Lighting.of(rest, List.of())))
+                .noneMatch(other -> serves(rest, other, AT_THE_ORIGIN));
+        assertThat(List.of(motion, lamp, rest.withScene(List.of(moving(0.6, 0)))))
+                .noneMatch(each -> serves(each, each.withTransformation(TransformationLaw.GALILEAN), AT_THE_ORIGIN));
     }
 
     @Test
@@ -165,46 +138,6 @@ class WorldTest {
 
     private static LightSource lamp(double x) {
         return new PointLight(new Vector3d(x, 0, 0), Colour.WHITE, Colour.WHITE, 1);
-    }
-
-    /** Light that comes from everywhere has no place, and takes no buffer from a lamp. */
-    @Test
-    void firstLampsGetABuffer() {
-        List<LightSource> lights = new ArrayList<>();
-        lights.add(new AmbientLight(Colour.WHITE));
-        IntStream.rangeClosed(1, 17).forEach(i -> lights.add(lamp(10 * i)));
-        Studio studio = Lighting.of(studio(BALL), lights);
-
-        World world = world(studio);
-
-        assertThat(world.lamps().get(0).shadows()).isNull();
-        assertThat(IntStream.rangeClosed(1, 16))
-                .allMatch(i -> world.lamps().get(i).shadows() != null);
-        assertThat(world.lamps().get(17).shadows()).isNull();
-    }
-
-    /** A lamp passes what moves; beside what rests with it it has a buffer. */
-    @Test
-    void lampHasATrackInOtherFrames() {
-        Studio studio = Lighting.of(crowd(), List.of(new AmbientLight(Colour.WHITE), lamp(50)));
-
-        World world = world(studio);
-
-        assertThat(world.lamps().get(0).track(1)).isNull();
-        assertThat(world.lamps().get(1).track(1)).isNotNull();
-        assertThat(world.lamps().get(1).track(0)).isNull();
-    }
-
-    /** Enough balls for a tree and a track, in motion past one ball at rest. */
-    private static Studio crowd() {
-        return studio(
-                BALL,
-                moving(
-                        0.6,
-                        0,
-                        IntStream.range(0, 100)
-                                .mapToObj(i -> new Sphere("", new Vector3d(3 * i, 0, 30), 1, COLOUR))
-                                .toArray(SceneObject[]::new)));
     }
 
     /** Lamps in motion light the camera's rest frame as if at rest, where they are at time 0. */
