@@ -31,35 +31,31 @@ final class Growth {
 
     private static final int FEWEST = 100;
     private static final int MOST = 1_000_000;
-    private static final int[] SIZES = {FEWEST, 1_000, 10_000, 100_000, MOST};
+    private static final int[] SIZES = {FEWEST, 10_000, MOST};
 
     private static final String RODS = "rods";
     private static final String TRIANGLES = "triangles";
     private static final List<String> NAMES = List.of("spheres", RODS, TRIANGLES);
-    private static final int FEWEST_FOR_MEMORY = 10_000;
 
     private static final String HEAD = """
 
             ## Growth
 
-            Time of a whole 640 x 480 picture with shadows on two threads, per ray; spheres and rods get thinner where there are more, and the
-            camera stands among the rods. Bytes are those of a plan.
+            Time of a whole 640 x 480 picture with shadows on two threads, per ray; spheres and rods get thinner where there are more.
 
-            | scene | objects | ns per ray | plan and tree, ms | bytes per object |
-            | --- | --- | --- | --- | --- |
+            | scene | objects | ns per ray | plan and tree, ms |
+            | --- | --- | --- | --- |
             """;
 
     private Growth() {}
 
-    /** Measures one scene in this process, and prints three numbers. */
+    /** Measures one scene in this process, and prints two numbers. */
     public static void main(String[] arguments) throws InterruptedException {
         int size = Integer.parseInt(arguments[1]);
         SceneObject scene = scene(arguments[0], size);
         Studio studio = PaperStudios.fig1a().withScene(List.of(scene));
         // what is loaded and compiled for the first plan is not counted
         RenderPlan plan = RenderPlan.of(studio);
-        plan = null;
-        long before = usedMemory();
         double build = Double.POSITIVE_INFINITY;
         for (int attempt = 0; attempt < 3; attempt++) {
             plan = null;
@@ -67,8 +63,7 @@ final class Growth {
             plan = RenderPlan.of(studio);
             build = Math.min(build, (System.nanoTime() - start) / 1e6);
         }
-        double bytes = (double) (usedMemory() - before) / size;
-        System.out.println(OwnProcess.nanosecondsPerRay(plan, SECONDS) + " " + build + " " + bytes);
+        System.out.println(OwnProcess.nanosecondsPerRay(plan, SECONDS) + " " + build);
     }
 
     private static SceneObject scene(String name, int size) {
@@ -101,35 +96,22 @@ final class Growth {
             for (int size : SIZES) {
                 addRow(table, name, size, turns.get(name + size));
             }
-            addRatios(name, turns, measures);
         }
+        double fewest = median(turns.get(NAMES.get(0) + FEWEST), 0);
+        double most = median(turns.get(NAMES.get(0) + MOST), 0);
+        measures.add(Measure.of("spheres: time per ray at 1e6 to that at 1e2", "x", most / fewest));
         ObjFile.measure(rounds, measures);
         return table.toString();
     }
 
     private static void addRow(StringBuilder table, String name, int size, List<double[]> turns) {
-        // with fewer objects it is other things that Java keeps or forgets
-        String bytes = size < FEWEST_FOR_MEMORY ? "" : Measure.number(median(turns, 2));
         table.append("| " + name + " | " + size + " | " + Measure.number(median(turns, 0)) + " | "
-                + Measure.number(median(turns, 1)) + " | " + bytes + " |\n");
-    }
-
-    private static void addRatios(String name, Map<String, List<double[]>> turns, List<Measure> measures) {
-        double first = median(turns.get(name + FEWEST), 0);
-        List<double[]> last = turns.get(name + MOST);
-        measures.add(Measure.of(name + ": time per ray at 1e6 to that at 1e2", "x", median(last, 0) / first));
+                + Measure.number(median(turns, 1)) + " |\n");
     }
 
     private static double median(List<double[]> turns, int number) {
         return Measure.median(
                 turns.stream().mapToDouble(numbers -> numbers[number]).toArray());
-    }
-
-    private static long usedMemory() {
-        for (int i = 0; i < 3; i++) {
-            System.gc();
-        }
-        return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
     }
 
     /** Spheres at random, smaller where there are more, so that they fill the same part of space. */

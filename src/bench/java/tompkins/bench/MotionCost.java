@@ -6,10 +6,6 @@ import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
-import tompkins.light.AmbientLight;
-import tompkins.light.LightSource;
-import tompkins.property.Descriptions;
-import tompkins.ray.Colour;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Moving;
@@ -63,34 +59,24 @@ final class MotionCost {
             return;
         }
         Studio studio = studio(Motion.valueOf(arguments[0]));
-        List<LightSource> lights =
-                Boolean.parseBoolean(arguments[1]) ? studio.lights() : List.of(new AmbientLight(Colour.WHITE));
-        RenderPlan plan = RenderPlan.of(Descriptions.with(studio, "lights", lights));
-        System.out.println(OwnProcess.nanosecondsPerRay(plan, SECONDS));
+        System.out.println(OwnProcess.nanosecondsPerRay(RenderPlan.of(studio), SECONDS));
     }
 
     /** Measures all in turns. */
     static void measure(int rounds, List<Measure> measures) throws IOException, InterruptedException {
-        measure(rounds, false, "no lamp", measures);
-        measure(rounds, true, "lamp at rest", measures);
-        measureGlass(rounds, measures);
-    }
-
-    private static void measure(int rounds, boolean isLit, String lamps, List<Measure> measures)
-            throws IOException, InterruptedException {
         double[][] times = new double[Motion.values().length][rounds];
         for (int round = 0; round < rounds; round++) {
             for (Motion motion : Motion.values()) {
-                times[motion.ordinal()][round] =
-                        OwnProcess.numbers(MotionCost.class, motion.name(), Boolean.toString(isLit))[0];
+                times[motion.ordinal()][round] = OwnProcess.numbers(MotionCost.class, motion.name())[0];
             }
         }
         double rest = Measure.median(times[Motion.REST.ordinal()]);
         double one = Measure.median(times[Motion.ONE_VELOCITY.ordinal()]);
         double ten = Measure.median(times[Motion.TEN_VELOCITIES.ordinal()]);
         measures.add(
-                Measure.of("1000 dice that move together, " + lamps + ", against the same at rest", "x", one / rest));
-        measures.add(Measure.of("1000 dice with ten velocities, " + lamps + ", against one velocity", "x", ten / one));
+                Measure.of("1000 dice that move together, lamp at rest, against the same at rest", "x", one / rest));
+        measures.add(Measure.of("1000 dice with ten velocities, lamp at rest, against one velocity", "x", ten / one));
+        measureGlass(rounds, measures);
     }
 
     private static void measureGlass(int rounds, List<Measure> measures) throws IOException, InterruptedException {

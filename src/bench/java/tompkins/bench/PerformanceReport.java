@@ -40,7 +40,7 @@ final class PerformanceReport {
 
             ## What people notice
 
-            The limits are those of people: what is faster is not seen. A slow machine may miss them. The window needs a display.
+            The limits are those of people: what is faster is not seen.
 
             | measure | measured | target | met here |
             | --- | --- | --- | --- |
@@ -50,7 +50,7 @@ final class PerformanceReport {
 
             ## Times and ratios
 
-            They tell what to expect on a machine like the one above. What is compared takes turns.
+            What is compared takes turns.
 
             | measure | here |
             | --- | --- |

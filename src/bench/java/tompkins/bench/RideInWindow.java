@@ -19,8 +19,7 @@ final class RideInWindow {
 
             ## Rides
 
-            In the window, where the picture has 826 x 620 pixels. The difference is the root mean square to the same picture with a sample in
-            each pixel, of 255 levels. What misses its target is bold.
+            In the window, at 826 x 620 pixels. The difference is the root mean square, of 255 levels, to a picture with a sample in each pixel.
 
             """;
     private static final String FIRST = SCENES.resolve("town-square.json").toString();
@@ -31,7 +30,6 @@ final class RideInWindow {
     private enum Column {
         PICTURES("pictures in a second", 30, Double.POSITIVE_INFINITY),
         THRUST("thrust to a picture on the screen, ms", 0, 50),
-        SAMPLES("samples of a pixel", 0, Double.POSITIVE_INFINITY),
         DIFFERENCE("difference to the whole picture, levels", 0, 4),
         WORST("in the worst second", 0, 8);
 

@@ -27,10 +27,10 @@ import tompkins.ui.ride.RidePilot;
 
 /**
  * Prints how live a ride through scenes is, in a window whose picture has 826 x 620 pixels: the pictures in a second,
- * milliseconds from thrust to the first picture on the screen that shows it, samples per pixel, and the root mean
- * square difference in levels of 255 to the picture with a sample in each pixel, in the median and in the worst second.
- * If the scene has a ride, all but the second number are those of its replay. With {@code beside-rest} before a scene
- * the camera at rest is seen beside it, as when the program starts. Needs a display.
+ * milliseconds from thrust to the first picture on the screen that shows it, and the root mean square difference in
+ * levels of 255 to the picture with a sample in each pixel, in the median and in the worst second. If the scene has a
+ * ride, all but the second number are those of its replay. With {@code beside-rest} before a scene the camera at rest
+ * is seen beside it, as when the program starts. Needs a display.
  */
 public final class RideBenchmark {
 
@@ -55,7 +55,6 @@ public final class RideBenchmark {
     private final int thrusts;
     private final List<Double> answers = new ArrayList<>();
     private final List<Double> rates = new ArrayList<>();
-    private final List<Double> samples = new ArrayList<>();
 
     /** Pictures to compare, second by second. */
     private final List<List<ScreenPicture>> seconds = new ArrayList<>();
@@ -137,7 +136,6 @@ public final class RideBenchmark {
             if (i == WARM_UP) {
                 answers.clear();
                 rates.clear();
-                samples.clear();
                 seconds.clear();
             }
             thrust(sense);
@@ -149,7 +147,6 @@ public final class RideBenchmark {
     /** The ride that the scene holds. */
     private void replay(Studio beginning) throws InterruptedException {
         rates.clear();
-        samples.clear();
         seconds.clear();
         WindowDriver.onEventThread(() -> {
             driver.window().model().adjust(beginning, this);
@@ -196,7 +193,6 @@ public final class RideBenchmark {
 
     private void count(ScreenPicture shown) {
         pictures++;
-        samples.add(shown.now().samples());
         look.accept(shown.now());
         if (kept.size() <= COMPARED * (System.nanoTime() - start) / length) {
             kept.add(shown);
@@ -233,11 +229,10 @@ public final class RideBenchmark {
         List<Double> differences = differences();
         System.out.printf(
                 Locale.ROOT,
-                "%s: %.1f %.1f %.3f %.2f %.2f%n",
+                "%s: %.1f %.1f %.2f %.2f%n",
                 scene,
                 median(rates),
                 median(answers),
-                median(samples),
                 median(differences),
                 Collections.max(differences));
     }
