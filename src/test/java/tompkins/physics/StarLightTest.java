@@ -375,7 +375,7 @@ class StarLightTest {
      * a disc whose slopes go to r/f, with half the square of that as the mean square. Samples take points of the lens.
      */
     @ParameterizedTest
-    @CsvSource({"0, 16, 1000", "0.9, 16, 1000", "0, 256, 2", "0, 256, 0.7", "0.9, 256, 0.7", "0, 256, -1"})
+    @CsvSource({"0, 16, 1000", "0.9, 16, 1000", "0, 64, 2", "0.9, 64, 0.7", "0, 64, -1"})
     void aWideApertureKeepsTheLight(double beta, int samples, double focus) {
         double radius = 0.05;
         Studio studio = studio(look(30.3, 23.8, 64, 60), beta, 64, samples, 60);
@@ -403,7 +403,7 @@ class StarLightTest {
     /** What covers half of the picture, and is in focus itself, hides half of the disc of a star. */
     @Test
     void whatIsInFocusCutsTheDiscOfAStar() {
-        Studio studio = studio(look(32.001, 24.001, 64, 60), 0, 64, 256, 60);
+        Studio studio = studio(look(32.001, 24.001, 64, 60), 0, 64, 64, 60);
         Camera open = Descriptions.with(
                 Descriptions.with(studio.camera(), "apertureRadius", 0.5),
                 "focus",

@@ -205,7 +205,7 @@ class RendererTest {
      */
     @Test
     void aLargePictureEndsSoonWhileItsNextPassIsPlanned() throws InterruptedException {
-        RenderPlan plan = RenderPlan.of(size(PaperStudios.fig1b(), 1280, 720, 1));
+        RenderPlan plan = RenderPlan.of(size(PaperStudios.fig1b(), 2560, 1440, 1));
         double whole = 0;
         double ended = 0;
         for (int attempt = 0; attempt < 4; attempt++) {
@@ -220,7 +220,8 @@ class RendererTest {
      * pass.
      */
     private static double secondsAfterCentres(RenderPlan plan, boolean cancels) throws InterruptedException {
-        CountDownLatch centres = new CountDownLatch(2);
+        // one pixel of each tile, the others, and some that are looked at
+        CountDownLatch centres = new CountDownLatch(3);
         AtomicBoolean isOver = new AtomicBoolean();
         RenderListener listener = new RenderListener() {
             @Override
