@@ -158,13 +158,8 @@ public final class World {
         return !followsCamera
                 && described == studio.scene()
                 && describedLights == studio.lights()
-                && (law == studio.transformation() || frames.size() == 1 && !hasMotion())
+                && (law == studio.transformation() || !moves() && !studio.hasMotion())
                 && frames.stream().allMatch(frame -> tree.origin(frame.motion()).equals(frame.origin()));
-    }
-
-    private boolean hasMotion() {
-        return described.stream().anyMatch(SceneObject::moves)
-                || describedLights.stream().anyMatch(MovingLights.class::isInstance);
     }
 
     /** Whether the scene holds image points, and so depends on the camera. */
