@@ -177,16 +177,6 @@ public final class World {
         return frames;
     }
 
-    /** Number of frames; the first is the scene frame. */
-    public int frameCount() {
-        return frames.size();
-    }
-
-    /** What rests in a frame, and how it moves. */
-    public InertialFrame frame(int index) {
-        return frames.get(index);
-    }
-
     /** The primitives that rest in a frame. */
     public ObjectTree objects(int frame) {
         return frames.get(frame).objects();

@@ -219,7 +219,7 @@ public final class VariedStudios {
 
     /** Balls of glass that have flown into each other keep most light; all of it would take minutes. */
     private static Studio shallow(Studio studio) {
-        return studio.withSettings(studio.settings().withMaximumDepth(10));
+        return studio.withSettings(Descriptions.with(studio.settings(), "maximumDepth", 10));
     }
 
     private static Studio samples(Studio studio, int samples) {
