@@ -144,18 +144,12 @@ public final class PrimitiveCollector {
         return refusal;
     }
 
-    /** Accepts primitives whose size is a number, and those without a size, such as planes. */
-    private static void requireSize(Primitive primitive) {
-        Bounds bounds = primitive.bounds();
-        if (bounds != null && !Double.isFinite(bounds.halfArea())) {
-            throw new ArithmeticException("no size: " + bounds);
-        }
-    }
-
     /** Adds one primitive after those that are there. */
     public void add(Primitive primitive) {
-        if (checksSizes) {
-            requireSize(primitive);
+        // planes have no bounds
+        Bounds bounds = checksSizes ? primitive.bounds() : null;
+        if (bounds != null && !Double.isFinite(bounds.halfArea())) {
+            throw new ArithmeticException("no size: " + bounds);
         }
         primitive.setOrder(count++);
         primitive.setRestFrame(rest);

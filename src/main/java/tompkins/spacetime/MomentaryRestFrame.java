@@ -49,8 +49,8 @@ public final class MomentaryRestFrame {
             hit.shade(normal.x, normal.y, normal.z);
             SurfaceCoordinates at = hit.coordinates;
             if (at != null) {
-                hit.coordinates =
-                        at.withGradients(gradient(at.uX(), at.uY(), at.uZ()), gradient(at.vX(), at.vY(), at.vZ()));
+                hit.coordinates = new SurfaceCoordinates(
+                        at.u(), at.v(), gradient(at.uX(), at.uY(), at.uZ()), gradient(at.vX(), at.vY(), at.vZ()));
             }
         }
     }
