@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.joml.Vector3i;
 import tompkins.ray.MeshData;
+import tompkins.ray.MeshDetail;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.SceneObject;
@@ -147,7 +148,7 @@ final class Growth {
 
     private static SceneObject triangles(int count) {
         int rings = rings(count);
-        MeshData mesh = new MeshData("sphere.obj", coordinates(rings), corners(rings), new byte[0]);
+        MeshData mesh = new MeshData("sphere.obj", coordinates(rings), corners(rings), MeshDetail.NONE, new byte[0]);
         return new TriangleMesh("sphere", mesh, ColouredSurface.DEFAULT, true);
     }
 

@@ -31,18 +31,8 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
      */
     double exposureTime();
 
-    /** The same camera with another exposure time. */
-    default Camera withExposureTime(double time) {
-        return Descriptions.with(this, "exposureTime", time);
-    }
-
     /** How much later than the shutter model says each line of the picture opens. */
     RollingShutter rollingShutter();
-
-    /** The same camera whose shutter runs across the picture in another way. */
-    default Camera withRollingShutter(RollingShutter rolling) {
-        return Descriptions.with(this, "rollingShutter", rolling);
-    }
 
     /** The pictures of two eyes, or one picture. */
     Stereo stereo();

@@ -34,8 +34,8 @@ public final class CameraMotion {
      */
     public static Camera turned(Camera camera, Vector3dc view, Vector3dc top) {
         CameraAxes.requireTop(top, view);
-        RigidMotion turn =
-                RigidMotion.about(camera.position(), CameraAxes.of(view, top).turnFrom(axes(camera)));
+        RigidMotion turn = RigidMotion.about(
+                camera.position(), CameraAxes.of(view, top).turnFrom(axes(camera)), camera.position());
         return moved(camera, turn, camera.position(), view, top);
     }
 

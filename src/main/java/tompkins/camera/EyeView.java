@@ -16,7 +16,7 @@ public record EyeView(Camera camera, int column, int row, int width, int height)
     /** The pictures in that of a camera: one, or that of the left eye and then that of the right eye. */
     public static List<EyeView> of(Camera camera, int width, int height) {
         StereoLayout layout = camera.stereo().layout();
-        if (!layout.hasBothEyes()) {
+        if (!layout.hasHalves() && !layout.isAnaglyph()) {
             return List.of(new EyeView(camera, 0, 0, width, height));
         }
         boolean besides = layout == StereoLayout.SIDE_BY_SIDE;

@@ -48,7 +48,7 @@ final class FocusSurface {
     static List<Primitive> primitives(SceneObject object) {
         PrimitiveCollector collector = new PrimitiveCollector();
         collector.add("focus", object, Placement.NONE);
-        return collector.primitives();
+        return collector.primitives(0);
     }
 
     /**

@@ -26,11 +26,6 @@ public enum StereoLayout {
     /** As the anaglyph, but without colours: the luminance of each eye. */
     GREY_ANAGLYPH;
 
-    /** Whether the picture shows what both eyes see. */
-    public boolean hasBothEyes() {
-        return hasHalves() || isAnaglyph();
-    }
-
     /** Whether each eye has a part of the picture to itself. */
     public boolean hasHalves() {
         return this == SIDE_BY_SIDE || this == TOP_AND_BOTTOM;

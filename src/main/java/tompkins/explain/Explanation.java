@@ -70,7 +70,7 @@ public final class Explanation {
     /** What the picture needs, what it leaves out, and why; the warnings last. */
     public List<String> sentences() {
         List<String> sentences = new ArrayList<>();
-        Set<Surface> inScene = IntStream.range(0, world.frameCount())
+        Set<Surface> inScene = IntStream.range(0, world.frames().size())
                 .mapToObj(i -> world.objects(i).surfaces())
                 .flatMap(Set::stream)
                 .collect(Collectors.toSet());
@@ -119,8 +119,8 @@ public final class Explanation {
     public List<String> warnings() {
         List<String> warnings = new ArrayList<>();
         studio.transformation().warning(studio.velocity()).ifPresent(warnings::add);
-        IntStream.range(1, world.frameCount())
-                .mapToObj(i -> world.frame(i).motion())
+        IntStream.range(1, world.frames().size())
+                .mapToObj(i -> world.frames().get(i).motion())
                 .max(Comparator.comparingDouble(FrameMotion::gamma))
                 .flatMap(studio.transformation()::warning)
                 .ifPresent(warnings::add);
@@ -136,7 +136,7 @@ public final class Explanation {
         }
         new Flashes(plan).warning().ifPresent(warnings::add);
         BrightColours.warning(studio).ifPresent(warnings::add);
-        Stream.concat(IntStream.range(0, world.frameCount()).mapToObj(world::objects), Stream.of(cameraFrame))
+        Stream.concat(IntStream.range(0, world.frames().size()).mapToObj(world::objects), Stream.of(cameraFrame))
                 .filter(objects -> objects.surfaces().stream().anyMatch(Explanation::isLens))
                 .flatMap(objects -> objects.primitives().stream())
                 .filter(primitive -> isRound(primitive) && isLens(primitive.surface()))
@@ -307,7 +307,7 @@ public final class Explanation {
     }
 
     private Optional<String> search() {
-        if (world.frameCount() > 1) {
+        if (world.frames().size() > 1) {
             return Optional.of(searchInFrames());
         }
         return world.objects(0).size() > 0
@@ -317,18 +317,18 @@ public final class Explanation {
 
     private String searchInFrames() {
         SpeedScale scale = studio.transformation().speedScale();
-        double fastest = IntStream.range(1, world.frameCount())
-                .mapToDouble(i -> scale.valueOf(world.frame(i).motion().velocity()))
+        double fastest = IntStream.range(1, world.frames().size())
+                .mapToDouble(i -> scale.valueOf(world.frames().get(i).motion().velocity()))
                 .max()
                 .orElseThrow();
         return format(
                 "%d inertial frames: each ray is searched for in every one that holds objects; the fastest moves with %s"
                         + " %s.",
-                world.frameCount(), scale.key(), NumberText.of(NumberText.rounded(fastest, 4)));
+                world.frames().size(), scale.key(), NumberText.of(NumberText.rounded(fastest, 4)));
     }
 
     private DoubleStream rotationSpeeds() {
-        return IntStream.range(0, world.frameCount())
+        return IntStream.range(0, world.frames().size())
                 .mapToObj(frame -> world.objects(frame).rotationSpeeds())
                 .flatMap(List::stream)
                 .mapToDouble(Double::doubleValue);

@@ -24,11 +24,6 @@ public record RigidMotion(Quaterniondc rotation, Vector3dc translation) {
         return new RigidMotion(rotation, place.sub(rotation.transform(point, new Vector3d()), new Vector3d()));
     }
 
-    /** The motion that turns about a point, which stays. */
-    public static RigidMotion about(Vector3dc point, Quaterniondc rotation) {
-        return about(point, rotation, point);
-    }
-
     /** Where the motion takes a point. */
     public Vector3d place(Vector3dc point) {
         return rotation.transform(point, new Vector3d()).add(translation);

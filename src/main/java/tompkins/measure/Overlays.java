@@ -217,7 +217,8 @@ public final class Overlays {
             return;
         }
         StarCatalogue.names().forEach((star, name) -> {
-            Vector2dc position = sky.shows(star) ? inPicture(position(Frame.SCENE, sky.direction(star))) : null;
+            Vector2dc position =
+                    star.magnitude() <= sky.limit() ? inPicture(position(Frame.SCENE, sky.direction(star))) : null;
             if (position != null) {
                 drawing.labels().add(new OverlayDrawing.Label(name, null, position));
             }

@@ -11,9 +11,9 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
 
     /** The box around points. */
     public static Bounds around(Vector3dc... points) {
-        Bounds all = at(points[0]);
+        Bounds all = around(points[0], 0, 0, 0);
         for (Vector3dc point : points) {
-            all = all.with(at(point));
+            all = all.with(around(point, 0, 0, 0));
         }
         return all;
     }
@@ -27,10 +27,6 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
                 centre.x() + halfX,
                 centre.y() + halfY,
                 centre.z() + halfZ);
-    }
-
-    private static Bounds at(Vector3dc point) {
-        return around(point, 0, 0, 0);
     }
 
     /** The smallest box that holds this one and another. */

@@ -162,7 +162,8 @@ public final class CylinderPrimitive extends Primitive {
         double sideZ = Precise.differenceOfProducts(axisX, wy, axisY, wx);
         double middle = -(sideX * crossX + sideY * crossY + sideZ * crossZ) / squaredCross;
         if (ray.boundary == this && ray.part == MANTLE) {
-            return nearer(within(2 * middle, alongStart, slope), ray, wx, wy, wz, alongStart, slope);
+            double again = within(2 * middle, alongStart, slope);
+            return again < NO_HIT ? again : nearestCap(ray, wx, wy, wz, alongStart, slope);
         }
         double reach = radius * Math.sqrt(squaredCross);
         // rounding may put a grazing ray beyond the reach
@@ -178,11 +179,6 @@ public final class CylinderPrimitive extends Primitive {
                 : Math.min(
                         within(Math.max(inner, outer), alongStart, slope),
                         nearestCap(ray, wx, wy, wz, alongStart, slope));
-    }
-
-    /** A distance at which the mantle is met, or else a cap. */
-    private double nearer(double mantle, Ray ray, double wx, double wy, double wz, double alongStart, double slope) {
-        return mantle < NO_HIT ? mantle : nearestCap(ray, wx, wy, wz, alongStart, slope);
     }
 
     private double nearestCap(Ray ray, double wx, double wy, double wz, double alongStart, double slope) {

@@ -101,9 +101,8 @@ public final class EllipsoidPrimitive extends Primitive {
             return null;
         }
         SurfaceCoordinates at = round.onSphere(onSphere, 1);
-        Vector3d alongU = fromSphere(at.uX(), at.uY(), at.uZ());
-        Vector3d alongV = fromSphere(at.vX(), at.vY(), at.vZ());
-        return new SurfaceCoordinates(at.u(), at.v(), alongU.x, alongU.y, alongU.z, alongV.x, alongV.y, alongV.z);
+        return new SurfaceCoordinates(
+                at.u(), at.v(), fromSphere(at.uX(), at.uY(), at.uZ()), fromSphere(at.vX(), at.vY(), at.vZ()));
     }
 
     @Override

@@ -35,11 +35,7 @@ record FaceCoordinates(Vector3dc alongU, Vector3dc alongV) {
         return new SurfaceCoordinates(
                 alongU.x() * x + alongU.y() * y + alongU.z() * z + 0.5,
                 alongV.x() * x + alongV.y() * y + alongV.z() * z + 0.5,
-                alongU.x(),
-                alongU.y(),
-                alongU.z(),
-                alongV.x(),
-                alongV.y(),
-                alongV.z());
+                alongU,
+                alongV);
     }
 }

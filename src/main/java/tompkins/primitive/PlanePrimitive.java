@@ -97,12 +97,8 @@ public final class PlanePrimitive extends Primitive {
             coordinates = new SurfaceCoordinates(
                     offset.dot(first) * scale,
                     offset.dot(second) * scale,
-                    first.x * scale,
-                    first.y * scale,
-                    first.z * scale,
-                    second.x * scale,
-                    second.y * scale,
-                    second.z * scale);
+                    first.mul(scale, new Vector3d()),
+                    second.mul(scale, new Vector3d()));
         }
         return memory.set(ray, distance, normal.x, normal.y, normal.z, this, 0, coordinates);
     }

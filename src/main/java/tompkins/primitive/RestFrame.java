@@ -14,12 +14,7 @@ import tompkins.spacetime.FrameMotion;
 public record RestFrame(FrameMotion motion, Event properTimeZero, double clockOffset, Rotation rotation) {
 
     /** At rest in the outermost frame, whose coordinates are those of the tracer. */
-    public static final RestFrame OUTERMOST = new RestFrame(null, Event.ORIGIN, 0);
-
-    /** That of an object that rests. */
-    public RestFrame(FrameMotion motion, Event properTimeZero, double clockOffset) {
-        this(motion, properTimeZero, clockOffset, null);
-    }
+    public static final RestFrame OUTERMOST = new RestFrame(null, Event.ORIGIN, 0, null);
 
     /** That of objects that turn in this frame. */
     public RestFrame turning(Rotation newRotation) {

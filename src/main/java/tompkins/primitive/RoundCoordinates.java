@@ -36,7 +36,7 @@ record RoundCoordinates(Vector3dc axis, Vector3dc middle, Vector3dc right) {
         double u = Math.atan2(outwards.dot(right), outwards.dot(middle)) / (2 * Math.PI) + 0.5;
         Vector3d alongU = outwards.cross(axis, new Vector3d()).div(2 * Math.PI * radius);
         Vector3d alongV = axis.div(length, new Vector3d());
-        return new SurfaceCoordinates(u, v, alongU.x, alongU.y, alongU.z, alongV.x, alongV.y, alongV.z);
+        return new SurfaceCoordinates(u, v, alongU, alongV);
     }
 
     /**
@@ -61,14 +61,6 @@ record RoundCoordinates(Vector3dc axis, Vector3dc middle, Vector3dc right) {
         Vector3d alongV = level == 0
                 ? new Vector3d(middle).mul(-height)
                 : new Vector3d(axis).sub(new Vector3d(normal).mul(height)).div(level);
-        return new SurfaceCoordinates(
-                u,
-                v,
-                alongU.x * perTurn,
-                alongU.y * perTurn,
-                alongU.z * perTurn,
-                alongV.x * perHalfTurn,
-                alongV.y * perHalfTurn,
-                alongV.z * perHalfTurn);
+        return new SurfaceCoordinates(u, v, alongU.mul(perTurn), alongV.mul(perHalfTurn));
     }
 }

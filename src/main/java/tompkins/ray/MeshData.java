@@ -15,6 +15,7 @@ public final class MeshData implements FileContent {
             "",
             new double[] {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1},
             new int[] {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5},
+            MeshDetail.NONE,
             new byte[0]);
 
     private final String name;
@@ -32,18 +33,10 @@ public final class MeshData implements FileContent {
      * @param name the file's name, as the scene file writes it
      * @param coordinates x, y and z of each vertex
      * @param corners three numbers of vertices, counted from 0, for each triangle
+     * @param detail what as many triangles have besides their corners, or none of them
      * @param file the bytes of the file, or none if there are too many to keep
      * @throws IllegalArgumentException if an array does not come in threes, or a triangle names a vertex that is not
      *     there
-     */
-    public MeshData(String name, double[] coordinates, int[] corners, byte[] file) {
-        this(name, coordinates, corners, MeshDetail.NONE, file);
-    }
-
-    /**
-     * As above, with what the triangles have besides their corners.
-     *
-     * @param detail numbers for as many triangles, or for none
      */
     public MeshData(String name, double[] coordinates, int[] corners, MeshDetail detail, byte[] file) {
         if (coordinates.length % 3 != 0 || corners.length % 3 != 0) {

@@ -12,9 +12,9 @@ import org.joml.Vector3dc;
  */
 public record SurfaceCoordinates(double u, double v, double uX, double uY, double uZ, double vX, double vY, double vZ) {
 
-    /** The same coordinates where their gradients are other ones. */
-    public SurfaceCoordinates withGradients(Vector3dc alongU, Vector3dc alongV) {
-        return new SurfaceCoordinates(u, v, alongU.x(), alongU.y(), alongU.z(), alongV.x(), alongV.y(), alongV.z());
+    /** Coordinates whose gradients are vectors. */
+    public SurfaceCoordinates(double u, double v, Vector3dc gradientU, Vector3dc gradientV) {
+        this(u, v, gradientU.x(), gradientU.y(), gradientU.z(), gradientV.x(), gradientV.y(), gradientV.z());
     }
 
     /** Half the change of u over the spot that the ray lights on the surface (a box of the spot's size). */

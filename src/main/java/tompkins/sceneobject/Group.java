@@ -39,8 +39,6 @@ public record Group(
 
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
-        for (SceneObject object : objects) {
-            object.addTo(collector, placement);
-        }
+        objects.forEach(object -> object.addTo(collector, placement));
     }
 }

@@ -68,7 +68,7 @@ public final class PrimitiveCollector {
 
     /** What rests in the present frame, and is described from an event of it. */
     private RestFrame restFrame(Event zero, double clockOffset) {
-        return new RestFrame(motions.get(frame), zero.minus(origin()), clockOffset);
+        return new RestFrame(motions.get(frame), zero.minus(origin()), clockOffset, null);
     }
 
     /** A collector for objects at rest whose place does not depend on the camera; image points stay where they are. */
@@ -80,7 +80,7 @@ public final class PrimitiveCollector {
     public static List<Primitive> primitivesOf(SceneObject object) {
         PrimitiveCollector collector = new PrimitiveCollector();
         object.addTo(collector, Placement.NONE);
-        return collector.primitives();
+        return collector.primitives(0);
     }
 
     /** The refusal of something that is so large, small or far away that results are no longer numbers. */
@@ -144,18 +144,12 @@ public final class PrimitiveCollector {
         return refusal;
     }
 
-    /** Accepts primitives whose size is a number, and those without a size, such as planes. */
-    private static void requireSize(Primitive primitive) {
-        Bounds bounds = primitive.bounds();
-        if (bounds != null && !Double.isFinite(bounds.halfArea())) {
-            throw new ArithmeticException("no size: " + bounds);
-        }
-    }
-
     /** Adds one primitive after those that are there. */
     public void add(Primitive primitive) {
-        if (checksSizes) {
-            requireSize(primitive);
+        // planes have no bounds
+        Bounds bounds = checksSizes ? primitive.bounds() : null;
+        if (bounds != null && !Double.isFinite(bounds.halfArea())) {
+            throw new ArithmeticException("no size: " + bounds);
         }
         primitive.setOrder(count++);
         primitive.setRestFrame(rest);
@@ -183,7 +177,8 @@ public final class PrimitiveCollector {
             rest = new RestFrame(
                     rest.motion(),
                     rest.properTimeZero().plus(new Event(shift.x(), shift.y(), shift.z(), 0)),
-                    clockOffset);
+                    clockOffset,
+                    null);
             content.accept(placement.after(new Placement(1, new Matrix3d(), place)));
         } else {
             Vector3d at = placement.place(place);
@@ -273,10 +268,5 @@ public final class PrimitiveCollector {
     /** What rests in a frame, so far. */
     public List<Primitive> primitives(int index) {
         return Collections.unmodifiableList(objects.get(index));
-    }
-
-    /** All primitives at rest so far. */
-    public List<Primitive> primitives() {
-        return List.copyOf(objects.get(0));
     }
 }

@@ -111,7 +111,7 @@ public record Rotating(
                 FrameTree.described(TransformationLaw.NONE));
         try {
             object.addTo(collector, Placement.NONE);
-            return collector.primitives();
+            return collector.primitives(0);
         } catch (ArithmeticException beyondNumbers) {
             throw PrimitiveCollector.refusal(OBJECTS, '"' + object.description() + '"');
         }

@@ -1,7 +1,6 @@
 package tompkins.sceneobject;
 
 import java.util.List;
-import org.joml.AxisAngle4d;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -71,15 +70,7 @@ public sealed interface SceneObject extends Described
 
     /** The same object after a motion: a {@link Placed} one, unless its kind has another way to say where it is. */
     default SceneObject moved(RigidMotion motion) {
-        AxisAngle4d turn = new AxisAngle4d(motion.rotation());
-        boolean turns = turn.angle != 0;
-        return new Placed(
-                description(),
-                this,
-                1,
-                turns ? new Vector3d(turn.x, turn.y, turn.z) : new Vector3d(0, 1, 0),
-                Math.toDegrees(turn.angle),
-                motion.translation());
+        return new Placed(description(), this, 1, new Vector3d(0, 1, 0), 0, new Vector3d()).moved(motion);
     }
 
     /**

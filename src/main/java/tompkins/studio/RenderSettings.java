@@ -88,9 +88,4 @@ public record RenderSettings(
     public RenderSettings withSeed(long newSeed) {
         return new RenderSettings(width, height, samples, targetError, newSeed, maximumDepth, toneCurve);
     }
-
-    /** The same settings with another recursion depth. */
-    public RenderSettings withMaximumDepth(int newMaximumDepth) {
-        return new RenderSettings(width, height, samples, targetError, seed, newMaximumDepth, toneCurve);
-    }
 }

@@ -34,7 +34,7 @@ public record Ride(
         List<RideGoal> challenge) {
 
     /** A ride by hand, from rest at the origin. */
-    public static final Ride DEFAULT = new Ride("Ride", "", new Vector3d(), Velocity.REST, 1, List.of());
+    public static final Ride DEFAULT = new Ride("Ride", "", new Vector3d(), Velocity.REST, 1, List.of(), List.of());
 
     /** Checks all values. */
     public Ride {
@@ -43,12 +43,6 @@ public record Ride(
         Require.positive("lightSpeed", lightSpeed);
         legs = Require.list("legs", legs);
         challenge = Require.list("challenge", challenge);
-    }
-
-    /** A ride without a challenge. */
-    public Ride(
-            String name, String task, Vector3dc position, Velocity velocity, double lightSpeed, List<RideLeg> legs) {
-        this(name, task, position, velocity, lightSpeed, legs, List.of());
     }
 
     /**

@@ -60,11 +60,6 @@ public record StarSky(
         return colour;
     }
 
-    /** Whether a star is shown. */
-    public boolean shows(Star star) {
-        return star.magnitude() <= limit;
-    }
-
     /** The solid angle, in steradians, of white surface that gives as much light as a star seen at rest. */
     public double solidAngle(Star star) {
         return star.light() * zeroMagnitudeSquareDegrees * SQUARE_DEGREE;

@@ -175,11 +175,6 @@ public record Studio(
         return Descriptions.with(this, "colours", law);
     }
 
-    /** The same studio, exposed in another way. */
-    public Studio withMetering(Metering other) {
-        return Descriptions.with(this, "metering", other);
-    }
-
     /** The same studio with other settings of the picture. */
     public Studio withSettings(RenderSettings other) {
         return Descriptions.with(this, "settings", other);

@@ -127,7 +127,7 @@ record ChordStudy(long seed) implements Study {
         PrimitiveCollector collector =
                 new PrimitiveCollector(point -> Event.ORIGIN, FrameTree.described(TransformationLaw.LORENTZ));
         new Rotating("", new Vector3d(), new Vector3d(0, 1, 0), 0.95, 0, objects).addTo(collector, Placement.NONE);
-        List<Primitive> primitives = collector.primitives();
+        List<Primitive> primitives = collector.primitives(0);
         return List.of(target(primitives, () -> at(primitives.get(random.nextInt(primitives.size())), random)));
     }
 

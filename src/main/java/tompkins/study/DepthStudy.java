@@ -110,7 +110,7 @@ final class DepthStudy implements Study {
         return Studio.DEFAULT
                 .withScene(objects)
                 .withCamera(Descriptions.with(wide, "verticalAngleDegrees", 1.0))
-                .withSettings(RenderSettings.DEFAULT.withSize(WIDTH, HEIGHT).withMaximumDepth(depth));
+                .withSettings(Descriptions.with(RenderSettings.DEFAULT.withSize(WIDTH, HEIGHT), "maximumDepth", depth));
     }
 
     private static SceneObject mirror(int side, double height, double reflectance) {

@@ -37,7 +37,7 @@ final class LensMedium {
     static Medium around(Event lens, ObjectTree cameraFrame, World world, FrameRoutes routes) {
         double index = index(cameraFrame, lens.position());
         int frame = routes.camera();
-        for (int i = 0; i < world.frameCount() && index == 1; i++) {
+        for (int i = 0; i < world.frames().size() && index == 1; i++) {
             frame = i;
             index = index(
                     world.objects(i),

@@ -87,7 +87,7 @@ public final class RenderPlan {
         routes = world.routes(frames);
         PrimitiveCollector collector = new PrimitiveCollector();
         collector.add("cameraFrame", studio.cameraFrame(), Placement.NONE);
-        cameraFrame = new ObjectTree(collector.primitives());
+        cameraFrame = new ObjectTree(collector.primitives(0));
         Medium around = LensMedium.around(lens, cameraFrame, world, routes);
         TransformationLaw law = studio.transformation();
         boolean moves = (world.moves() || !isAtRest()) && law != TransformationLaw.NONE;

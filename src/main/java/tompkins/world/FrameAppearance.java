@@ -89,7 +89,11 @@ public final class FrameAppearance {
         if (view == View.MEASURED) {
             return measured(unit);
         }
-        return law == TransformationLaw.GALILEAN ? withLightOfTheCamera(unit) : relativistic(unit);
+        if (law == TransformationLaw.GALILEAN) {
+            return withLightOfTheCamera(unit);
+        }
+        Ray seen = inCamera(unit);
+        return new Vector3d(seen.dx, seen.dy, seen.dz);
     }
 
     /**
@@ -173,11 +177,6 @@ public final class FrameAppearance {
 
     private Ray inCamera(Vector3dc unit) {
         return outwards.transform(Ray.from(0, 0, 0, unit.x(), unit.y(), unit.z(), 0), Ray.blank());
-    }
-
-    private Vector3d relativistic(Vector3dc unit) {
-        Ray seen = inCamera(unit);
-        return new Vector3d(seen.dx, seen.dy, seen.dz);
     }
 
     private Vector3d measured(Vector3dc unit) {

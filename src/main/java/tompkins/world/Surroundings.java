@@ -275,7 +275,8 @@ public final class Surroundings extends Padded {
 
     /** Gives a hit its ray, and its event in the frame in which that began. */
     private Hit given(Hit hit, double lengthAlong) {
-        hit.of(ray);
+        hit.ray = ray;
+        hit.event = null;
         if (!isOneFrame || ray.frame != start.frame) {
             double along = lengthAlong * start.directionLength;
             hit.eventMemory()

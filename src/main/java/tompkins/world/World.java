@@ -158,13 +158,8 @@ public final class World {
         return !followsCamera
                 && described == studio.scene()
                 && describedLights == studio.lights()
-                && (law == studio.transformation() || frames.size() == 1 && !hasMotion())
+                && (law == studio.transformation() || !moves() && !studio.hasMotion())
                 && frames.stream().allMatch(frame -> tree.origin(frame.motion()).equals(frame.origin()));
-    }
-
-    private boolean hasMotion() {
-        return described.stream().anyMatch(SceneObject::moves)
-                || describedLights.stream().anyMatch(MovingLights.class::isInstance);
     }
 
     /** Whether the scene holds image points, and so depends on the camera. */
@@ -180,16 +175,6 @@ public final class World {
     /** What rests in each frame, the scene frame first; the same list for all plans that share a scene. */
     public List<InertialFrame> frames() {
         return frames;
-    }
-
-    /** Number of frames; the first is the scene frame. */
-    public int frameCount() {
-        return frames.size();
-    }
-
-    /** What rests in a frame, and how it moves. */
-    public InertialFrame frame(int index) {
-        return frames.get(index);
     }
 
     /** The primitives that rest in a frame. */

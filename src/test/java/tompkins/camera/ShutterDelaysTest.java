@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.golden.GoldenRow;
 import tompkins.golden.GoldenTable;
+import tompkins.property.Descriptions;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.shutter.AperturePlaneShutter;
@@ -41,13 +42,17 @@ class ShutterDelaysTest {
         return GoldenTable.rows("m8_rolling").stream();
     }
 
+    private static Camera slow(Camera instant, double exposure, RollingShutter rolling) {
+        return Descriptions.with(Descriptions.with(instant, "exposureTime", exposure), "rollingShutter", rolling);
+    }
+
     @ParameterizedTest
     @MethodSource("rows")
     void linesOpenAndCloseAsTheReferenceSays(GoldenRow row) {
-        Camera camera = ThinLensCamera.DEFAULT
-                .withShutter(new AperturePlaneShutter(row.number("opening_time")))
-                .withExposureTime(row.number("exposure"))
-                .withRollingShutter(rolling(row));
+        Camera camera = slow(
+                ThinLensCamera.DEFAULT.withShutter(new AperturePlaneShutter(row.number("opening_time"))),
+                row.number("exposure"),
+                rolling(row));
         double tolerance = 4 * GoldenTable.U * (Math.abs(row.number("closes")) + row.number("sweep"));
         assertThat(row.difference(time(camera, row, 0), "opens")).isLessThanOrEqualTo(tolerance);
         assertThat(row.difference(time(camera, row, 1), "closes")).isLessThanOrEqualTo(tolerance);
@@ -92,9 +97,8 @@ class ShutterDelaysTest {
     @MethodSource("cameras")
     void everyModelOpensLaterByLineAndMoment(Camera instant) {
         CameraRays plain = instant.rays(40, 20, MOVING);
-        CameraRays left = instant.withExposureTime(3)
-                .withRollingShutter(new RollingShutter(SweepDirection.LEFT, 8))
-                .rays(40, 20, MOVING);
+        CameraRays left =
+                slow(instant, 3, new RollingShutter(SweepDirection.LEFT, 8)).rays(40, 20, MOVING);
         for (double moment : new double[] {0, 0.25, 1}) {
             Ray before = ray(plain, 7.9, 3.1, 0.5, moment);
             Ray after = ray(left, 7.9, 3.1, 0.5, moment);
@@ -110,8 +114,10 @@ class ShutterDelaysTest {
     @ParameterizedTest
     @MethodSource("cameras")
     void allOfALineOpensTogether(Camera instant) {
-        CameraRays down = instant.withShutter(AperturePlaneShutter.DEFAULT)
-                .withRollingShutter(new RollingShutter(SweepDirection.DOWN, 2))
+        CameraRays down = slow(
+                        instant.withShutter(AperturePlaneShutter.DEFAULT),
+                        instant.exposureTime(),
+                        new RollingShutter(SweepDirection.DOWN, 2))
                 .rays(4, 10, MOVING);
         assertThat(ray(down, 0.1, 6.01, 0, 0.5).time)
                 .isEqualTo(ray(down, 3.9, 6.99, 0.3, 0.5).time)

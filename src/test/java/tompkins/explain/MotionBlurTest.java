@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.Camera;
 import tompkins.camera.FieldOfView;
 import tompkins.camera.ThinLensCamera;
+import tompkins.property.Descriptions;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.Rotating;
@@ -34,10 +35,9 @@ class MotionBlurTest {
 
     private static Studio wall(double speed, double exposure, RollingShutter rolling) {
         SceneObject wall = new Plane("wall", new Vector3d(0, 0, DEPTH), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT);
-        Camera camera = FieldOfView.with(ThinLensCamera.DEFAULT, 50)
-                .withShutter(new AperturePlaneShutter(3))
-                .withExposureTime(exposure)
-                .withRollingShutter(rolling);
+        Camera instant = FieldOfView.with(ThinLensCamera.DEFAULT, 50).withShutter(new AperturePlaneShutter(3));
+        Camera camera =
+                Descriptions.with(Descriptions.with(instant, "exposureTime", exposure), "rollingShutter", rolling);
         return Studio.DEFAULT
                 .withScene(List.of(wall))
                 .withVelocity(Velocity.of(speed, 0, 0))

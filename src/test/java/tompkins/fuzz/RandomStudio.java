@@ -411,9 +411,13 @@ public final class RandomStudio {
                         objectWithin(1),
                         random.nextInt(3) - 1,
                         shutter());
-        Camera exposed = random.nextInt(3) == 0 ? instant.withExposureTime(Math.abs(number())) : instant;
+        Camera exposed =
+                random.nextInt(3) == 0 ? Descriptions.with(instant, "exposureTime", Math.abs(number())) : instant;
         Camera rolling = random.nextInt(3) == 0
-                ? exposed.withRollingShutter(new RollingShutter(pick(SweepDirection.values()), Math.abs(number())))
+                ? Descriptions.with(
+                        exposed,
+                        "rollingShutter",
+                        new RollingShutter(pick(SweepDirection.values()), Math.abs(number())))
                 : exposed;
         boolean canTurn = !(rolling instanceof PanoramicCamera) || rolling.shutter() instanceof AperturePlaneShutter;
         return eyes.nextInt(3) == 0 && canTurn ? rolling.withStereo(stereo()) : rolling;

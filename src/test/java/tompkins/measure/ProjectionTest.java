@@ -52,7 +52,8 @@ class ProjectionTest {
                                                 RollingShutter.DEFAULT, new RollingShutter(SweepDirection.UP, 0.05))
                                         .map(rolling -> Arguments.of(
                                                 velocity,
-                                                camera.withShutter(shutter).withRollingShutter(rolling))))));
+                                                Descriptions.with(
+                                                        camera.withShutter(shutter), "rollingShutter", rolling))))));
     }
 
     @ParameterizedTest(name = "{index}")

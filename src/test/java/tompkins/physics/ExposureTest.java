@@ -106,10 +106,10 @@ class ExposureTest {
                 new Vector3d(2, 0, 0),
                 new Vector3d(0, 2, 0),
                 new Vector2i(3, 3));
-        Camera camera = Descriptions.with(
+        Camera instant = Descriptions.with(
                         Photograph.pinhole(new Vector3d(0, 0, 1), 20, 0), "apertureRadius", apertureRadius)
-                .withShutter(shutter)
-                .withExposureTime(0.004);
+                .withShutter(shutter);
+        Camera camera = Descriptions.with(instant, "exposureTime", 0.004);
         Studio studio = Photograph.of(List.of(balls), camera, Velocity.of(0.2, -0.1, 0.97), 240, 180)
                 .studio();
         LinearImage image = new Photograph(studio.withSettings(studio.settings().withSamples(64))).image();
@@ -148,7 +148,8 @@ class ExposureTest {
 
         private Photograph of(SceneObject object, Vector3dc view) {
             double w = row.number("w");
-            Camera camera = Photograph.pinhole(view, 90, row.number("T")).withExposureTime(row.number("E"));
+            Camera camera =
+                    Descriptions.with(Photograph.pinhole(view, 90, row.number("T")), "exposureTime", row.number("E"));
             Velocity opposite = Velocity.of(SpeedScale.BETA, Math.abs(w), new Vector3d(-w, 0, 0));
             return Photograph.of(List.of(object), camera, opposite, WIDTH, HEIGHT);
         }

@@ -15,6 +15,7 @@ import tompkins.camera.Camera;
 import tompkins.image.LinearImage;
 import tompkins.light.ColourLaw;
 import tompkins.light.Metering;
+import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.SceneObject;
@@ -54,8 +55,8 @@ class LightShiftTest {
     @Test
     void withoutMeteringLightIsTakenAsItComes() {
         for (Vector3d view : List.of(new Vector3d(0, 0, 1), new Vector3d(1, 0, 0))) {
-            Studio studio = shell(Photograph.pinhole(view, 60, 0), Velocity.of(0, 0, 0.6), ColourLaw.SEARCHLIGHT)
-                    .withMetering(Metering.NONE);
+            Studio metered = shell(Photograph.pinhole(view, 60, 0), Velocity.of(0, 0, 0.6), ColourLaw.SEARCHLIGHT);
+            Studio studio = Descriptions.with(metered, "metering", Metering.NONE);
             Photograph photograph = new Photograph(studio);
             for (int column = 0; column < WIDTH; column += 13) {
                 double cosine = photograph.cameraDirection(new Vector2d(column + 0.5, 20.5)).z;

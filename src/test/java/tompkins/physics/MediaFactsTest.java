@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.light.ColourLaw;
 import tompkins.light.Metering;
+import tompkins.property.Descriptions;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
@@ -38,12 +39,11 @@ class MediaFactsTest {
         List<SceneObject> scene = new ArrayList<>(List.of(others));
         scene.add(new Sphere("medium", new Vector3d(), 30, new Refractive(index)));
         scene.add(new Sphere("shell", new Vector3d(), 60, Photograph.WHITE));
-        return Studios.dark()
+        return Descriptions.with(Studios.dark(), "metering", Metering.NONE)
                 .withScene(scene)
                 .withVelocity(camera)
                 .withCamera(Photograph.pinhole(view, 10, 0))
                 .withColours(ColourLaw.SEARCHLIGHT)
-                .withMetering(Metering.NONE)
                 .withSettings(Studio.DEFAULT.settings().withSize(1, 1));
     }
 

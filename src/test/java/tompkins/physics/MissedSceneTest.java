@@ -8,6 +8,7 @@ import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import tompkins.light.PointLight;
 import tompkins.light.Pulse;
+import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.render.Quality;
 import tompkins.render.Renderer;
@@ -73,8 +74,8 @@ class MissedSceneTest {
                 .withScene(List.of(new Sphere("sphere", AHEAD, 1, ColouredSurface.DEFAULT)))
                 .withSettings(RenderSettings.DEFAULT.withSize(2, 2));
         try (Renderer renderer = new Renderer(1)) {
-            RenderPlan plan = RenderPlan.of(
-                    studio.withCamera(studio.camera().withExposureTime(10).withShutter(new AperturePlaneShutter(5.5))));
+            RenderPlan plan = RenderPlan.of(studio.withCamera(Descriptions.with(studio.camera(), "exposureTime", 10.0)
+                    .withShutter(new AperturePlaneShutter(5.5))));
             assertThat(renderer.render(plan, new Quality.Samples(16)).report().warnings())
                     .singleElement()
                     .asString()

@@ -7,6 +7,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.Camera;
+import tompkins.property.Descriptions;
 import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.RollingShutter;
@@ -31,8 +32,8 @@ class RollingShutterTest {
                 new Vector3d(-1e4, 0, 0),
                 new Vector3d(0, 2e4, 0),
                 Photograph.WHITE);
-        Camera camera =
-                Photograph.pinhole(new Vector3d(0, 0, 1), 40, openingTime).withRollingShutter(rolling);
+        Camera camera = Descriptions.with(
+                Photograph.pinhole(new Vector3d(0, 0, 1), 40, openingTime), "rollingShutter", rolling);
         return Photograph.of(List.of(sheet), camera, Velocity.of(speed, 0, 0), WIDTH, HEIGHT);
     }
 

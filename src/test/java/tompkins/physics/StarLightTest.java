@@ -144,9 +144,9 @@ class StarLightTest {
     static Studio studio(Vector3d look, double beta, int width, int samples, double angle) {
         StarSky sky = sky(inScene(look, beta));
         Studio dark = Descriptions.with(Studios.dark(), "background", sky);
-        return dark.withCamera(Photograph.pinhole(new Vector3d(0, 0, 1), angle, 0))
+        return Descriptions.with(dark, "metering", Metering.NONE)
+                .withCamera(Photograph.pinhole(new Vector3d(0, 0, 1), angle, 0))
                 .withVelocity(Velocity.of(0, 0, beta))
-                .withMetering(Metering.NONE)
                 .withSettings(
                         Studio.DEFAULT.settings().withSize(width, width * 3 / 4).withSamples(samples));
     }

@@ -127,7 +127,7 @@ class TorusTest {
             axes.add(random.vector(1).normalize());
             torus(centres.get(i), axes.get(i)).addTo(collector, Placement.NONE);
         }
-        ObjectTree tree = new ObjectTree(collector.primitives());
+        ObjectTree tree = new ObjectTree(collector.primitives(0));
         NearestHit alone = new NearestHit(new RayCounts());
         NearestHit inPacket = new NearestHit(new RayCounts());
         PacketSearch packet = new PacketSearch(tree, inPacket);

@@ -157,10 +157,9 @@ class AdaptiveRenderTest {
     }
 
     private static Studio exposed(Studio studio, double speed, double exposure, double sweep) {
+        Camera slow = Descriptions.with(studio.camera(), "exposureTime", exposure);
         return studio.withVelocity(Velocity.of(speed, 0, 0))
-                .withCamera(studio.camera()
-                        .withExposureTime(exposure)
-                        .withRollingShutter(new RollingShutter(SweepDirection.DOWN, sweep)));
+                .withCamera(Descriptions.with(slow, "rollingShutter", new RollingShutter(SweepDirection.DOWN, sweep)));
     }
 
     @Test

@@ -182,7 +182,8 @@ class RendererTest {
     void aPictureIsCancelledWithinATile() throws InterruptedException {
         Sphere mirrors = new Sphere("", new Vector3d(), 9, new Mirror(1));
         Studio studio = size(Studio.DEFAULT.withScene(List.of(mirrors)), 640, 480, ENDLESS);
-        RenderPlan plan = RenderPlan.of(studio.withSettings(studio.settings().withMaximumDepth(100_000)));
+        RenderPlan plan =
+                RenderPlan.of(studio.withSettings(Descriptions.with(studio.settings(), "maximumDepth", 100_000)));
         try (Renderer renderer = new Renderer(2)) {
             RenderJob job = renderer.start(plan, Quality.of(plan.studio()), RenderListener.NONE);
             Waiting.until("tracing", RendererTest::isTracing);

@@ -112,7 +112,8 @@ class SparseLightTest {
         Studio studio = Studios.dark()
                 .withScene(List.of(
                         new Plane("wall", new Vector3d(0, 0, 10), new Vector3d(0, 0, -1), ColouredSurface.DEFAULT)))
-                .withCamera(ThinLensCamera.DEFAULT.withExposureTime(10).withShutter(new AperturePlaneShutter(15)))
+                .withCamera(Descriptions.with(
+                        ThinLensCamera.DEFAULT.withShutter(new AperturePlaneShutter(15)), "exposureTime", 10.0))
                 .withSettings(RenderSettings.DEFAULT.withSize(48, 36));
         Studio lit = Lighting.of(studio, List.of(lamp(AlwaysOn.DEFAULT)));
         double always =

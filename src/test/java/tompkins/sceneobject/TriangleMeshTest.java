@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
 import tompkins.ray.MeshData;
+import tompkins.ray.MeshDetail;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.search.NearestHit;
@@ -52,6 +53,7 @@ class TriangleMeshTest {
                 "flat.obj",
                 new double[] {0, 0, 1, 1, 0, 1, 2, 0, 1, 0, 1, 1},
                 new int[] {0, 1, 2, 0, 0, 3, 0, 1, 3},
+                MeshDetail.NONE,
                 new byte[0]);
 
         List<Primitive> primitives =

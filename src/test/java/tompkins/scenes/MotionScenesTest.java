@@ -2,14 +2,17 @@ package tompkins.scenes;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
+import org.joml.Matrix3d;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.explain.Explanation;
@@ -217,5 +220,50 @@ class MotionScenesTest {
         assertThat(seen.event().time()).isCloseTo(-0.8 / 0.75, within(1e-12));
         assertThat(new Explanation(plan).sentences())
                 .anyMatch(sentence -> sentence.startsWith("The camera moves through a medium of index 1.333: "));
+    }
+
+    /**
+     * Where a wall is lit by light that left a lamp of 6504 K at the angle a, it looks as in the light of one that
+     * rests and has D times that temperature, D = 1/(gamma (1 - v cos a)).
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {10, 100, 200, 300, 400, 500, 630})
+    void aLampThatFliesHasTheTemperatureOfItsShift(int column) {
+        SampleHistory life = SampleHistory.of(RenderPlan.of(SceneFiles.read("motion-lamp-colours")), column, 60, 0, 0);
+        assertThat(life.end().object().description()).isEqualTo("wall");
+        Event lit = life.end().event();
+        // |lit - (v s, 0.8, 8)| = t - s, with what lies beside the way of the lamp squared
+        double beside = Math.pow(lit.y() - 0.8, 2) + 4;
+        double left = lit.x() - 0.6 * lit.time();
+        double way = (0.6 * left + Math.sqrt(left * left + 0.64 * beside)) / 0.64;
+        double factor = 0.8 / (1 - 0.6 * (left + 0.6 * way) / way);
+        Vector3d seen = blackBody(6504 * factor).div(blackBody(6504));
+
+        assertThat(life.colour().red() / life.colour().blue()).isCloseTo(seen.x / seen.z, withinPercentage(2));
+        assertThat(life.colour().green() / life.colour().blue()).isCloseTo(seen.y / seen.z, withinPercentage(2));
+    }
+
+    /** Linear sRGB, by the fit of Kim et al. (2002) to the chromaticity of black bodies from 2222 to 25000 K. */
+    private static Vector3d blackBody(double temperature) {
+        double t = 1000 / temperature;
+        boolean cool = temperature < 4000;
+        double x = cool
+                ? 0.179910 + t * (0.8776956 - t * (0.2343589 + t * 0.2661239))
+                : 0.240390 + t * (0.2226347 + t * (2.1070379 - t * 3.0258469));
+        double y = cool
+                ? -0.16748867 + x * (2.09137015 - x * (1.37418593 + x * 0.9549476))
+                : -0.37001483 + x * (3.75112997 - x * (5.87338670 - x * 3.0817580));
+        return new Vector3d(x / y, 1, (1 - x - y) / y)
+                .mul(new Matrix3d(3.2406, -0.9689, 0.0557, -1.5372, 1.8758, -0.2040, -0.4986, 0.0415, 1.0570));
+    }
+
+    /** With paint that had the shift of the lamp, the red ball ahead would be seen by its infrared, and be pale. */
+    @Test
+    void paintInTheLightOfAFlyingLampStaysAsItIs() {
+        RenderPlan plan = RenderPlan.of(SceneFiles.read("motion-lamp-colours"));
+        SampleHistory ahead = SampleHistory.of(plan, 545, 300, 0, 0);
+
+        assertThat(ahead.end().object().description()).isEqualTo("red ball");
+        assertThat(ahead.colour().red()).isGreaterThan(2 * ahead.colour().blue());
     }
 }

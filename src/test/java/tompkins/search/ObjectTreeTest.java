@@ -79,7 +79,7 @@ class ObjectTreeTest {
             new Sphere("sphere " + i, new Vector3d(0, 0, 10), 1, ColouredSurface.DEFAULT)
                     .addTo(collector, Placement.NONE);
         }
-        ObjectTree tree = new ObjectTree(collector.primitives(), smallestTree);
+        ObjectTree tree = new ObjectTree(collector.primitives(0), smallestTree);
         NearestHit nearest = new NearestHit(new RayCounts());
 
         assertThat(tree.nearest(Ray.from(0, 0, 0, 0, 0, 1, 0), nearest)).isTrue();
@@ -106,7 +106,7 @@ class ObjectTreeTest {
                     .addTo(collector, Placement.NONE);
         }
 
-        assertThat(depth(tree(collector.primitives()))).isLessThan(NearestHit.DEEPEST_TREE);
+        assertThat(depth(tree(collector.primitives(0)))).isLessThan(NearestHit.DEEPEST_TREE);
     }
 
     /** Each cut through distances that grow by a factor takes off a few: without a bound the tree is a list. */
@@ -122,8 +122,8 @@ class ObjectTreeTest {
             Vector3d centre = new Vector3d(distance, (i % 3 - 1) * distance, 0);
             new Sphere("sphere", centre, distance / 2, ColouredSurface.DEFAULT).addTo(collector, Placement.NONE);
         }
-        ObjectTree tree = new ObjectTree(collector.primitives(), 1);
-        ObjectTree list = new ObjectTree(collector.primitives(), Integer.MAX_VALUE);
+        ObjectTree tree = new ObjectTree(collector.primitives(0), 1);
+        ObjectTree list = new ObjectTree(collector.primitives(0), Integer.MAX_VALUE);
         Random random = new Random(17);
 
         assertThat(depth(tree.root())).isLessThan(NearestHit.DEEPEST_TREE);
@@ -155,6 +155,6 @@ class ObjectTreeTest {
             objects.add(new Sphere("sphere", centre, radius, ColouredSurface.DEFAULT));
         }
         objects.forEach(object -> object.addTo(collector, Placement.NONE));
-        return collector.primitives();
+        return collector.primitives(0);
     }
 }

@@ -98,7 +98,7 @@ class RotatingHitsTest {
         PrimitiveCollector collector =
                 new PrimitiveCollector(point -> Event.ORIGIN, FrameTree.described(TransformationLaw.LORENTZ));
         object.addTo(collector, Placement.NONE);
-        return new ObjectTree(collector.primitives());
+        return new ObjectTree(collector.primitives(0));
     }
 
     @ParameterizedTest

@@ -19,7 +19,7 @@ class RideStartTest {
     private static final Vector3d PLACE = new Vector3d(1, 2, -30);
 
     private static Ride ride(Velocity velocity, List<RideLeg> legs) {
-        return new Ride("ride", "", PLACE, velocity, 1, legs);
+        return new Ride("ride", "", PLACE, velocity, 1, legs, List.of());
     }
 
     /** The event at the lens is found by the plan of the photograph, another way than that by which it was set. */
@@ -52,7 +52,7 @@ class RideStartTest {
 
     @Test
     void lightMustMove() {
-        assertThatThrownBy(() -> new Ride("", "", PLACE, Velocity.REST, 0, List.of()))
+        assertThatThrownBy(() -> new Ride("", "", PLACE, Velocity.REST, 0, List.of(), List.of()))
                 .isInstanceOf(InvalidPropertyException.class)
                 .hasMessageContaining("lightSpeed");
     }

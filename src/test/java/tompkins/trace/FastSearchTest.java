@@ -54,7 +54,7 @@ class FastSearchTest {
     @MethodSource("studios")
     void theNearestOfAllPrimitivesIsHit(Studio studio) {
         RenderPlan plan = RenderPlan.of(studio);
-        InertialFrame frame = plan.world().frame(0);
+        InertialFrame frame = plan.world().frames().get(0);
         SamplePositions.spread(plan.width(), plan.height(), 8).forEach(place -> {
             SampleHistory history = SampleHistory.of(plan, place.x(), place.y(), 0, 0);
             if (plan.world().moves() || history == null || history.sceneStart() == null) {

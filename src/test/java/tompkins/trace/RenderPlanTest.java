@@ -14,6 +14,7 @@ import tompkins.camera.FieldOfView;
 import tompkins.explain.Explanation;
 import tompkins.light.ColourLaw;
 import tompkins.primitive.Bounds;
+import tompkins.property.Descriptions;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.ImagePointGrid;
 import tompkins.sceneobject.Sphere;
@@ -67,10 +68,9 @@ class RenderPlanTest {
                 new Vector3d(1, 0, 0),
                 new Vector3d(0, 1, 0),
                 new Vector2i(1, 1));
-        Camera camera = MOVING.camera()
-                .withShutter(new AperturePlaneShutter(2))
-                .withExposureTime(exposure)
-                .withRollingShutter(new RollingShutter(SweepDirection.DOWN, sweep));
+        Camera slow =
+                Descriptions.with(MOVING.camera().withShutter(new AperturePlaneShutter(2)), "exposureTime", exposure);
+        Camera camera = Descriptions.with(slow, "rollingShutter", new RollingShutter(SweepDirection.DOWN, sweep));
 
         List<Bounds> boxes = RenderPlan.of(MOVING.withScene(List.of(grid)).withCamera(camera))
                 .sceneBounds(10);

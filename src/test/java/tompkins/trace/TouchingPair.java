@@ -11,6 +11,7 @@ import tompkins.light.PointLight;
 import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
+import tompkins.ray.MeshDetail;
 import tompkins.ray.Ray;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Cone;
@@ -246,7 +247,7 @@ record TouchingPair(Studio touching, Studio other, String name) {
         private static MeshData pyramid(double height, double size) {
             double[] corners = {-2, -2, height, 2, -2, height, 2, 2, height, -2, 2, height, 0, 0, height - size};
             int[] faces = {0, 1, 2, 0, 2, 3, 1, 0, 4, 2, 1, 4, 3, 2, 4, 0, 3, 4};
-            return new MeshData("", corners, faces, new byte[0]);
+            return new MeshData("", corners, faces, MeshDetail.NONE, new byte[0]);
         }
 
         private TouchingPair sheetOnBody() {

@@ -18,6 +18,7 @@ import tompkins.light.AmbientLight;
 import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
+import tompkins.ray.MeshDetail;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Disc;
@@ -153,8 +154,8 @@ class TouchingSurfacesTest {
     void aMeshMayBeADecal(boolean faces) {
         double[] corners = {-3, -3, 10, 3, -3, 10, 3, 3, 10};
         int[] triangle = faces ? new int[] {0, 2, 1} : new int[] {0, 1, 2};
-        SceneObject decal =
-                new TriangleMesh("decal", new MeshData("", corners, triangle, new byte[0]), HALF_RED, false);
+        SceneObject decal = new TriangleMesh(
+                "decal", new MeshData("", corners, triangle, MeshDetail.NONE, new byte[0]), HALF_RED, false);
         SampleHistory life = life(studio(sheet(WHITE), decal), 40, 40);
         assertColour(life.colour(), 0.5, 1, 1);
         assertThat(life.mainHits()).extracting(SampleHistory.Encounter::surface).containsExactly(HALF_RED, WHITE);
@@ -169,7 +170,10 @@ class TouchingSurfacesTest {
         SceneObject other = new Triangle("other", high, new Vector3d(-3, 3, 10), low, HALF_RED);
         double[] corners = {-3, -3, 10, 3, -3, 10, 3, 3, 10, -3, 3, 10};
         SceneObject mesh = new TriangleMesh(
-                "mesh", new MeshData("", corners, new int[] {0, 1, 2, 2, 3, 0}, new byte[0]), HALF_RED, false);
+                "mesh",
+                new MeshData("", corners, new int[] {0, 1, 2, 2, 3, 0}, MeshDetail.NONE, new byte[0]),
+                HALF_RED,
+                false);
         for (double at = 20.5; at < 44; at++) {
             assertColour(life(studio(one, other, WHITE_WALL), at, SIZE - at).colour(), 0.5, 1, 1);
             assertColour(life(studio(mesh, WHITE_WALL), at, SIZE - at).colour(), 0.5, 1, 1);

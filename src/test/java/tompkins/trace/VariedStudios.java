@@ -9,6 +9,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.joml.Vector3i;
 import org.junit.jupiter.api.Named;
+import tompkins.camera.Camera;
 import tompkins.camera.Cameras;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.Stereo;
@@ -154,8 +155,8 @@ public final class VariedStudios {
     }
 
     private static Studio exposed(Studio studio, double time, double sweep, SweepDirection direction) {
-        return studio.withCamera(
-                studio.camera().withExposureTime(time).withRollingShutter(new RollingShutter(direction, sweep)));
+        Camera slow = Descriptions.with(studio.camera(), "exposureTime", time);
+        return studio.withCamera(Descriptions.with(slow, "rollingShutter", new RollingShutter(direction, sweep)));
     }
 
     private static Studio moving(List<SceneObject> scene) {
@@ -218,7 +219,7 @@ public final class VariedStudios {
 
     /** Balls of glass that have flown into each other keep most light; all of it would take minutes. */
     private static Studio shallow(Studio studio) {
-        return studio.withSettings(studio.settings().withMaximumDepth(10));
+        return studio.withSettings(Descriptions.with(studio.settings(), "maximumDepth", 10));
     }
 
     private static Studio samples(Studio studio, int samples) {

@@ -41,7 +41,7 @@ final class AimedRay {
 
     private record Scene(MovingRow row) {
         Vector3d ownDirection(Event camera, Vector3d towards, boolean measures) {
-            int frame = row.world.frameCount() - 1;
+            int frame = row.world.frames().size() - 1;
             Ray ray = row.routes.transform(row.inScene(camera, towards, measures), frame, Ray.blank());
             return new Vector3d(ray.dx, ray.dy, ray.dz);
         }

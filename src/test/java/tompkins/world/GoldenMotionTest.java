@@ -117,7 +117,7 @@ class GoldenMotionTest {
                     new Vector3d(),
                     Event.ORIGIN,
                     false);
-            int frame = scene.world.frameCount() - 1;
+            int frame = scene.world.frames().size() - 1;
             RestFrame rest = scene.world.objects(frame).primitives().get(0).restFrame();
             motion = rest.motion();
             own = rest.own(scene.routes.route(0, frame).transform(event(row)));

@@ -103,7 +103,7 @@ class GoldenMovingSurfacesTest {
                     new Vector3d(),
                     Event.ORIGIN,
                     false);
-            int frame = scene.world.frameCount() - 1;
+            int frame = scene.world.frames().size() - 1;
             Vector3d d = Vectors.unit(row.vector("d_"));
             Ray start = Ray.from(0, 0, 0, d.x, d.y, d.z, 0);
             if (leaves) {

@@ -67,7 +67,7 @@ final class MediumRow {
     }
 
     private int frameOf(SceneObject object) {
-        for (int i = 0; i < scene.world.frameCount(); i++) {
+        for (int i = 0; i < scene.world.frames().size(); i++) {
             if (scene.world.objects(i).primitives().stream().anyMatch(primitive -> primitive.object() == object)) {
                 return i;
             }
@@ -92,7 +92,7 @@ final class MediumRow {
 
     /** The ray for the object that moves through the medium. */
     Ray forObject() {
-        int other = scene.world.frameCount() - 1;
+        int other = scene.world.frames().size() - 1;
         boolean isApart =
                 !row.vector("vj_").equals(row.vector("v_")) && row.vector("vj_").length() > 0;
         return scene.routes.transform(ray(), isApart ? other : frameOfScene(), Ray.blank());

@@ -120,7 +120,7 @@ class SurroundingsTest {
         Nearest byAsking(Ray ray) {
             Nearest best = new Nearest(null, 0);
             double least = Double.POSITIVE_INFINITY;
-            for (int frame = 0; frame < world.frameCount(); frame++) {
+            for (int frame = 0; frame < world.frames().size(); frame++) {
                 Ray inFrame = routes.transform(ray, frame, Ray.blank());
                 for (Primitive primitive : world.objects(frame).primitives()) {
                     double distance = primitive.distance(inFrame, Primitive.NO_HIT) / inFrame.directionLength;

@@ -24,6 +24,7 @@ import tompkins.lesson.Lesson;
 import tompkins.light.ColourLaw;
 import tompkins.property.Descriptions;
 import tompkins.ray.MeshData;
+import tompkins.ray.MeshDetail;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -265,7 +266,7 @@ class PanelsTest {
     void timesReachThroughTheScene() {
         assertThat(new SceneSize().times(model.studio()).minimum()).isEqualTo(-20);
         double[] coordinates = {0, 0, 10, 30, -45, 10, 0, 40, 10};
-        MeshData triangle = new MeshData("", coordinates, new int[] {0, 1, 2}, new byte[0]);
+        MeshData triangle = new MeshData("", coordinates, new int[] {0, 1, 2}, MeshDetail.NONE, new byte[0]);
         Studio large = model.studio()
                 .withScene(List.of(new TriangleMesh("", triangle, ColouredSurface.DEFAULT, true), Sphere.DEFAULT));
         // 1.2 times 45, upwards

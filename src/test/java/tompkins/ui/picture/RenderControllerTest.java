@@ -17,6 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import tompkins.Waiting;
 import tompkins.image.ToneCurve;
+import tompkins.property.Descriptions;
 import tompkins.render.Renderer;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.SceneObject;
@@ -127,7 +128,10 @@ class RenderControllerTest {
     void theAnswerToThrustDoesNotWait() throws InterruptedException {
         Studio mirrors = mirrors(0);
         // its first pass alone takes long
-        show(controller, mirrors.withSettings(mirrors.settings().withMaximumDepth(1_000_000)), Pace.RIDE);
+        show(
+                controller,
+                mirrors.withSettings(Descriptions.with(mirrors.settings(), "maximumDepth", 1_000_000)),
+                Pace.RIDE);
         await(() -> isAtWork(SampleTracer.class));
         show(controller, Studios.sphere(), Pace.ANSWER);
         await(() -> !pictures.isEmpty());

@@ -37,9 +37,10 @@ import tompkins.ui.widget.Look;
 @Timeout(120)
 class RidePilotTest {
 
-    private static final Ride FIRST = new Ride("first", "Hold W.", new Vector3d(0, 0, -4), Velocity.REST, 2, List.of());
+    private static final Ride FIRST =
+            new Ride("first", "Hold W.", new Vector3d(0, 0, -4), Velocity.REST, 2, List.of(), List.of());
     private static final Ride SECOND =
-            new Ride("second", "Look down.", new Vector3d(0, 5, 0), Velocity.of(0, 0, 0.6), 1, List.of());
+            new Ride("second", "Look down.", new Vector3d(0, 5, 0), Velocity.of(0, 0, 0.6), 1, List.of(), List.of());
 
     private final Studio photograph = Descriptions.with(
                     Studios.sphere().withVelocity(Velocity.of(0, 0, 0.8)), "rides", List.of(FIRST, SECOND))
