@@ -26,57 +26,57 @@ class StudyCommandTest {
     @BeforeAll
     static void measure() {
         done = parent.resolve("made");
-        measured = ProgramRun.of("study", "precision", "-o", done, "--seed", 7);
+        measured = ProgramRun.of("study", "depth", "-o", done, "--seed", 7);
     }
 
     private ProgramRun study(Object... more) {
-        Object[] words = {"study", "precision", "-o", folder, "--seed", 7};
+        Object[] words = {"study", "depth", "-o", folder, "--seed", 7};
         return ProgramRun.of(List.of(words), more);
     }
 
     /** The figures of a study that is done, with a part of them replaced. */
     private Path figures(String pattern, String replacement) throws IOException {
-        Path figures = Files.createDirectory(folder.resolve("precision")).resolve("precision.csv");
-        String text = Files.readString(done.resolve("precision/precision.csv"));
+        Path figures = Files.createDirectory(folder.resolve("depth")).resolve("depth.csv");
+        String text = Files.readString(done.resolve("depth/depth.csv"));
         return Files.writeString(figures, text.replaceFirst(pattern, replacement));
     }
 
     @Test
     void writesPageChartsAndFiguresIntoANewFolder() throws IOException {
         assertThat(measured.code()).as(measured.err()).isZero();
-        assertThat(measured.out()).contains("Gamma - 1 of a low speed").doesNotContain("BROKEN");
-        assertThat(Files.readString(done.resolve("precision.md")))
-                .startsWith("# Study: precision")
-                .contains("](precision/precision-rest.png)")
+        assertThat(measured.out()).contains("largest error of the program").doesNotContain("BROKEN");
+        assertThat(Files.readString(done.resolve("depth.md")))
+                .startsWith("# Study: depth")
+                .contains("](depth/depth-R=0.90.png)")
                 .contains("| criterion | demanded | found | met |", "| yes |");
-        assertThat(Files.readAllLines(done.resolve("precision/precision.csv")))
-                .contains("# study: precision")
-                .anyMatch(line -> line.startsWith("# settings: seed 7,"))
+        assertThat(Files.readAllLines(done.resolve("depth/depth.csv")))
+                .contains("# study: depth")
+                .anyMatch(line -> line.startsWith("# settings: corridors "))
                 .anyMatch(line -> line.startsWith("# machine: "));
-        assertThat(done.resolve("precision/precision-rest.png")).isNotEmptyFile();
+        assertThat(done.resolve("depth/depth-R=0.90.png")).isNotEmptyFile();
     }
 
-    /** The program's own error close to rest, 3 % instead of its last digits, is taken from the file and found. */
+    /** The largest error of the program, 0.03 instead of 0.0008, is taken from the file and found. */
     @Test
     void failsIfAFigureIsNotAsItMustBe() throws IOException {
-        figures("(?m)^(rest,the program,1\\.0E-5,[^,]*,[^,]*,[^,]*,[^,]*),.*$", "$1,0.03,0.03,0.03,0.03,0");
+        figures("(?m)^(R=0\\.90,the program[^,]*,1000\\.0,[^,]*,[^,]*,[^,]*,[^,]*),.*$", "$1,0.03,0.03,0.03,0.03,0");
 
         ProgramRun run = study();
 
         assertThat(run.code()).isEqualTo(Failures.FAILURE);
-        assertThat(run.out()).contains("BROKEN: Gamma - 1 of a low speed");
-        assertThat(Files.readString(folder.resolve("precision.md"))).contains("**no: something is broken**");
+        assertThat(run.out()).contains("BROKEN: Corridor of mirrors, reflectance 0.90: largest error");
+        assertThat(Files.readString(folder.resolve("depth.md"))).contains("**no: something is broken**");
     }
 
     @Test
     void damagedFiguresAreNamed() throws IOException {
-        Path figures = figures("(?m)^(rest,the program,)[^,]*", "$1garbage");
+        Path figures = figures("(?m)^(R=0\\.90,the program[^,]*,)[^,]*", "$1garbage");
 
         ProgramRun run = study();
 
         assertThat(run.code()).isEqualTo(Failures.FAILURE);
         assertThat(run.err())
-                .startsWith(figures + ": no figures of a study: rest,the program,garbage,")
+                .startsWith(figures + ": no figures of a study: R=0.90,the program: 1/1024 of the light,garbage,")
                 .doesNotContain("\tat ");
     }
 
@@ -103,12 +103,12 @@ class StudyCommandTest {
 
     @Test
     void aPageThatNoStudyHasMadeIsNotReplacedUnasked() throws IOException {
-        Path page = Files.writeString(folder.resolve("precision.md"), "my own notes");
+        Path page = Files.writeString(folder.resolve("depth.md"), "my own notes");
 
         assertRefused(page + ": there is a file of this name already; --force replaces it");
 
         assertThat(page).hasContent("my own notes");
-        assertThat(folder.resolve("precision")).doesNotExist();
+        assertThat(folder.resolve("depth")).doesNotExist();
     }
 
     private void assertRefused(String message) {
@@ -119,10 +119,10 @@ class StudyCommandTest {
 
     @Test
     void placesThatCannotBeWrittenAreRefusedFirst() throws IOException {
-        Path charts = Files.writeString(folder.resolve("precision"), "a file where the folder of the charts goes");
+        Path charts = Files.writeString(folder.resolve("depth"), "a file where the folder of the charts goes");
         assertRefused(charts + ": cannot be written: it is a file, not a folder");
         Files.delete(charts);
-        Path page = Files.createDirectory(folder.resolve("precision.md"));
+        Path page = Files.createDirectory(folder.resolve("depth.md"));
         assertRefused(page + ": cannot be written: ");
         assertThat(charts).doesNotExist();
     }
@@ -130,7 +130,7 @@ class StudyCommandTest {
     @Test
     void anUnwritableChartIsNamed() throws IOException {
         figures("", "");
-        Path chart = Files.createDirectories(folder.resolve("precision/precision-rest.png"));
+        Path chart = Files.createDirectories(folder.resolve("depth/depth-R=0.90.png"));
 
         ProgramRun run = study();
 
