@@ -32,14 +32,14 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        27_960),
-                arguments("file, image", 4_062),
-                arguments("explain", 850),
-                arguments("lesson, measure, animation", 4_916),
-                arguments("io, app", 7_752),
+                        26_794),
+                arguments("file, image", 3_696),
+                arguments("explain", 797),
+                arguments("lesson, measure, animation", 4_699),
+                arguments("io, app", 7_600),
                 arguments("study", 3_398),
-                arguments("ui", 18_497),
-                arguments("lab", 231));
+                arguments("ui", 18_491),
+                arguments("lab", 229));
     }
 
     @ParameterizedTest

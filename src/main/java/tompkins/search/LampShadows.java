@@ -1,5 +1,7 @@
 package tompkins.search;
 
+import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.joml.Vector3dc;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
@@ -15,14 +17,28 @@ import tompkins.ray.RayCounts;
  */
 public final class LampShadows {
 
+    /**
+     * From this number of primitives the tree answers first: one picture may ask for less than it takes to fill cells.
+     */
+    static final int MANY = 100_000;
+
     private final LightBufferProjection view;
-    private final LightBuffer cells;
+    private final ObjectTree objects;
     private final Primitive[] everywhere;
 
-    private LampShadows(LightBufferProjection view, LightBuffer cells, Primitive[] everywhere) {
+    /** Null as long as they are not filled. */
+    private final LightBuffer cells;
+
+    private final AtomicInteger asked = new AtomicInteger();
+
+    /** The same with its cells, once another thread has filled them. */
+    private LampShadows filled;
+
+    private LampShadows(LightBufferProjection view, ObjectTree objects, LightBuffer cells) {
         this.view = view;
+        this.objects = objects;
         this.cells = cells;
-        this.everywhere = everywhere;
+        everywhere = objects.unbounded().toArray(Primitive[]::new);
     }
 
     /**
@@ -40,10 +56,29 @@ public final class LampShadows {
             return null;
         }
         LightBufferProjection view = LightBufferProjection.of(from, to, all);
-        LightBuffer cells = view == null ? null : LightBuffer.of(view, objects.bounded());
-        return cells == null
-                ? null
-                : new LampShadows(view, cells, objects.unbounded().toArray(Primitive[]::new));
+        LampShadows empty = view == null ? null : new LampShadows(view, objects, null);
+        return empty == null || objects.size() >= MANY ? empty : empty.filled();
+    }
+
+    /** The same with its cells, or null if the tree is faster. */
+    private LampShadows filled() {
+        LightBuffer all = LightBuffer.of(view, objects.bounded());
+        return all == null ? null : new LampShadows(view, objects, all);
+    }
+
+    /**
+     * The grid for the next shadow ray, or null if the tree is to answer. Among very many primitives it does until so
+     * many rays have asked that another thread has filled the cells; the answers are the same.
+     */
+    public LampShadows gridOrNull() {
+        if (cells != null) {
+            return this;
+        }
+        int enough = objects.size();
+        if (asked.get() < enough && asked.incrementAndGet() == enough) {
+            ForkJoinPool.commonPool().execute(() -> filled = filled());
+        }
+        return filled;
     }
 
     /**

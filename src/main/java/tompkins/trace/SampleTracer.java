@@ -149,8 +149,8 @@ public final class SampleTracer extends Padded {
 
     /**
      * Takes one sample of each pixel of the block. All rays of the block are made first and followed through what moves
-     * with the camera. For those that leave it, the few objects that they can meet are found at once, where that pays.
-     * The colours are those of single samples.
+     * with the camera. For those that leave it, the few objects that they can meet are found at once, or else, for a
+     * few neighbours at a time, where they enter the tree. The colours are those of single samples.
      *
      * @param sample number of the sample of each pixel
      * @param taker gets the colours: of the first pixels alone if it stops before all are known

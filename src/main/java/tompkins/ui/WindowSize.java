@@ -34,7 +34,10 @@ final class WindowSize {
         frame.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent event) {
-                if (maximised() == 0 && !coversScreen()) {
+                // a window over all of a screen has no frame
+                boolean coversScreen =
+                        frame.getGraphicsConfiguration().getDevice().getFullScreenWindow() == frame;
+                if (maximised() == 0 && !coversScreen) {
                     normal = frame.getSize();
                 }
             }
@@ -58,11 +61,6 @@ final class WindowSize {
     /** The size that the window must have, as large as its type asks for. */
     static Dimension least(JFrame frame) {
         return Screens.atMost(frame, Look.pixels(MINIMUM_WIDTH), Look.pixels(MINIMUM_HEIGHT));
-    }
-
-    /** Whether it is shown without its frame, over all of a screen. */
-    private boolean coversScreen() {
-        return frame.getGraphicsConfiguration().getDevice().getFullScreenWindow() == frame;
     }
 
     /** The directions in which the window is maximised, as a {@link Frame} counts them; 0 for none. */

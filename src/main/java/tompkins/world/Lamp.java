@@ -15,10 +15,10 @@ import tompkins.search.LampTrack;
  * @param light the source, in the coordinates in which the tracer works
  * @param frame the number of its frame
  * @param properTimeZero when its own time is 0, in the time of that frame
- * @param shadows what it sees of what rests with it, or null if that is not prepared
+ * @param grid what it sees of what rests with it, or null if that is not prepared
  * @param tracks its way past what rests in each frame, null where that is not prepared; empty if it is nowhere
  */
-public record Lamp(RestingLight light, int frame, double properTimeZero, LampShadows shadows, List<LampTrack> tracks) {
+public record Lamp(RestingLight light, int frame, double properTimeZero, LampShadows grid, List<LampTrack> tracks) {
 
     /** A lamp for whose shadows nothing is prepared. */
     public Lamp(RestingLight light, int frame, double properTimeZero) {
@@ -28,6 +28,11 @@ public record Lamp(RestingLight light, int frame, double properTimeZero, LampSha
     /** Where it is, or null if it has no place. */
     Vector3dc position() {
         return light.position();
+    }
+
+    /** What it sees of what rests with it, for the next shadow ray; null if the tree is to answer. */
+    public LampShadows shadows() {
+        return grid == null ? null : grid.gridOrNull();
     }
 
     /** Its way past what rests in a frame, or null if that is not prepared. */

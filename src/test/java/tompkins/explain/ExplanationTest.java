@@ -6,7 +6,6 @@ import static org.assertj.core.api.InstanceOfAssertFactories.STRING;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -15,7 +14,6 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvFileSource;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import tompkins.camera.Camera;
 import tompkins.io.StudioReader;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
@@ -32,7 +30,6 @@ import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
-import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Lighting;
@@ -58,14 +55,6 @@ class ExplanationTest {
             .withSettings(Studio.DEFAULT.settings().withSize(64, 48));
 
     private static final Studio MOVING = REST.withVelocity(Velocity.of(0, 0, 0.6));
-
-    private static Studio with(Studio studio, UnaryOperator<Camera> change) {
-        return studio.withCamera(change.apply(studio.camera()));
-    }
-
-    private static Studio with(Studio studio, Shutter shutter) {
-        return with(studio, camera -> camera.withShutter(shutter));
-    }
 
     @ParameterizedTest
     @CsvFileSource(resources = "sentences.csv", delimiter = '|', quoteCharacter = '~')

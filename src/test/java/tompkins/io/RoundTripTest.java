@@ -260,12 +260,6 @@ class RoundTripTest {
         assertThat(StudioWriter.writeSelfContained(thrice)).hasSizeLessThan(1000);
     }
 
-    private static Studio posterOf(byte[] file) {
-        PixelPicture picture = new PixelPicture("poster.png", 1, 1, new float[4], file);
-        return Studio.DEFAULT.withScene(
-                List.of(new Sphere("poster", new Vector3d(), 1, new PictureSurface(picture, true, true))));
-    }
-
     private static Sphere poster(String name, int bytes) {
         PixelPicture picture = new PixelPicture(name, 1, 1, new float[4], new byte[bytes]);
         return new Sphere(name, new Vector3d(), 1, new PictureSurface(picture, true, true));

@@ -15,10 +15,6 @@ import tompkins.ray.Colour;
 
 class ColourLawTest {
 
-    /** XYZ of linear sRGB, IEC 61966-2-1, by rows. */
-    private static final double[][] XYZ = {{0.4124, 0.3576, 0.1805}, {0.2126, 0.7152, 0.0722}, {0.0193, 0.1192, 0.9505}
-    };
-
     @Test
     void colourIsWhatItIsWithoutDopplerShift() {
         Random random = new Random(1);
@@ -104,10 +100,6 @@ class ColourLawTest {
                 new Colour(0.1 * factor, 0.2 * factor, 3 * factor),
                 1e-12 * factor);
         assertThat(ColourLaw.SEARCHLIGHT.brightness(dopplerFactor)).isCloseTo(factor, within(1e-12 * factor));
-    }
-
-    private static double xyz(int row, Colour rgb) {
-        return XYZ[row][0] * rgb.red() + XYZ[row][1] * rgb.green() + XYZ[row][2] * rgb.blue();
     }
 
     @Test

@@ -84,7 +84,7 @@ class RenderWorkTest {
                 arguments(PaperStudios.fig1a(), 307_200, 231_021, 0, 397_525),
                 arguments(PaperStudios.fig1b(), 307_200, 26_054, 0, 79_697),
                 arguments(samples(PaperStudios.fig3a(), 4), 1_228_800, 130_486, 0, 524_233),
-                arguments(rods, 307_200, 59_446, 1_021_417, 2_721_288),
+                arguments(rods, 307_200, 59_446, 6_307_600, 2_721_288),
                 arguments(PaperStudios.fig1a().withScene(spheres()), 307_200, 270_501, 2_051, 465_413),
                 arguments(small(PaperStudios.fig1a().withScene(hills())), 19_200, 19_200, 474_523, 336_677));
     }

@@ -298,11 +298,6 @@ class ShapeGeometryTest {
                 .isTrue();
     }
 
-    private static Primitive ball(Surface surface) {
-        return PrimitiveCollector.primitivesOf(new Sphere("", new Vector3d(0, 0, 5), 1, surface))
-                .get(0);
-    }
-
     private static Ray ray(Vector3dc origin, Vector3dc target) {
         Vector3d d = target.sub(origin, new Vector3d()).normalize();
         return Ray.from(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 0);

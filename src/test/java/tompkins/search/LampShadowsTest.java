@@ -10,6 +10,7 @@ import org.joml.Vector3i;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.Waiting;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -105,13 +106,20 @@ class LampShadowsTest {
         return PrimitiveCollector.primitivesOf(new Group("all", objects));
     }
 
-    /** Among many primitives each may be seen in a few cells only. */
+    /** Many primitives: the tree answers as many rays as there are primitives, then the grid, which says the same. */
     @Test
-    void gridOfVeryManySaysWhatTheTreeSays() {
+    void gridOfVeryManyIsFilledWhenManyRaysHaveAsked() {
         Random random = new Random(5);
-        ObjectTree tree = new ObjectTree(primitives(mixed(100_000, random)));
+        ObjectTree tree = new ObjectTree(primitives(mixed(LampShadows.MANY, random)));
+        LampShadows empty = LampShadows.of(LAMP, tree);
+        for (int i = 1; i < tree.size(); i++) {
+            assertThat(empty.gridOrNull()).isNull();
+        }
 
-        assertSameShadows(tree, LampShadows.of(LAMP, tree), random);
+        Waiting.until("the grid", () -> empty.gridOrNull() != null);
+        LampShadows grid = empty.gridOrNull();
+
+        assertSameShadows(tree, grid, random);
     }
 
     /** Each rod would stand in hundreds of cells. */

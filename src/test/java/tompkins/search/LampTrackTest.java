@@ -2,10 +2,8 @@ package tompkins.search;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.List;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -13,9 +11,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
-import tompkins.sceneobject.SceneObject;
-import tompkins.sceneobject.Sphere;
-import tompkins.surface.ColouredSurface;
 
 /** What a lamp sees of primitives that it passes throws the shadows that the tree finds. */
 class LampTrackTest {
@@ -65,28 +60,6 @@ class LampTrackTest {
         assertThat(asked).isGreaterThan(RAYS / 10);
         assertThat(shadows).isBetween(asked / 20, asked * 19 / 20);
         assertThat(counts.tests).isLessThan(6L * asked);
-    }
-
-    private LampTrack track(Vector3dc from, Vector3dc to, int balls) {
-        return LampTrack.of(from, to, balls(balls, new Vector3d(0, 0, 10)), left);
-    }
-
-    /** A row of balls, one unit high. */
-    private static ObjectTree balls(int count, Vector3dc middle) {
-        List<SceneObject> row = IntStream.range(0, count)
-                .<SceneObject>mapToObj(i -> new Sphere(
-                        "ball",
-                        middle.add(0, (i + 0.5) / count - 0.5, 0, new Vector3d()),
-                        0.01,
-                        ColouredSurface.DEFAULT))
-                .toList();
-        return new ObjectTree(LampShadowsTest.primitives(row));
-    }
-
-    private static double at(LampTrack track, double x, double y, double z) {
-        Vector3d lamp = new Vector3d(x, y, z);
-        Vector3d start = new Vector3d(0.5, 0.25, 10);
-        return track.at(towards(start, lamp), lamp.distance(start));
     }
 
     private static Ray towards(Vector3dc start, Vector3dc lamp) {

@@ -3,8 +3,6 @@ package tompkins.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Dimension;
-import java.awt.Point;
-import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -139,14 +137,6 @@ class EditorWindowTest extends WindowFixture {
         WindowDriver.later(driver.find(JButton.class, "Picture")::doClick);
         assertThat(driver.chooser().getCurrentDirectory()).isEqualTo(folder.toFile());
         driver.choose(picture);
-    }
-
-    private void click(JTree tree, int row) {
-        driver.click(onEventThread(() -> {
-            Point corner = tree.getLocationOnScreen();
-            Rectangle line = tree.getRowBounds(row);
-            return new Point(corner.x + (int) line.getCenterX(), corner.y + (int) line.getCenterY());
-        }));
     }
 
     @Test

@@ -5,7 +5,6 @@ import static tompkins.golden.GoldenTable.U;
 
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -22,7 +21,7 @@ class GoldenMediaTest {
         return row.number("decidable_eps") >= 16 * U;
     }
 
-    private static final Map<GoldenRow, MediumRow> MEDIA = new IdentityHashMap<>();
+    private static final IdentityHashMap<GoldenRow, MediumRow> MEDIA = new IdentityHashMap<>();
 
     private static MediumRow medium(GoldenRow row) {
         return MEDIA.computeIfAbsent(row, MediumRow::new);

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -18,7 +17,7 @@ class GoldenMovingHitsTest {
     private static final List<GoldenRow> SEEN = GoldenTable.rows("m1_hits");
     private static final List<GoldenRow> MEASURED = GoldenTable.rows("m7_measured_hits");
 
-    private static final Map<GoldenRow, Optional<FoundHit>> HITS = new IdentityHashMap<>();
+    private static final IdentityHashMap<GoldenRow, Optional<FoundHit>> HITS = new IdentityHashMap<>();
 
     private static double excess(MovingQuantity quantity, GoldenRow row, boolean measures) {
         Optional<FoundHit> hit =

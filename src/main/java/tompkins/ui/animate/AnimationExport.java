@@ -102,9 +102,12 @@ public final class AnimationExport {
             throws Exception {
         FrameSequence film = recorder.film();
         if (format == AnimationFormat.NUMBERED_PNG) {
-            try (OutputFolder folder = OutputFolder.emptyAt(file)) {
+            OutputFolder folder = OutputFolder.emptyAt(file);
+            try {
                 return new Exported(
                         file, recorder.record(recorder.allFrames(), new FrameFolder(file), false, progress));
+            } finally {
+                folder.close();
             }
         }
         try (AnimationWriter writer = format.open(file, film.frameRate(), replace)) {

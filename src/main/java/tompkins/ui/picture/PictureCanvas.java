@@ -370,10 +370,7 @@ public final class PictureCanvas extends JPanel {
         return arrangement().pictureAt(inPixels(point));
     }
 
-    /**
-     * The picture that is seen at a point of this component, which is the other one beyond the divider; null if there
-     * is none.
-     */
+    /** The picture that is seen at a point, beyond the divider the other one; null if there is none. */
     public Picture shownAt(Point point) {
         PictureArrangement.Pane pane = arrangement().paneAt(inPixels(point));
         return pane == null ? null : pane.picture();

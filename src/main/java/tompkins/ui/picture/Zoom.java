@@ -16,10 +16,7 @@ record Zoom(int side, Point2D middle) {
     /** Large enough to count pixels on a projector. */
     private static final int LARGEST = 64;
 
-    /**
-     * The smallest zoom that shows more than a number of pixels of the screen for each of the photograph; null if there
-     * is none.
-     */
+    /** The smallest zoom with more pixels of the screen than this for each of the photograph; null if none has. */
     static Zoom beyond(double scale, Point2D middle) {
         int side = 1;
         while (side <= scale) {

@@ -90,10 +90,7 @@ public final class EntryField {
         return field;
     }
 
-    /**
-     * The fields in a container, and in the windows that it owns; also those that are folded away or in a hidden
-     * window.
-     */
+    /** The fields in a container and in the windows that it owns, hidden ones included. */
     public static Stream<EntryField> in(Container container) {
         Stream<Component> inside = Stream.of(container.getComponents());
         Stream<Component> owned =

@@ -31,10 +31,7 @@ public final class SpeedText {
             Map.entry("\u03b7", SpeedScale.RAPIDITY),
             Map.entry("oneminusbeta", SpeedScale.ONE_MINUS_BETA));
 
-    /**
-     * The number of characters of a speed that fit into its field, and that are steady enough to be read in an
-     * animation.
-     */
+    /** The characters of a speed that fit into its field, and are steady enough in an animation. */
     private static final int CHARACTERS = 9;
 
     /** Digits of the components of a velocity. */
@@ -47,7 +44,7 @@ public final class SpeedText {
      * given, if it was given on that scale; otherwise the first digits.
      */
     public static String of(Velocity velocity, SpeedScale scale) {
-        if (scale == SpeedScale.BETA && isNearlyLight(velocity)) {
+        if (scale == SpeedScale.BETA && velocity.speed() > 0.999999) {
             return "1-" + Numbers.fitting(velocity.oneMinusSpeed(), CHARACTERS - 2);
         }
         String given = Numbers.fitting(scale.valueOf(velocity), CHARACTERS);
@@ -67,10 +64,6 @@ public final class SpeedText {
         }
         String speed = of(velocity, SpeedScale.BETA);
         return (speed.contains("-") ? "(" + speed + ")" : speed) + " \u00b7 " + Numbers.brief(velocity.direction());
-    }
-
-    private static boolean isNearlyLight(Velocity velocity) {
-        return velocity.speed() > 0.999999;
     }
 
     /**

@@ -34,8 +34,6 @@ import tompkins.ui.model.Pace;
 @Timeout(600)
 class RenderControllerTest {
 
-    private static final Dimension LARGE = new Dimension(2560, 1920);
-
     private final List<Picture> pictures = new CopyOnWriteArrayList<>();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
 
