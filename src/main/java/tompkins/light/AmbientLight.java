@@ -18,7 +18,7 @@ public record AmbientLight(
     }
 
     @Override
-    public RestingLight seenFrom(Vector3dc origin) {
+    public RestingLight shifted(Vector3dc by) {
         return this;
     }
 }

@@ -40,6 +40,6 @@ public record MovingLights(
 
     @Override
     public Stream<RestingLight> atRest() {
-        return objects.stream().flatMap(LightSource::atRest).map(light -> light.seenFrom(place.negate(new Vector3d())));
+        return objects.stream().flatMap(LightSource::atRest).map(light -> light.shifted(place));
     }
 }

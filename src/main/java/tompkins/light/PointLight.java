@@ -46,11 +46,6 @@ public record PointLight(
     }
 
     @Override
-    public PointLight seenFrom(Vector3dc origin) {
-        return shifted(origin.negate(new Vector3d()));
-    }
-
-    /** The same light elsewhere: farther by a vector. */
     public PointLight shifted(Vector3dc by) {
         return new PointLight(position.add(by, new Vector3d()), colour, highlightColour, highlightExponent, flash);
     }

@@ -25,8 +25,8 @@ public sealed interface RestingLight extends LightSource permits AmbientLight, P
         return Stream.of(this);
     }
 
-    /** The same source in a coordinate system whose origin lies at {@code origin} of this one. */
-    RestingLight seenFrom(Vector3dc origin);
+    /** The same source elsewhere: farther by a vector. */
+    RestingLight shifted(Vector3dc by);
 
     /** When it shines, by its own time. */
     default Flash flash() {

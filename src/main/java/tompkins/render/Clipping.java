@@ -11,9 +11,6 @@ import tompkins.image.ToneCurve;
  */
 record Clipping(long black, long white) {
 
-    /** The clipping of a picture about which there is nothing to report. */
-    static final Clipping NONE = new Clipping(0, 0);
-
     /** Counts the pixels of a picture. */
     static Clipping of(LinearImage image, ToneCurve curve) {
         float[] rgb = image.rgb();

@@ -333,7 +333,7 @@ public final class RenderJob extends Padded {
     private Clipping clipping() {
         Studio studio = plan.studio();
         return !complete || studio.colours() == ColourLaw.UNCHANGED || plan.hasStars()
-                ? Clipping.NONE
+                ? new Clipping(0, 0)
                 : Clipping.of(image(), studio.settings().toneCurve());
     }
 }

@@ -140,16 +140,12 @@ public record Rotating(
         return angularSpeed != 0 && law != TransformationLaw.NONE;
     }
 
-    /** How what turns is placed at the angle of time 0. */
-    public Placement atPhase() {
-        Matrix3d turn = new Matrix3d().rotation(Math.toRadians(phaseDegrees), Vectors.unit(axis));
-        return new Placement(1, turn, centre.sub(turn.transform(centre, new Vector3d()), new Vector3d()));
-    }
-
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
         if (!turns(collector.law())) {
-            Placement turned = placement.after(atPhase());
+            Matrix3d turn = new Matrix3d().rotation(Math.toRadians(phaseDegrees), Vectors.unit(axis));
+            Vector3d translation = centre.sub(turn.transform(centre, new Vector3d()), new Vector3d());
+            Placement turned = placement.after(new Placement(1, turn, translation));
             objects.forEach(object -> object.addTo(collector, turned));
             return;
         }

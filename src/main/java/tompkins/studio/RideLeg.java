@@ -2,7 +2,6 @@ package tompkins.studio;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import tompkins.camera.Aim;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 import tompkins.property.NumberText;
@@ -58,11 +57,6 @@ public record RideLeg(
         Require.finite("turnRightDegrees", turnRightDegrees);
         Require.within("turnUpDegrees", turnUpDegrees, -180, 180);
         Require.positive("zoom", zoom);
-    }
-
-    /** The change of the view. */
-    Aim turn() {
-        return new Aim(Math.toRadians(turnRightDegrees), Math.toRadians(turnUpDegrees));
     }
 
     /** Whether another leg continues this one: with the same view, thrust and pace, except for rounding. */

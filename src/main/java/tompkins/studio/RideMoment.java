@@ -4,6 +4,7 @@ import java.util.List;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.camera.Aim;
 import tompkins.camera.Camera;
 import tompkins.camera.FieldOfView;
 import tompkins.math.Vectors;
@@ -110,7 +111,7 @@ public record RideMoment(Studio studio, Rider rider, double properTime, double s
             camera = FieldOfView.zoomed(camera, leg.zoom());
         }
         if (leg.turnRightDegrees() != 0 || leg.turnUpDegrees() != 0) {
-            camera = leg.turn().turn(camera);
+            camera = new Aim(Math.toRadians(leg.turnRightDegrees()), Math.toRadians(leg.turnUpDegrees())).turn(camera);
         }
         return camera == studio.camera() ? this : with(studio.withCamera(camera));
     }

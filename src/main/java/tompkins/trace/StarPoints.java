@@ -30,8 +30,6 @@ final class StarPoints {
     static final double RADIUS = EDGE * DEVIATION;
 
     private final CameraRays camera;
-    private final int width;
-    private final int height;
     private final int cellsAcross;
     private final int cellsDown;
 
@@ -51,8 +49,6 @@ final class StarPoints {
      */
     StarPoints(CameraRays camera, int width, int height, List<? extends Vector3dc> directions, List<Colour> lights) {
         this.camera = camera;
-        this.width = width;
-        this.height = height;
         cellsAcross = (width + CELL - 1) / CELL;
         cellsDown = (height + CELL - 1) / CELL;
         List<Vector2dc> places = new ArrayList<>();
@@ -60,7 +56,9 @@ final class StarPoints {
         for (int star = 0; star < directions.size(); star++) {
             Vector3dc direction = directions.get(star);
             for (Vector2dc place : direction == null ? List.<Vector2dc>of() : camera.positions(direction)) {
-                if (isNear(place)) {
+                // the spot lies in the picture, or reaches into it
+                if (Math.abs(place.x() - width / 2.0) < width / 2.0 + RADIUS
+                        && Math.abs(place.y() - height / 2.0) < height / 2.0 + RADIUS) {
                     places.add(place);
                     colours.add(lights.get(star));
                 }
@@ -70,12 +68,6 @@ final class StarPoints {
         y = places.stream().mapToDouble(Vector2dc::y).toArray();
         light = colours.toArray(Colour[]::new);
         near = new CellLists(cellsAcross * cellsDown, x.length, this::forEachCell);
-    }
-
-    /** Whether a spot at a place lies in the picture, or reaches into it. */
-    private boolean isNear(Vector2dc place) {
-        return Math.abs(place.x() - width / 2.0) < width / 2.0 + RADIUS
-                && Math.abs(place.y() - height / 2.0) < height / 2.0 + RADIUS;
     }
 
     private void forEachCell(int spot, IntConsumer user) {

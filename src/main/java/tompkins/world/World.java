@@ -54,7 +54,6 @@ public final class World {
     private final List<InertialFrame> frames;
 
     private final List<Lamp> lamps;
-    private final List<RestingLight> lights;
 
     /**
      * Prepares the scene of a studio.
@@ -94,7 +93,6 @@ public final class World {
                         new ObjectTree(collector.primitives(frame))))
                 .toList();
         lamps = prepared(unprepared, routes(tree));
-        lights = lamps.stream().map(Lamp::light).toList();
     }
 
     private static void add(LightSource source, PrimitiveCollector collector, Placement placement, List<Lamp> lamps) {
@@ -107,7 +105,7 @@ public final class World {
                     inner -> moving.objects().forEach(light -> add(light, collector, inner, lamps)));
         } else if (source instanceof RestingLight light) {
             lamps.add(new Lamp(
-                    light.seenFrom(placement.point(new Vector3d()).negate()),
+                    light.shifted(placement.point(new Vector3d())),
                     collector.frame(),
                     collector.rest().properTimeZero().time()));
         }
@@ -223,7 +221,7 @@ public final class World {
 
     /** All light sources, each at rest in its frame, in the coordinates in which the tracer works. */
     public List<RestingLight> lights() {
-        return lights;
+        return lamps.stream().map(Lamp::light).toList();
     }
 
     /** The same lights, each with its frame. */
