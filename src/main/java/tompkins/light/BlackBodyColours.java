@@ -60,10 +60,7 @@ final class BlackBodyColours {
     /** How much of each band, long waves first, a colour of the screen stands for. */
     private static final Matrix3d WEIGHTS = BALANCE.mul(AT_REST, new Matrix3d()).invert();
 
-    /**
-     * For each Doppler factor the nine numbers, row by row, that make the colour in the camera frame of that in the
-     * scene.
-     */
+    /** For each Doppler factor nine numbers, row by row: colour in the scene to colour in the camera frame. */
     private static final double[] TABLE = table();
 
     private BlackBodyColours() {}

@@ -57,10 +57,7 @@ public final class Sightline extends Padded {
         return Math.abs(alongNormal(hit)) / length;
     }
 
-    /**
-     * The part of the light that is a highlight: a power of the cosine between the mirrored light and the ray (Phong's
-     * model).
-     */
+    /** The highlight: a power of the cosine between the mirrored light and the ray (Phong's model). */
     double shine(Ray ray, Hit hit, double exponent) {
         // both point into the surface
         double mirrored = 2 * alongNormal(hit);

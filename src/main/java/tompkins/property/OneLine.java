@@ -3,10 +3,7 @@ package tompkins.property;
 import java.util.Locale;
 import java.util.regex.Pattern;
 
-/**
- * Makes texts that somebody else wrote safe for one line of a terminal, which obeys control characters instead of
- * showing them.
- */
+/** Makes foreign texts safe for one line of a terminal, which obeys control characters. */
 public final class OneLine {
 
     /** Control characters, ends of lines, and what changes the direction in which other letters are written. */

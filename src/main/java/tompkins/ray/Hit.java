@@ -1,9 +1,6 @@
 package tompkins.ray;
 
-/**
- * Where and when a ray meets a boundary. A plain value of the hot path, made for the nearest boundary only. Nobody who
- * is given a hit keeps it: its memory is used again.
- */
+/** Where and when a ray meets a boundary: memory of the hot path that is used again, so nobody keeps it. */
 public final class Hit implements Cloneable {
 
     /** Position, in the frame of the ray. */

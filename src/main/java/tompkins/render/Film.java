@@ -46,10 +46,7 @@ final class Film extends PixelBuffer {
         return Integer.BYTES + sums + (comparesSamples ? sums + Float.BYTES : 0);
     }
 
-    /**
-     * Whether this number of samples is the first half of those to come; the next samples of the pixel must then be
-     * added separately.
-     */
+    /** Whether this many samples are the first half of those to come, which must be added separately. */
     static boolean isNewHalf(int samples) {
         return Integer.bitCount(samples) == 1;
     }

@@ -2,10 +2,7 @@ package tompkins.render;
 
 import tompkins.image.LinearImage;
 
-/**
- * What a picture keeps of the samples of its pixels. Each pixel is written by one thread at a time, in the order of its
- * samples.
- */
+/** The samples of pixels. Each pixel is written by one thread at a time, in the order of its samples. */
 abstract sealed class PixelBuffer permits Film, PreviewFilm {
 
     private final int width;

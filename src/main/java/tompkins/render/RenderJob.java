@@ -251,10 +251,7 @@ public final class RenderJob extends Padded {
         end.await((long) (seconds * 1e9), TimeUnit.NANOSECONDS);
     }
 
-    /**
-     * Seconds between the passes, in which the next one was planned; the same for a part of the picture as for all of
-     * it.
-     */
+    /** Seconds between the passes, in which the next one was planned. */
     double planningSeconds() {
         return planningTime.sum() / 1e9;
     }

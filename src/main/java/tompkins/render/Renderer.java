@@ -135,10 +135,7 @@ public final class Renderer implements AutoCloseable {
                 || (fixed.samples() > 1 && settings.pixels() <= MOST_PIXELS_WITH_ESTIMATE);
     }
 
-    /**
-     * The bytes of memory that a picture takes until it is saved: its film, the picture itself, and the levels of its
-     * file.
-     */
+    /** The bytes that a picture takes until it is saved: its film, its light and the levels of its file. */
     public static long bytesOfMemory(RenderSettings settings, Quality quality) {
         int picture = 3 * Float.BYTES;
         int levels = 3 * Short.BYTES;

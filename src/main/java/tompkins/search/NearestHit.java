@@ -7,10 +7,7 @@ import tompkins.ray.Padded;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 
-/**
- * The result of a search for the nearest primitive, with the memory that the search needs. One for each thread, used
- * again for every ray.
- */
+/** The result and the memory of a search for the nearest primitive. One for each thread. */
 public final class NearestHit extends Padded {
 
     /** Below this depth a tree is cut into halves of equal number, so that it ends at most 40 levels deeper. */

@@ -19,10 +19,7 @@ import org.joml.Vector3d;
  */
 public final class FrameTree {
 
-    /**
-     * If the camera is farther than this from the origin of a frame, in space or time, the frame gets an origin of its
-     * own.
-     */
+    /** A frame gets an origin of its own if the camera is farther from its origin, in space or time. */
     private static final double FAR = 1000;
 
     private final TransformationLaw law;

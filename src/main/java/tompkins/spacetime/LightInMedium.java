@@ -63,10 +63,7 @@ public final class LightInMedium {
         return wider <= 0;
     }
 
-    /**
-     * The light that an observer meets, who looks along the unit direction (dx, dy, dz) of his frame; null if no light
-     * comes from there.
-     */
+    /** The light that an observer meets in his unit look direction (dx, dy, dz); null if none comes. */
     public Seen met(double dx, double dy, double dz) {
         if (speed == 0) {
             return new Seen(turned(new Vector3d(dx, dy, dz)), 1, 1);

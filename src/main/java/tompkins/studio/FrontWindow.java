@@ -46,10 +46,7 @@ public final class FrontWindow {
                 .map(FrameWindow.class::cast);
     }
 
-    /**
-     * The studio with another surface of the window, which is a new plane if there was none; without the window if
-     * null.
-     */
+    /** The studio with another surface of the window, which is new if there was none; null takes it away. */
     public static Studio with(Studio studio, Surface surface) {
         List<SceneObject> objects = new ArrayList<>();
         boolean found = false;

@@ -87,10 +87,7 @@ public record RideMoment(Studio studio, Rider rider, double properTime, double s
         return at(rider.after(inCamera(thrust), time), time);
     }
 
-    /**
-     * The thrust that brakes now: it points against the motion, in components to the right, up and forwards in the
-     * picture; 0 at rest.
-     */
+    /** The thrust that brakes now, to the right, up and forwards in the picture; 0 at rest. */
     public Vector3d brake(double strength) {
         Vector3d inCamera = rider.brake(strength);
         Camera camera = studio.camera();

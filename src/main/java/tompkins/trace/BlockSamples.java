@@ -7,10 +7,7 @@ import tompkins.ray.Colour;
 import tompkins.ray.Padded;
 import tompkins.ray.RayPacket;
 
-/**
- * One sample of each of some pixels of a block, as arrays of numbers, which short loops add up. One for each thread,
- * filled again and again.
- */
+/** One sample of each of some pixels of a block, as arrays of numbers. One for each thread. */
 public final class BlockSamples extends Padded {
 
     /** Columns of the indices on Morton's way through a block, on which those that follow each other are neighbours. */

@@ -301,10 +301,7 @@ public final class RenderPlan {
         return new SampleTracer(pictureRays, sampler, eyeTracer, counts, observer != null);
     }
 
-    /**
-     * Whether rays must be searched for frame by frame, or light needs to know of its motion where it leaves lamps or
-     * stars.
-     */
+    /** Whether rays are searched for frame by frame, or light depends on the motion of what it leaves. */
     private boolean needsFrames() {
         // in a Galilean world the time that light takes from a lamp depends on that motion
         boolean hasCarrier = studio.transformation() == TransformationLaw.GALILEAN && !isAtRest();
