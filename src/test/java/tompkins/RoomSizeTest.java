@@ -10,7 +10,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.StringTokenizer;
 import java.util.TreeMap;
+import java.util.function.ToLongFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -24,7 +26,8 @@ import org.junit.jupiter.params.provider.MethodSource;
  */
 class RoomSizeTest {
 
-    private static final Path PROGRAM = Path.of(System.getProperty("basedir", ""), "src/main/java/tompkins");
+    private static final Path PROJECT = Path.of(System.getProperty("basedir", ""));
+    private static final Path PROGRAM = PROJECT.resolve("src/main/java/tompkins");
 
     /** The most lines of some packages, as they are formatted, with blank lines and comments. */
     static Stream<Arguments> budgets() {
@@ -59,6 +62,25 @@ class RoomSizeTest {
         assertThat(lines().keySet()).containsExactlyInAnyOrder(all.split(", "));
     }
 
+    @Test
+    void testsBuildAndPagesStayWithinTheirBudget() throws IOException {
+        assertThat(sum("src/test/java", ".java", RoomSizeTest::lines))
+                .as("lines of tests")
+                .isBetween(1L, 50_700L);
+        assertThat(sum("docs", ".md", RoomSizeTest::words)).as("words of pages").isBetween(1L, 37_000L);
+        assertThat(Files.size(PROJECT.resolve("pom.xml")))
+                .as("bytes of the pom")
+                .isLessThanOrEqualTo(22_900);
+    }
+
+    private static long sum(String folder, String ending, ToLongFunction<Path> size) throws IOException {
+        try (Stream<Path> files = Files.walk(PROJECT.resolve(folder))) {
+            return files.filter(file -> file.toString().endsWith(ending))
+                    .mapToLong(size)
+                    .sum();
+        }
+    }
+
     /** The lines of each package with all that is inside it. */
     private static Map<String, Long> lines() {
         try (Stream<Path> files = Files.walk(PROGRAM)) {
@@ -75,6 +97,14 @@ class RoomSizeTest {
     private static long lines(Path file) {
         try (Stream<String> lines = Files.lines(file, StandardCharsets.UTF_8)) {
             return lines.count();
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+    }
+
+    private static long words(Path page) {
+        try {
+            return new StringTokenizer(Files.readString(page)).countTokens();
         } catch (IOException failure) {
             throw new UncheckedIOException(failure);
         }
