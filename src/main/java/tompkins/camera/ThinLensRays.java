@@ -117,10 +117,7 @@ final class ThinLensRays implements CameraRays {
         delays.addTo(rays, positions);
     }
 
-    /**
-     * Sets all directions to those through the centre of the lens. Short loops, because the compiler makes no
-     * instructions for several rays at once from a long one.
-     */
+    /** Sets all directions to those through the centre of the lens, in short loops for several at once. */
     private void aim(SamplePositions positions, RayPacket rays) {
         int count = positions.count();
         // slopes and scales first, where the directions will be

@@ -185,10 +185,7 @@ final class BlackBodyColours {
         return new Matrix3d().scaling(1 / white.x, 1 / white.y, 1 / white.z);
     }
 
-    /**
-     * A wavelength, and what it adds to the channels of a screen for each unit of the Planck factor 1/(exp(h
-     * c/(wavelength k T)) - 1).
-     */
+    /** A wavelength L, and what it adds to the screen for each unit of 1/(exp(h c/(L k T)) - 1). */
     record SpectralPoint(double wavelength, Vector3dc weight) {}
 
     private static List<SpectralPoint> spectrum() {

@@ -125,11 +125,11 @@ public final class Rotation {
         hit.shade(normal.x, normal.y, normal.z);
         SurfaceCoordinates at = hit.coordinates;
         if (at != null) {
-            hit.coordinates = new SurfaceCoordinates(
+            hit.locate(new SurfaceCoordinates(
                     at.u(),
                     at.v(),
                     turned(new Vector3d(at.uX(), at.uY(), at.uZ()), angle),
-                    turned(new Vector3d(at.vX(), at.vY(), at.vZ()), angle));
+                    turned(new Vector3d(at.vX(), at.vY(), at.vZ()), angle)));
         }
     }
 

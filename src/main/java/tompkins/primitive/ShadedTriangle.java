@@ -41,7 +41,7 @@ public final class ShadedTriangle extends FlatPrimitive {
         super.hit(ray, distance, memory);
         SurfaceCoordinates flat = coordinates(ray, distance);
         if (detail.hasTexture(triangle) && surface().usesCoordinates()) {
-            memory.coordinates = textured(flat);
+            memory.locate(textured(flat));
         }
         // light that goes on keeps to the triangle itself
         if (detail.hasNormals(triangle) && surface().continuation() == Continuation.NONE) {

@@ -128,6 +128,11 @@ public final class Hit implements Cloneable {
         }
     }
 
+    /** Gives the place other coordinates on the surface. */
+    public void locate(SurfaceCoordinates newCoordinates) {
+        coordinates = newCoordinates;
+    }
+
     /** Gives the boundary another unit normal, with which light is worked out. */
     public void shade(double newNormalX, double newNormalY, double newNormalZ) {
         normalX = newNormalX;
@@ -163,6 +168,11 @@ public final class Hit implements Cloneable {
         velocityZ = newVelocityZ;
     }
 
+    /** Gives the hit the distance that it has in another frame in which the place and the time stay the same. */
+    public void stretch(double factor) {
+        distance *= factor;
+    }
+
     /** Memory for the event of this hit in the frame in which the ray began. */
     public Hit eventMemory() {
         if (memoryOfEvent == null) {
@@ -170,6 +180,12 @@ public final class Hit implements Cloneable {
         }
         event = memoryOfEvent;
         return event;
+    }
+
+    /** Says which ray has hit, in the frame in which it began. */
+    public void of(Ray hitting) {
+        ray = hitting;
+        event = null;
     }
 
     /** Cosine between the ray and the outward normal: negative where the ray comes from outside. */

@@ -68,10 +68,7 @@ final class Allocation {
         return step == 0 ? 0 : threshold(step);
     }
 
-    /**
-     * The lowest threshold that needs no more than a number of samples, including those taken before; the highest if
-     * there is none.
-     */
+    /** The lowest threshold for at most so many samples, with those taken; the highest if there is none. */
     double thresholdForSamples(double limit) {
         return threshold(Math.min(STEPS - 1, 1 + highest(step -> samples(threshold(step)) > limit)));
     }

@@ -43,14 +43,14 @@ public final class MomentaryRestFrame {
      * {@code g - u (u.g)/(gamma (gamma + 1))}.
      */
     public void enterHit() {
-        hit.distance *= stretch;
+        hit.stretch(stretch);
         if (isLorentz) {
             Vector3d normal = normal();
             hit.shade(normal.x, normal.y, normal.z);
             SurfaceCoordinates at = hit.coordinates;
             if (at != null) {
-                hit.coordinates = new SurfaceCoordinates(
-                        at.u(), at.v(), gradient(at.uX(), at.uY(), at.uZ()), gradient(at.vX(), at.vY(), at.vZ()));
+                hit.locate(new SurfaceCoordinates(
+                        at.u(), at.v(), gradient(at.uX(), at.uY(), at.uZ()), gradient(at.vX(), at.vY(), at.vZ())));
             }
         }
     }

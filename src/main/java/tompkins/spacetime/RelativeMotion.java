@@ -38,10 +38,7 @@ public record RelativeMotion(Vector3dc inFirst, Vector3dc inSecond, Quaterniondc
         return gamma() + index * (inFirst.x() * dx + inFirst.y() * dy + inFirst.z() * dz);
     }
 
-    /**
-     * The velocity of a frame as one boost, and the rotation that is left: the axes of the frame are those of the
-     * boost, turned.
-     */
+    /** The velocity of a frame as one boost, and the rotation by which its axes are then turned. */
     private record Composed(ProperVelocity velocity, Quaterniondc turn) {
 
         /** From velocities that lead inwards, each in the frame that moves with those before it. */

@@ -32,10 +32,7 @@ public final class LensEvent {
         return camera.shutter().transmissionTime(middle, sceneFromCamera);
     }
 
-    /**
-     * The event in the camera frame, in the middle of the exposure and of the sweep; at time 0 if no light crosses the
-     * shutter.
-     */
+    /** The event in the camera frame amid exposure and sweep; at time 0 if no light crosses the shutter. */
     public static Event inCamera(Studio studio) {
         Camera camera = studio.camera();
         Vector3dc place = camera.position();

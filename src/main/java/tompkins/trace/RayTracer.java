@@ -111,10 +111,7 @@ final class RayTracer extends Padded implements Tracer {
         return path.light().plus(shift == null ? path.throughput().times(behind) : behind);
     }
 
-    /**
-     * Follows a ray from its nearest hit on, if there is one. The memory is for its hits, each of which is dealt with
-     * before the next.
-     */
+    /** Follows a ray from its nearest hit on, if any. The memory holds one hit after the other. */
     private TracedPath follow(Ray start, Hit first, Hit memory) {
         Ray ray = start;
         Colour light = Colour.BLACK;

@@ -275,8 +275,7 @@ public final class Surroundings extends Padded {
 
     /** Gives a hit its ray, and its event in the frame in which that began. */
     private Hit given(Hit hit, double lengthAlong) {
-        hit.ray = ray;
-        hit.event = null;
+        hit.of(ray);
         if (!isOneFrame || ray.frame != start.frame) {
             double along = lengthAlong * start.directionLength;
             hit.eventMemory()
