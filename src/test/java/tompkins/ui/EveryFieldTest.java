@@ -184,6 +184,7 @@ class EveryFieldTest {
             if (!model.studio().equals(before)) {
                 differences(before, model.studio(), StudioPath.ROOT, changed);
                 model.undo();
+                return;
             }
         }
     }
