@@ -78,14 +78,6 @@ class ColourLawTest {
     }
 
     @Test
-    void lightOfALampGrowsByTheFourthPowerOfBoth() {
-        assertSame(
-                ColourLaw.SEARCHLIGHT.seen(new Colour(0.1, 0.2, 3), 3, 0.5),
-                new Colour(8.1 / 16, 16.2 / 16, 243.0 / 16),
-                1e-12);
-    }
-
-    @Test
     void unchangedLightStays() {
         Colour light = new Colour(0.1, 0.2, 3);
         assertThat(ColourLaw.UNCHANGED.seen(light, 7)).isEqualTo(light);

@@ -3,7 +3,6 @@ package tompkins.physics;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import org.joml.Vector2i;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
@@ -13,20 +12,13 @@ import tompkins.camera.SamplePositions;
 import tompkins.golden.GoldenRow;
 import tompkins.golden.GoldenTable;
 import tompkins.golden.Worst;
-import tompkins.image.LinearImage;
 import tompkins.property.Descriptions;
 import tompkins.ray.RayCounts;
-import tompkins.sceneobject.ImagePointGrid;
 import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
-import tompkins.sceneobject.Sphere;
-import tompkins.shutter.AperturePlaneShutter;
-import tompkins.shutter.DetectorPlaneShutter;
-import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
-import tompkins.studio.Studio;
 import tompkins.trace.SampleHistory;
 import tompkins.trace.SampleTracer;
 
@@ -79,48 +71,6 @@ class ExposureTest {
     void samplesConvergeToTheSharesOfTheReference() {
         assertThat(error(64)).isLessThan(0.3 * randomError(64));
         assertThat(error(1024)).isLessThan(0.18 * randomError(1024));
-    }
-
-    /**
-     * Through a wide aperture, too, a long exposure with the detector-plane shutter blurs by the motion alone: at each
-     * moment all light of a pixel comes from one event in focus.
-     */
-    @Test
-    void detectorPlaneShutterAddsNoBlurOfTheLens() {
-        DetectorPlaneShutter detector = new DetectorPlaneShutter(1.12, 1);
-        int pinhole = grey(0, detector);
-        int wide = grey(0.05, detector);
-        int inTheLens = grey(0.05, new AperturePlaneShutter(0));
-        assertThat(pinhole).isGreaterThan(300);
-        assertThat(wide).isBetween((int) (0.9 * pinhole), (int) (1.15 * pinhole));
-        assertThat(inTheLens).isGreaterThan((int) (1.4 * pinhole));
-    }
-
-    /** The grey pixels of nine glowing balls in the plane in focus, before black. */
-    private static int grey(double apertureRadius, Shutter shutter) {
-        Sphere ball = new Sphere("ball", new Vector3d(), 0.1, Photograph.WHITE);
-        SceneObject balls = new ImagePointGrid(
-                "balls",
-                ball,
-                new Vector3d(-1, -1, 10),
-                new Vector3d(2, 0, 0),
-                new Vector3d(0, 2, 0),
-                new Vector2i(3, 3));
-        Camera instant = Descriptions.with(
-                        Photograph.pinhole(new Vector3d(0, 0, 1), 20, 0), "apertureRadius", apertureRadius)
-                .withShutter(shutter);
-        Camera camera = Descriptions.with(instant, "exposureTime", 0.004);
-        Studio studio = Photograph.of(List.of(balls), camera, Velocity.of(0.2, -0.1, 0.97), 240, 180)
-                .studio();
-        LinearImage image = new Photograph(studio.withSettings(studio.settings().withSamples(64))).image();
-        int grey = 0;
-        for (int row = 0; row < image.height(); row++) {
-            for (int column = 0; column < image.width(); column++) {
-                float value = image.value(column, row, 0);
-                grey += value > 0.1 && value < 0.9 ? 1 : 0;
-            }
-        }
-        return grey;
     }
 
     /** One exposure of the reference. */

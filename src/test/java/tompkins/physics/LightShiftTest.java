@@ -9,6 +9,7 @@ import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.camera.Camera;
@@ -84,6 +85,18 @@ class LightShiftTest {
                 .withTransformation(law);
         assertThat(picture(studio).rgb())
                 .isEqualTo(picture(studio.withColours(ColourLaw.UNCHANGED)).rgb());
+    }
+
+    /**
+     * Waves that run with speed 1 in the frame of the camera, from sources that come towards it with beta cos(angle).
+     */
+    @ParameterizedTest
+    @CsvSource({"0.6, 0, 2.5", "0.6, 180, 0.625", "0.6, 90, 1", "0.9, 60, 1.8181818181818181"})
+    void inNewtonsWorldFrequenciesShiftToo(double speed, double cameraDegrees, double expected) {
+        Studio moving = shell(Photograph.wholeSky(), Velocity.of(0, 0, speed), ColourLaw.UNCHANGED)
+                .withTransformation(TransformationLaw.GALILEAN);
+        SampleHistory ray = new Photograph(moving).trace(WIDTH / 2.0 + cameraDegrees / 3, HEIGHT / 2.0);
+        assertThat(ray.sceneDopplerFactor()).isCloseTo(expected, within(1e-14));
     }
 
     static Stream<SceneObject> beforeTheLens() {

@@ -14,7 +14,6 @@ import tompkins.render.RenderJob;
 import tompkins.render.Renderer;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.AperturePlaneShutter;
-import tompkins.shutter.Shutter;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
@@ -110,15 +109,5 @@ final class Photograph {
     /** The ray of a place in the picture, followed through both frames. */
     SampleHistory trace(double x, double y) {
         return SampleHistory.of(plan, x, y, 0, 0);
-    }
-
-    /** The same photograph with another shutter. */
-    Photograph with(Shutter shutter) {
-        return new Photograph(studio.withCamera(studio.camera().withShutter(shutter)));
-    }
-
-    /** A unit vector in the plane of z and x, at an angle from z. */
-    static Vector3d level(double degrees) {
-        return new Vector3d(Math.sin(Math.toRadians(degrees)), 0, Math.cos(Math.toRadians(degrees)));
     }
 }

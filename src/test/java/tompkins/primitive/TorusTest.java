@@ -84,38 +84,6 @@ class TorusTest {
         return Ray.from(start.x, start.y, start.z, direction.x, direction.y, direction.z, random.mix(-5, 5));
     }
 
-    /** A line in a plane with the axis meets two circles. */
-    @Test
-    void lineMeetsItFourTimes() {
-        Primitive torus = placed(torus(new Vector3d(0, 0, 5), new Vector3d(0, 2, 0)));
-        double slant = 0.1;
-        double x = Math.cos(slant);
-        double y = Math.sin(slant);
-        double half = Math.sqrt(TUBE * TUBE - RADIUS * RADIUS * y * y);
-
-        List<Double> found = meetings(torus, Ray.from(-5 * x, -5 * y, 5, x, y, 0, 0));
-
-        double[] expected = {5 - RADIUS * x - half, 5 - RADIUS * x + half, 5 + RADIUS * x - half, 5 + RADIUS * x + half
-        };
-        assertThat(found).hasSize(4);
-        for (int i = 0; i < 4; i++) {
-            assertThat(found.get(i)).isCloseTo(expected[i], within(1e-12));
-        }
-    }
-
-    /** All distances, each from a ray that starts where the one before ended. */
-    private static List<Double> meetings(Primitive torus, Ray first) {
-        List<Double> all = new ArrayList<>();
-        Ray ray = first;
-        double passed = 0;
-        for (double next = torus.distance(ray, FAR); next < FAR; next = torus.distance(ray, FAR)) {
-            passed += next;
-            all.add(passed);
-            ray = ray.shadowBeyond(torus.hit(ray, next));
-        }
-        return all;
-    }
-
     /** In a tree, for rays alone and in packets. */
     @Test
     void treeFindsTheNearestOfMany() {

@@ -93,32 +93,6 @@ class FilmTest {
     }
 
     /**
-     * Light that grows evenly to the right and downwards is the same between coarse pixels; behind the last it stays.
-     */
-    @Test
-    void evenSlopesAreInterpolatedExactly() {
-        Film film = new Film(21, 12, 2, false);
-        for (int row = 0; row < 12; row += 4) {
-            for (int column = 0; column < 21; column += 4) {
-                Films.add(film, film.pixel(column, row), column, row, column + 3 * row, 1);
-            }
-        }
-
-        LinearImage image = film.image();
-
-        assertThat(film.sampledPixels()).isEqualTo(18);
-        for (int row = 0; row < 12; row++) {
-            for (int column = 0; column < 21; column++) {
-                int right = Math.min(column, 20);
-                int down = Math.min(row, 8);
-                assertThat(image.value(column, row, 0)).isEqualTo(2f * right);
-                assertThat(image.value(column, row, 1)).isEqualTo(2f * down);
-                assertThat(image.value(column, row, 2)).isEqualTo(2f * right + 6f * down);
-            }
-        }
-    }
-
-    /**
      * Grey samples of 0, 0.1, ... 0.7 have a variance of 0.06 (n^2 - 1 over 12, times n over n - 1), exposed twice 4.
      */
     @Test

@@ -18,9 +18,6 @@ import tompkins.primitive.Primitive;
 import tompkins.property.Descriptions;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
-import tompkins.ray.RayCounts;
-import tompkins.search.NearestHit;
-import tompkins.search.ObjectTree;
 import tompkins.search.RandomAims;
 import tompkins.surface.Surface;
 import tompkins.surface.Tiling;
@@ -306,54 +303,5 @@ class PrimitiveContractTest {
                         .isFalse();
             }
         }
-    }
-
-    /** Also where only rounding decides: far starts, and aims at the very edges of the boxes. */
-    @Test
-    void treeFindsWhatTheListFinds() {
-        List<SceneObject> objects = new ArrayList<>();
-        for (int seed = 0; objects.size() < 300; seed++) {
-            Class<?>[] types = Descriptions.members(SceneObject.class).toArray(Class<?>[]::new);
-            SceneObject object = RandomStudio.object(seed, types[seed % types.length], TILED);
-            if (isOneOfATree(object)) {
-                Vector3d place = aims.vector(60);
-                objects.add(new Placed("", object, 0.1, place, 30, place));
-            }
-        }
-        List<Primitive> primitives = PrimitiveCollector.primitivesOf(new Group("", objects));
-        ObjectTree tree = new ObjectTree(primitives, 1);
-        ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
-        RayCounts ofTree = new RayCounts();
-        RayCounts ofList = new RayCounts();
-        NearestHit fromTree = new NearestHit(ofTree);
-        NearestHit fromList = new NearestHit(ofList);
-        int hits = 0;
-        for (int i = 0; i < 40_000; i++) {
-            Bounds bounds = primitives.get((int) aims.mix(0, primitives.size())).bounds();
-            boolean edge = i % 2 == 0;
-            Vector3d target = new Vector3d(
-                    edge ? (bounds.minX() + bounds.maxX()) / 2 : aims.mix(bounds.minX(), bounds.maxX()),
-                    edge ? bounds.maxY() : aims.mix(bounds.minY(), bounds.maxY()),
-                    edge ? (bounds.minZ() + bounds.maxZ()) / 2 : aims.mix(bounds.minZ(), bounds.maxZ()));
-            Vector3d origin = i % 4 == 0
-                    ? new Vector3d(target).add(aims.mix(-5e5, 5e5), 0, aims.mix(0, 1e6))
-                    : aims.vector(i % 4 == 1 ? 1e6 : 100);
-            Ray ray = ray(origin, target.sub(origin, new Vector3d()));
-            boolean found = tree.nearest(ray, fromTree);
-            assertThat(found).isEqualTo(list.nearest(ray, fromList));
-            if (found) {
-                hits++;
-                assertThat(fromTree.primitive().order())
-                        .isEqualTo(fromList.primitive().order());
-                assertThat(fromTree.distance()).isEqualTo(fromList.distance());
-            }
-        }
-        assertThat(hits).isGreaterThan(8_000);
-    }
-
-    /** Not several, so that the list stays short; planes, which have no bounds, lie in no tree. */
-    private static boolean isOneOfATree(SceneObject object) {
-        List<Primitive> primitives = PrimitiveCollector.primitivesOf(object);
-        return primitives.size() == 1 && primitives.get(0).bounds() != null;
     }
 }

@@ -61,17 +61,4 @@ class TriangleMeshTest {
 
         assertThat(primitives).hasSize(1);
     }
-
-    @Test
-    void aPlacedMeshMovesWithItsPlacement() {
-        Placed placed =
-                new Placed("placed", TriangleMesh.DEFAULT, 0.5, new Vector3d(0, 0, 1), 90, new Vector3d(0, 0, 10));
-        ObjectTree tree = new ObjectTree(PrimitiveCollector.primitivesOf(placed));
-        NearestHit nearest = new NearestHit(new RayCounts());
-
-        assertThat(tree.nearest(Ray.from(0.05, 0.1, 0, 0, 0, 1, 0), nearest)).isTrue();
-
-        // half the size: |x| + |y| + |z - 10| = 1/2
-        assertThat(nearest.distance()).isCloseTo(9.65, within(1e-14));
-    }
 }

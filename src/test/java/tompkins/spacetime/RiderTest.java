@@ -63,17 +63,6 @@ class RiderTest {
         assertThat(end.time()).isCloseTo(4 + 10, EXACT);
     }
 
-    /** Out and back again with four equal burns: 4 sinh(1) years there, 4 at home. */
-    @Test
-    void twinStaysYounger() {
-        Vector3d out = new Vector3d(0, 0, 1);
-        Vector3d back = new Vector3d(0, 0, -1);
-        Rider end = many(many(many(many(atRest(), out, 1, 9), back, 1, 7), back, 1, 5), out, 1, 3);
-        assertThat(end.event().time()).isCloseTo(4 * Math.sinh(1), EXACT);
-        assertThat(end.event().z()).isCloseTo(0, EXACT);
-        assertThat(end.proper()).isEqualTo(new Vector3d());
-    }
-
     @Test
     void brakesToRestAndWaits() {
         Rider rider = new Rider(ORIGIN, Velocity.of(0.48, 0.36, 0));
@@ -101,19 +90,6 @@ class RiderTest {
         double gamma = first.gamma();
         assertThat(turned.x).isCloseTo(2 * gamma / (1 + gamma * gamma), EXACT);
         assertThat(turned.z).isZero();
-    }
-
-    /** A triangle of boosts that ends at rest turns by the area that it encloses: here by 12.6804 degrees. */
-    @Test
-    void closedTriangleTurnsByItsDefect() {
-        Rider.Step first = atRest().after(new Vector3d(Math.log(2), 0, 0), 1);
-        Rider.Step second = first.rider().after(new Vector3d(0, Math.log(2), 0), 1);
-        Rider.Step third =
-                second.rider().after(second.rider().brake(1), second.rider().rapidity());
-        assertThat(third.rider().proper()).isEqualTo(new Vector3d());
-        Vector3d turned =
-                third.turn().transform(second.turn().transform(first.turn().transform(new Vector3d(1, 0, 0))));
-        assertThat(Math.toDegrees(Math.acos(turned.x))).isCloseTo(Math.toDegrees(Math.acos(40 / 41.0)), EXACT);
     }
 
     /** As the product of the boosts, matrix by matrix, of a tetrad that is carried along. */

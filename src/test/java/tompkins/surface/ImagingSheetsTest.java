@@ -181,43 +181,6 @@ class ImagingSheetsTest {
         }
     }
 
-    /** Two lenses with one focus in common multiply slopes by -f1/f2, as lenslets with eta = -f2/f1 do. */
-    @ParameterizedTest
-    @CsvSource({"-1, 3", "1, 3", "2, 0.5"})
-    void twoConfocalLensesAreATelescope(double first, double second) {
-        Vector3d normal = new Vector3d(0, 0, 1);
-        Primitive eyepiece =
-                primitive(new Disc("", new Vector3d(0, 0, 1), normal, 50, new IdealLens(first, 0.5, 0.5, 1)));
-        Primitive objective = primitive(
-                new Disc("", new Vector3d(0, 0, 1 + first + second), normal, 50, new IdealLens(second, 0.5, 0.5, 1)));
-        Primitive sheet = primitive(
-                new Disc("", new Vector3d(0, 0, 1), normal, 50, lenslets(-second / first, -second / first, 0, 0)));
-        for (int i = 0; i < 100; i++) {
-            Ray ray = ray(vector(0.5), vector(0.9).add(0, 0, 1.5));
-            Ray through = beyond(objective, beyond(eyepiece, ray));
-            double factor = -first / second;
-            assertThat(through.dx / through.dz).isCloseTo(factor * ray.dx / ray.dz, within(1e-13));
-            assertThat(through.dy / through.dz).isCloseTo(factor * ray.dy / ray.dz, within(1e-13));
-            assertThat(direction(beyond(sheet, ray)).distance(direction(through)))
-                    .isLessThan(1e-13);
-        }
-    }
-
-    /** A thin bundle from a pinhole: the telescope narrows it as it narrows directions. */
-    @ParameterizedTest
-    @CsvSource({"-1, 3, 3", "1, 3, -3"})
-    void bundlesGetNarrowerInATelescope(double first, double second, double magnification) {
-        Vector3d normal = new Vector3d(0, 0, -1);
-        Primitive eyepiece =
-                primitive(new Disc("", new Vector3d(0, 0, 0.4), normal, 9, new IdealLens(first, 0.5, 0.5, 1)));
-        Primitive objective = primitive(
-                new Disc("", new Vector3d(0, 0, 0.4 + first + second), normal, 9, new IdealLens(second, 0.5, 0.5, 1)));
-        Ray ray = ray(new Vector3d(), new Vector3d(0, 0, 1));
-        ray.spread = 1e-3;
-        Ray through = beyond(objective, beyond(eyepiece, ray));
-        assertThat(through.spread).isCloseTo(1e-3 / magnification, within(1e-18));
-    }
-
     /** Rays from a point at twice the focal length meet there again behind the lens, and part. */
     @Test
     void bundlesHaveNoWidthInAFocus() {

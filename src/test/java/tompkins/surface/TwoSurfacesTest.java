@@ -60,17 +60,6 @@ class TwoSurfacesTest {
         assertThat(ahead(turned)).isEqualTo(new Colour(1 - red, 1 - green, 0));
     }
 
-    /** Light passes towards what looks at the clear side, and not the other way. */
-    @Test
-    void shadowsFallOnTheSideThatIsOpaque() {
-        Primitive sheet = PrimitiveCollector.primitivesOf(
-                        disc(5, -1, new TwoSided(ColouredSurface.DEFAULT, Clear.DEFAULT)))
-                .get(0);
-        assertThat(sheet.shadows(ray(new Vector3d(), 1), 20)).isTrue();
-        assertThat(sheet.shadows(ray(new Vector3d(), 1), 3)).isFalse();
-        assertThat(sheet.shadows(ray(new Vector3d(0, 0, 9), -1), 20)).isFalse();
-    }
-
     private static Ray ray(Vector3dc start, double dz) {
         return Ray.from(start.x(), start.y(), start.z(), 0, 0, dz, 0);
     }
