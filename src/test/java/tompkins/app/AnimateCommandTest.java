@@ -52,19 +52,6 @@ class AnimateCommandTest {
                 .toList();
     }
 
-    @Test
-    void theSpeedRunsAlongItsDirection() {
-        ProgramRun run = animate("frames", "--from", "0", "--to", "0.8");
-
-        assertThat(run.err()).isEmpty();
-        assertThat(run.code()).isZero();
-        assertThat(run.out()).contains("frames", "5 pictures");
-        double[] speeds = moments("frames").stream()
-                .mapToDouble(studio -> studio.velocity().components().z())
-                .toArray();
-        assertThat(speeds).containsExactly(new double[] {0, 0.2, 0.4, 0.6, 0.8}, within(1e-15));
-    }
-
     /** Its front at z = 5 + beta t - 1 is seen straight ahead at the age 4/(1 + beta). */
     @Test
     void theVelocityOfWhatMovesRuns() throws IOException {

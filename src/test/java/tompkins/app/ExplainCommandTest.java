@@ -1,8 +1,6 @@
 package tompkins.app;
 
-import static org.assertj.core.api.Assertions.as;
 import static org.assertj.core.api.Assertions.assertThat;
-import static tompkins.app.ProgramRun.FIG1B;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -10,7 +8,6 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -60,16 +57,6 @@ class ExplainCommandTest {
                 .startsWith("a [31mtitle", "first", "second 31m")
                 .noneMatch(line -> line.chars().anyMatch(Character::isISOControl));
         assertThat(ProgramRun.of("trace", scene, "--pixel", "0,0").out()).contains("Hits a [31msphere\n");
-    }
-
-    @Test
-    void explainSaysWhatThereIsToSee() {
-        assertThat(ProgramRun.of("explain", FIG1B, "--size", "8x6")
-                        .out()
-                        .lines()
-                        .skip(1))
-                .first(as(InstanceOfAssertFactories.STRING))
-                .startsWith("The same time and the same position as in Fig. 1(a)");
     }
 
     /**

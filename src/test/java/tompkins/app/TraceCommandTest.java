@@ -79,9 +79,6 @@ class TraceCommandTest {
         double right = numbers(second, "hits", "position").get(0);
         assertThat(Math.abs(left)).isCloseTo(6, within(1e-12));
         assertThat(left).isCloseTo(-right, within(1e-12));
-        assertThat(ProgramRun.of("trace", scene, "--pixel", "0,1", "--pixel", "3,1")
-                        .err())
-                .contains("--pixel must be from 0,0 to 2,2, was 3,1");
     }
 
     @Test
@@ -125,9 +122,6 @@ class TraceCommandTest {
     void momentsAreChosen() {
         assertThat(cameraTime()).isEqualTo(cameraTime("--moment", "0.5"));
         assertThat(cameraTime("--moment", "1") - cameraTime("--moment", "0")).isCloseTo(4, within(1e-12));
-        ProgramRun later = ProgramRun.of("trace", "scenes/fig1b.json", "--pixel", "1,1", "--moment", "1.5");
-        assertThat(later.code()).isEqualTo(2);
-        assertThat(later.err().strip()).isEqualTo("--moment must be from 0 to 1, was 1.5");
     }
 
     private static double cameraTime(String... words) {

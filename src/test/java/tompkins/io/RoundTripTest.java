@@ -39,7 +39,6 @@ import tompkins.ray.PixelPicture;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.shutter.Shutter;
-import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Background;
 import tompkins.studio.Lighting;
@@ -147,19 +146,6 @@ class RoundTripTest {
         return description instanceof Background background
                 ? Descriptions.with(studio, "background", background)
                 : (Studio) description;
-    }
-
-    @Test
-    void velocitiesKeepTheFormInWhichTheyWereGiven() {
-        for (SpeedScale scale : SpeedScale.values()) {
-            double value = scale == SpeedScale.GAMMA ? 12.25 : 0.1 + 0.2;
-            Studio studio = Studio.DEFAULT.withVelocity(Velocity.of(scale, value, new Vector3d(3, -4, 1e-17)));
-            Velocity back =
-                    StudioReader.read(StudioWriter.write(studio), "", folder).velocity();
-            assertThat(back.scale()).isEqualTo(scale);
-            assertThat(back.value()).isEqualTo(value);
-            assertThat(back.given()).isEqualTo(new Vector3d(3, -4, 1e-17));
-        }
     }
 
     @Test

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.joml.Vector2d;
-import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import tompkins.property.Descriptions;
@@ -17,23 +16,6 @@ import tompkins.surface.LuminousSurface;
 import tompkins.trace.RenderPlan;
 
 class ProfileTest {
-
-    private static final Sphere BALL = new Sphere("", new Vector3d(0, 0, 10), 1, LuminousSurface.DEFAULT);
-
-    /** The edge of a ball of radius 1 in the distance 10 lies at the slope 1/sqrt(99). */
-    @Test
-    void edgeOfABallIsFoundToTheLastDigits() {
-        RenderPlan plan = RenderPlan.of(Studio.DEFAULT.withScene(List.of(BALL)));
-
-        List<Sighting> profile = Sighting.along(plan, new Vector2d(320, 240), new Vector2d(620, 240), () -> true);
-        Vector2dc edge = new Edges(plan).largestStep(profile).orElseThrow();
-
-        double slope = 1 / Math.sqrt(99);
-        assertThat(edge.x()).isCloseTo(320 + 320 * slope / Math.tan(Math.toRadians(10)), within(1e-6));
-        assertThat(edge.y()).isEqualTo(240);
-        assertThat(profile).hasSize(301);
-        assertThat(profile.get(300).x()).isEqualTo(620);
-    }
 
     /** Two balls, one in front of a brighter one: the larger step counts, not the first. */
     @Test

@@ -133,16 +133,6 @@ class RayHistoryTest {
                 .isNull();
     }
 
-    @Test
-    void aRayThatMeetsNothingEndsInTheBackground() {
-        assertThat(headings(history(Studios.sphere(), 0.5, 0.5)))
-                .containsExactly(
-                        "Starts in the camera frame",
-                        "Enters the scene frame",
-                        "Meets nothing else: the background",
-                        "Colour (linear)");
-    }
-
     /** Light that a camera of the speed 0.5 sees coming from ahead in a medium of index 2 has the speed 0 there. */
     @Test
     void lightThatStandsStillInTheSceneIsNotTheBackground() {

@@ -7,13 +7,11 @@ import java.util.List;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.ThinLensCamera;
 import tompkins.property.Descriptions;
 import tompkins.sceneobject.Moving;
-import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
@@ -55,45 +53,5 @@ class SeparationTest {
         Vector2dc from = projection.position(frame, first);
         Vector2dc to = projection.position(frame, second);
         return new Separation(Sighting.of(plan, from.x(), from.y()), Sighting.of(plan, to.x(), to.y()));
-    }
-
-    /**
-     * tan(a/2) in the scene is tan(a'/2) sqrt((1 + beta)/(1 - beta)) about the motion; the interval is that of both.
-     */
-    @Test
-    void lorentzTransformationJoinsBothFrames() {
-        Studio studio = Studio.DEFAULT
-                .withVelocity(Velocity.of(0, 0, 0.8))
-                .withScene(List.of(
-                        new Plane("wall", new Vector3d(0, 0, 10), new Vector3d(0, 0, -1), LuminousSurface.DEFAULT)));
-        RenderPlan plan = RenderPlan.of(studio);
-        Sighting middle = Sighting.of(plan, 320, 240);
-        Sighting side = Sighting.of(plan, 500, 240);
-        Separation both = new Separation(middle, side);
-
-        assertThat(Math.tan(both.sceneAngle() / 2)).isCloseTo(3 * Math.tan(both.cameraAngle() / 2), within(1e-12));
-        assertThat(both.sceneAngle()).isCloseTo(side.sceneAngle(), within(1e-12));
-        assertThat(both.cameraAngle()).isCloseTo(side.cameraAngle(), within(1e-12));
-        // the wall is met beside the axis
-        double across = 10 * Math.tan(both.sceneAngle());
-        assertThat(both.inScene().position().length()).isCloseTo(across, within(1e-9));
-        double later = 10 - 10 / Math.cos(both.sceneAngle());
-        assertThat(both.inScene().time()).isCloseTo(later, within(1e-9));
-        assertThat(Separation.interval(both.inCamera())).isCloseTo(across * across - later * later, within(1e-9));
-        assertThat(Separation.interval(both.inScene())).isCloseTo(across * across - later * later, within(1e-9));
-        // D = sqrt((1 + beta)/(1 - beta)) straight ahead, and the camera places the wall D times as far
-        assertThat(middle.dopplerFactor()).isCloseTo(3, within(1e-12));
-        assertThat(middle.cameraDistance()).isCloseTo(30, within(1e-11));
-    }
-
-    @Test
-    void withoutHitsThereAreAnglesAlone() {
-        RenderPlan plan = RenderPlan.of(Studio.DEFAULT);
-        Separation sky = new Separation(Sighting.of(plan, 100, 240), Sighting.of(plan, 500, 240));
-
-        assertThat(sky.cameraAngle()).isPositive();
-        assertThat(sky.inScene()).isNull();
-        assertThat(sky.inObject()).isNull();
-        assertThat(sky.inCamera()).isNull();
     }
 }

@@ -2,14 +2,9 @@ package tompkins.measure;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
-import tompkins.io.StudioReader;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -60,14 +55,5 @@ class UnseenObjectsTest {
         Sphere roof = new Sphere("roof", new Vector3d(0, 30, 8), 1, ColouredSurface.DEFAULT);
         assertThat(new UnseenObjects(RenderPlan.of(studio(FLOOR, ball(0, 0, 8), roof))).sentence())
                 .hasValue("Not all objects are in the picture: \"roof\" is above the picture.");
-    }
-
-    @Test
-    void noBundledSceneIsWarnedOf() throws IOException {
-        try (Stream<Path> scenes = Files.list(Path.of("scenes"))) {
-            assertThat(scenes.filter(scene -> scene.toString().endsWith(".json")))
-                    .allSatisfy(scene ->
-                            assertThat(warning(StudioReader.read(scene))).isEmpty());
-        }
     }
 }

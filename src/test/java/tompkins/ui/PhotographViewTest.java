@@ -13,7 +13,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.IntStream;
-import org.joml.Vector3d;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -21,7 +20,6 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.render.Quality;
-import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studios;
 import tompkins.ui.compare.ComparePanel;
@@ -99,17 +97,6 @@ class PhotographViewTest {
             model.set(Studios.slow());
             assertThat(view.controller().isBusy()).isTrue();
         });
-    }
-
-    @Test
-    void aKeptPictureIsCalledByItsSpeed() {
-        Velocity fast = Velocity.of(SpeedScale.ONE_MINUS_BETA, 5e-15, new Vector3d(0, 0, 1));
-        WindowDriver.onEventThread(() -> model.set(model.studio().withVelocity(fast)));
-        WindowDriver.await(
-                "the picture",
-                () -> view.canvas().shown().now() != null
-                        && view.canvas().shown().now().complete());
-        assertThat(WindowDriver.onEventThread(view::keepPicture)).endsWith("\u03b2 = 1-5e-15, \u03b3 = 10000000");
     }
 
     @Test

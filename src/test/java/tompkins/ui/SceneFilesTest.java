@@ -122,12 +122,6 @@ class SceneFilesTest extends WindowFixture {
         CountDownLatch stopped = saveSlowly();
         JFrame frame = driver.window().frame();
         driver.menu("menu.close");
-        driver.answer("Wait");
-        await(
-                "the end of the question",
-                () -> Components.messages(frame).findAny().isEmpty());
-        assertThat(frame.isDisplayable()).isTrue();
-        driver.menu("menu.close");
         driver.answer("Stop it and close");
         assertThat(stopped.await(5, TimeUnit.MINUTES)).isTrue();
         await("the end of the window", () -> !frame.isDisplayable());

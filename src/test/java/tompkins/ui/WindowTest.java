@@ -68,21 +68,6 @@ class WindowTest extends WindowFixture {
     }
 
     @Test
-    void theMouseReadsPixelsAndAClickPinsOne() {
-        driver.completePicture();
-        PictureCanvas canvas = driver.find(PictureCanvas.class, "picture");
-        Point middle = driver.centre(canvas);
-        driver.move(middle);
-        await("the reading", () -> driver.said().startsWith("Pixel 160, 120"));
-        assertThat(driver.said()).contains("to the velocity");
-        assertThat(driver.find(JLabel.class, "status.where").getText()).contains("Doppler factor");
-        driver.click(middle);
-        await(
-                "the pinned ray",
-                () -> driver.find(JTextPane.class, "ray.story").getText().contains("Pixel 160, 120"));
-    }
-
-    @Test
     @Thorough
     void theCitationIsCopied() throws Exception {
         driver.menu("menu.cite");

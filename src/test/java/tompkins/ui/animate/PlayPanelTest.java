@@ -146,13 +146,6 @@ class PlayPanelTest {
         });
     }
 
-    @Test
-    void theNumberOfTheSceneIsShownWhileNothingRuns() {
-        choose(SPEED);
-        model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.25)));
-        assertThat(Components.labels(panel)).contains("0.25");
-    }
-
     @ParameterizedTest
     @CsvSource({"FORWARDS, 250", "BACKWARDS, 750", "THERE_AND_BACK, 125"})
     void theScrubberStandsAtTheNumberOfTheScene(Animation.Course course, int place) {
@@ -335,17 +328,6 @@ class PlayPanelTest {
             choose("Camera \u203a Exposure");
             assertThat(play.isPlaying()).isTrue();
         });
-    }
-
-    @Test
-    void whatPlaysMoves() {
-        WindowDriver.onEventThread(() -> {
-            choose(SPEED);
-            play.setPlaying(true);
-        });
-        double first =
-                WindowDriver.onEventThread(() -> model.studio().velocity().speed());
-        WindowDriver.await("a faster camera", () -> model.studio().velocity().speed() > first + 0.01);
     }
 
     /** The lamp stands at the camera, and a wall 2 away is seen up to 45 degrees: light from 4 to 4 sqrt(2) or so. */

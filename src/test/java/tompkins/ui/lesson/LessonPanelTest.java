@@ -1,7 +1,6 @@
 package tompkins.ui.lesson;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Component;
 import java.awt.Container;
@@ -134,18 +133,6 @@ class LessonPanelTest {
         assertThat(next("LOOK").isEnabled()).isTrue();
         next("LOOK").doClick();
         assertThat(Components.notes(strip())).contains("Your prediction (not sure): Nothing.");
-    }
-
-    @Test
-    void theSliderMovesTheNumberOfTheLesson() {
-        JSlider slider = Components.find(strip(), JSlider.class, "Speed, slider");
-        slider.setValue(500);
-        assertThat(model.studio().velocity().speed()).isCloseTo(0.45, within(1e-12));
-        model.undo();
-        assertThat(model.studio().velocity().isRest()).isTrue();
-        assertThat(slider.getValue()).isZero();
-        Components.enter(strip(), "Speed", "0.6");
-        assertThat(model.studio().velocity().speed()).isEqualTo(0.6);
     }
 
     @Test

@@ -26,16 +26,6 @@ class SettingsTest {
     }
 
     @Test
-    void whatIsSetIsRemembered() {
-        Settings first = settings();
-        first.setLook(Look.PROJECTOR);
-        first.setNumber("width", 1234);
-        assertThat(settings().look()).isEqualTo(Look.PROJECTOR);
-        assertThat(settings().number("width", 1)).isEqualTo(1234);
-        assertThat(settings().number("height", 7)).isEqualTo(7);
-    }
-
-    @Test
     void theNewestFilesComeFirstAndOnce() {
         Settings settings = settings();
         for (int i = 0; i < 12; i++) {

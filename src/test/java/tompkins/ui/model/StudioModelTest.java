@@ -68,6 +68,8 @@ class StudioModelTest {
         "a drag is one step, a0.1 a0.2 a0.3 u, 0",
         "from the same value it is a step of its own, 0.1 a0.1 a0.2 a0.2 a0.3 u, 0.1",
         "two drags are two steps, a0.1 a a0.2 u, 0.1",
+        "two gestures at a time are two steps, a0.1 b0.2 a0.3 b0.4 a0.5 u, 0.1",
+        "that of one is left of two at a time, a0.1 b0.2 a0.3 b0.4 a0.5 u u, 0",
         "the end of one gesture is not that of another, a0.1 b0.2 b a0.3 u, 0.1",
         "a change of its own ends all gestures, a0.1 0.2 a0.3 u, 0.2"
     })
@@ -135,21 +137,6 @@ class StudioModelTest {
         model.undo();
         assertThat(model.studio()).isEqualTo(speed(0));
         assertThat(others).endsWith(0.0);
-    }
-
-    /** Such as an animation that runs while a slider is dragged. */
-    @Test
-    void twoGesturesAtATimeAreTwoSteps() {
-        Object animation = new Object();
-        Object drag = new Object();
-        model.adjust(speed(0.1), animation);
-        for (int i = 0; i < 1500; i++) {
-            model.adjust(speed(0.2 + i * 1e-4), i % 2 == 0 ? drag : animation);
-        }
-        model.undo();
-        assertThat(model.studio()).isEqualTo(speed(0.1));
-        model.undo();
-        assertThat(model.studio()).isEqualTo(speed(0));
     }
 
     /** The scene may go on changing while the file is written. */

@@ -77,17 +77,6 @@ class RidePilotTest {
         });
     }
 
-    @Test
-    void otherRidesAreChosen() {
-        onEventThread(() -> {
-            pilot.begin(SECOND);
-            assertThat(pilot.isRiding()).isTrue();
-            assertThat(model.studio().velocity().speed()).isCloseTo(0.6, within(1e-15));
-            assertThat(lens().distance(0, 5, 0)).isLessThan(1e-9);
-            assertThat(pilot.task().text()).isEqualTo("Look down.");
-        });
-    }
-
     /** The window shows the picture alone then; whoever compares meanwhile goes on comparing. */
     @Test
     void thatARideBeginsIsToldOnce() {

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.stream.Stream;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -88,12 +87,6 @@ class SpeedTextTest {
     })
     void aVectorShowsHowFarItIsFromTheSpeedOfLight(double speed, String text) {
         assertThat(SpeedText.vector(Velocity.of(0, 0, speed))).isEqualTo(text);
-    }
-
-    @Test
-    void aBareNumberIsReadOnTheScaleThatIsShown() {
-        assertThat(SpeedText.parse("60%", SpeedScale.GAMMA, ALONG_Z).speed()).isEqualTo(0.6);
-        assertThat(SpeedText.parse("10", SpeedScale.GAMMA, ALONG_Z).speed()).isCloseTo(Math.sqrt(0.99), within(1e-15));
     }
 
     @ParameterizedTest
