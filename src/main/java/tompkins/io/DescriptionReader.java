@@ -30,10 +30,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 
-/**
- * Makes descriptions from JSON, key by key, as the components of the records say; missing keys get their default
- * values.
- */
+/** Makes descriptions from JSON, key by key, as the components of records say; keys that are missing get defaults. */
 final class DescriptionReader {
 
     /** The key that names the member of a family. */

@@ -41,9 +41,10 @@ final class ValueReader {
         if (Character.isLetter(number.text().charAt(number.text().length() - 1))) {
             return refuse(value, path, "a finite number");
         }
-        return NumberText.vanishes(number.text())
+        double parsed = Double.parseDouble(number.text());
+        return parsed == 0 && NumberText.vanishes(number.text())
                 ? refuse(value, path, NumberText.NOT_VANISHING)
-                : (Double) Double.parseDouble(number.text());
+                : (Double) parsed;
     }
 
     /** A number that is not too large. */
