@@ -22,6 +22,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
 import java.util.function.LongConsumer;
+import tompkins.ui.widget.Look;
 
 /**
  * Lets only these events through, and those of the program, and none of mouse, keys and focus of the screen. The window
@@ -52,6 +53,8 @@ final class OwnEvents extends EventQueue {
             installed = true;
             WindowDriver.onEventThread(() -> {
                 KeyboardFocusManager.setCurrentKeyboardFocusManager(focus);
+                // the look of a test before this one had told the other one of its keys
+                Look.LIGHT.install(1);
                 Toolkit.getDefaultToolkit().getSystemEventQueue().push(this);
             });
         }
