@@ -47,12 +47,12 @@ public final class SpherePrimitive extends Primitive {
 
     /**
      * By the distance of the centre from the line, which does not cancel for far or huge spheres, where the
-     * discriminant {@code b^2 - c} of the quadratic equation loses all digits. A ray that farthest on the sphere meets
-     * it again only at the other end of its chord.
+     * discriminant {@code b^2 - c} of the quadratic equation loses all digits. A ray that starts on the sphere meets it
+     * again only at the other end of its chord.
      *
      * @param fx x coordinate of the centre, seen from the start of the ray; fy and fz are the others
      * @param dx x component of the unit direction of the ray; dy and dz are the others
-     * @param again whether the ray farthest on the sphere
+     * @param again whether the ray starts on the sphere
      */
     static double distance(
             double fx,
