@@ -26,16 +26,11 @@ public interface HitMethod {
 
     /** Distance of the first hit of the mantle of a cone. */
     double cone(
-            Vector3dc origin,
-            Vector3dc direction,
-            Vector3dc tip,
-            Vector3dc baseCentre,
-            double radius,
-            boolean fromItself);
+            Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc base, double radius, boolean fromItself);
 
     /** Normal of the mantle of a cone, outwards, where a ray that hits it meets it after a distance. */
     Vector3d coneNormal(
-            Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc baseCentre, double radius, double distance);
+            Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc base, double radius, double distance);
 
     /** Distance of the first hit of a box along the axes. */
     double box(Vector3dc origin, Vector3dc direction, Vector3dc from, Vector3dc to);
@@ -70,26 +65,21 @@ public interface HitMethod {
                 Vector3dc origin,
                 Vector3dc direction,
                 Vector3dc tip,
-                Vector3dc baseCentre,
+                Vector3dc base,
                 double radius,
                 boolean fromItself) {
-            return distance(mantle(tip, baseCentre, radius), origin, direction, fromItself);
+            return distance(mantle(tip, base, radius), origin, direction, fromItself);
         }
 
-        private Cone mantle(Vector3dc tip, Vector3dc baseCentre, double radius) {
-            return new Cone("", tip, baseCentre, radius, false, ColouredSurface.DEFAULT);
+        private Cone mantle(Vector3dc tip, Vector3dc base, double radius) {
+            return new Cone("", tip, base, radius, false, ColouredSurface.DEFAULT);
         }
 
         @Override
         public Vector3d coneNormal(
-                Vector3dc origin,
-                Vector3dc direction,
-                Vector3dc tip,
-                Vector3dc baseCentre,
-                double radius,
-                double distance) {
-            Primitive primitive = PrimitiveCollector.primitivesOf(mantle(tip, baseCentre, radius))
-                    .get(0);
+                Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc base, double radius, double distance) {
+            Primitive primitive =
+                    PrimitiveCollector.primitivesOf(mantle(tip, base, radius)).get(0);
             Hit hit = primitive.hit(ray(origin, direction), distance * direction.length());
             return new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
         }

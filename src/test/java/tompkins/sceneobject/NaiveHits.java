@@ -31,13 +31,8 @@ public final class NaiveHits implements HitMethod {
     /** The roots of (x.a)^2 = |x|^2 cos^2, a form with the unit axis a and half the opening angle at the tip. */
     @Override
     public double cone(
-            Vector3dc origin,
-            Vector3dc direction,
-            Vector3dc tip,
-            Vector3dc baseCentre,
-            double radius,
-            boolean fromItself) {
-        Vector3d axis = baseCentre.sub(tip, new Vector3d());
+            Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc base, double radius, boolean fromItself) {
+        Vector3d axis = base.sub(tip, new Vector3d());
         double height = axis.length();
         axis.div(height);
         double squaredCosine = height * height / (height * height + radius * radius);
@@ -61,13 +56,8 @@ public final class NaiveHits implements HitMethod {
     /** The gradient of that form. */
     @Override
     public Vector3d coneNormal(
-            Vector3dc origin,
-            Vector3dc direction,
-            Vector3dc tip,
-            Vector3dc baseCentre,
-            double radius,
-            double distance) {
-        Vector3d axis = baseCentre.sub(tip, new Vector3d());
+            Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc base, double radius, double distance) {
+        Vector3d axis = base.sub(tip, new Vector3d());
         double squaredCosine = axis.lengthSquared() / (axis.lengthSquared() + radius * radius);
         axis.normalize();
         Vector3d place = direction.mul(distance, new Vector3d()).add(origin).sub(tip);
