@@ -53,7 +53,7 @@ class ShapeGeometryTest {
         assertThat(ones).hasSameSizeAs(others);
         int hits = 0;
         for (int i = 0; i < 600; i++) {
-            Ray ray = ray(aims.vector(30), aims.vector(6).add(2, 2, 12));
+            Ray ray = EdgeRays.towards(aims.vector(30), aims.vector(6).add(2, 2, 12));
             for (int k = 0; k < ones.size(); k++) {
                 double distance = ones.get(k).distance(ray, Primitive.NO_HIT);
                 double expected = others.get(k).distance(ray, Primitive.NO_HIT);
@@ -116,9 +116,8 @@ class ShapeGeometryTest {
     @ParameterizedTest
     @CsvSource({"1, 1", "1, -1", "-1, 1", "-1, -1"})
     void cornersAndSidesBelongToATriangle(double x, double y) {
-        Primitive triangle = PrimitiveCollector.primitivesOf(new Triangle(
-                        "", new Vector3d(0, 0, 4), new Vector3d(2 * x, 0, 4), new Vector3d(0, 2 * y, 4), TILED))
-                .get(0);
+        Primitive triangle = only(
+                new Triangle("", new Vector3d(0, 0, 4), new Vector3d(2 * x, 0, 4), new Vector3d(0, 2 * y, 4), TILED));
 
         assertThat(distanceFrom(0, 0, triangle)).isEqualTo(4);
         assertThat(distanceFrom(2 * x, 0, triangle)).isEqualTo(4);
@@ -134,9 +133,8 @@ class ShapeGeometryTest {
     /** There u and v are sums of zeros that are all negative. */
     @Test
     void theCornerOfASlantingTriangleBelongsToIt() {
-        Primitive triangle = PrimitiveCollector.primitivesOf(
-                        new Triangle("", new Vector3d(0, 0, 4), new Vector3d(-1, -1, 3), new Vector3d(-1, 1, 4), TILED))
-                .get(0);
+        Primitive triangle =
+                only(new Triangle("", new Vector3d(0, 0, 4), new Vector3d(-1, -1, 3), new Vector3d(-1, 1, 4), TILED));
 
         assertThat(distanceFrom(0, 0, triangle)).isEqualTo(4);
     }
@@ -161,7 +159,7 @@ class ShapeGeometryTest {
                 List.of(object, new Placed("", object, 2, new Vector3d(3, -1, 2), 77, new Vector3d()))) {
             int hits = 0;
             for (int i = 0; i < 300; i++) {
-                Ray ray = ray(aims.vector(30).add(0, 0, -60), aims.vector(2));
+                Ray ray = EdgeRays.towards(aims.vector(30).add(0, 0, -60), aims.vector(2));
                 for (Primitive primitive : PrimitiveCollector.primitivesOf(seen)) {
                     double distance = primitive.distance(ray, Primitive.NO_HIT);
                     if (distance == Primitive.NO_HIT) {
@@ -191,8 +189,8 @@ class ShapeGeometryTest {
     }
 
     private static void assertCoordinates(SceneObject object, Vector3dc origin, Vector3dc d, double u, double v) {
-        Ray ray = ray(origin, d.add(origin, new Vector3d()));
-        Primitive primitive = PrimitiveCollector.primitivesOf(object).get(0);
+        Ray ray = EdgeRays.towards(origin, d.add(origin, new Vector3d()));
+        Primitive primitive = only(object);
         SurfaceCoordinates found = primitive.hit(ray, primitive.distance(ray, Primitive.NO_HIT)).coordinates;
         assertThat(found.u()).as("u of %s", object).isCloseTo(u, within(SMALL));
         assertThat(found.v()).as("v of %s", object).isCloseTo(v, within(SMALL));
@@ -206,7 +204,7 @@ class ShapeGeometryTest {
     @ParameterizedTest
     @MethodSource("shapes")
     void boundsAreTight(SceneObject shape) {
-        Primitive primitive = PrimitiveCollector.primitivesOf(shape).get(0);
+        Primitive primitive = only(shape);
         Bounds box = primitive.bounds();
         Vector3d low = new Vector3d(Double.POSITIVE_INFINITY);
         Vector3d high = new Vector3d(Double.NEGATIVE_INFINITY);
@@ -221,7 +219,7 @@ class ShapeGeometryTest {
                     aims.mix(box.minX(), box.maxX()),
                     aims.mix(box.minY(), box.maxY()),
                     aims.mix(box.minZ(), box.maxZ()));
-            Ray ray = ray(aims.vector(1).normalize().mul(20).add(target), target);
+            Ray ray = EdgeRays.towards(aims.vector(1).normalize().mul(20).add(target), target);
             double distance = primitive.distance(ray, Primitive.NO_HIT);
             if (distance < Primitive.NO_HIT) {
                 Hit hit = primitive.hit(ray, distance);
@@ -255,29 +253,32 @@ class ShapeGeometryTest {
         Vector3d end = new Vector3d(0, 0, 7);
         double expected = 5 - 2.5 * tilt;
         Cylinder rod = new Cylinder("", start, end, 2.5, true, ColouredSurface.DEFAULT);
-        assertThat(PrimitiveCollector.primitivesOf(rod).get(0).minimumAlong(tilt, 0, 1))
-                .isCloseTo(expected, within(2e-15));
+        assertThat(only(rod).minimumAlong(tilt, 0, 1)).isCloseTo(expected, within(2e-15));
         Cone cone = new Cone("", end, start, 2.5, false, ColouredSurface.DEFAULT);
-        assertThat(PrimitiveCollector.primitivesOf(cone).get(0).minimumAlong(0, tilt, 1))
-                .isCloseTo(expected, within(2e-15));
+        assertThat(only(cone).minimumAlong(0, tilt, 1)).isCloseTo(expected, within(2e-15));
     }
 
     private static final PixelPicture HALF_DARK =
             new PixelPicture("half.png", 2, 1, new float[] {0, 0, 0, 1, 1, 1, 1, 1}, new byte[0]);
 
+    private static Primitive sheet(Surface dark, Surface bright) {
+        Surface cut = new CutOut(HALF_DARK, dark, bright);
+        return only(new Parallelogram("", new Vector3d(0, 0, 5), new Vector3d(2, 0, 0), new Vector3d(0, 2, 0), cut));
+    }
+
     @Test
-    void shadowsFallWhereThePictureIsDark() {
-        Surface cut = new CutOut(HALF_DARK, ColouredSurface.DEFAULT, Clear.DEFAULT);
-        Primitive sheet = PrimitiveCollector.primitivesOf(
-                        new Parallelogram("", new Vector3d(0, 0, 5), new Vector3d(2, 0, 0), new Vector3d(0, 2, 0), cut))
-                .get(0);
-        Ray dark = ray(new Vector3d(0.5, 1, 0), new Vector3d(0.5, 1, 5));
-        Ray bright = ray(new Vector3d(1.5, 1, 0), new Vector3d(1.5, 1, 5));
+    void shadowsFallWhereThePictureIsOpaque() {
+        Primitive sheet = sheet(ColouredSurface.DEFAULT, Clear.DEFAULT);
+        Ray dark = EdgeRays.towards(new Vector3d(0.5, 1, 0), new Vector3d(0.5, 1, 5));
+        Ray bright = EdgeRays.towards(new Vector3d(1.5, 1, 0), new Vector3d(1.5, 1, 5));
         assertThat(sheet.shadows(dark, 10)).isTrue();
         assertThat(sheet.shadows(dark, 4)).isFalse();
         assertThat(sheet.shadows(bright, 10)).isFalse();
-        assertThat(sheet.shadows(ray(new Vector3d(3, 1, 0), new Vector3d(3, 1, 5)), 10))
+        assertThat(sheet.shadows(EdgeRays.towards(new Vector3d(3, 1, 0), new Vector3d(3, 1, 5)), 10))
                 .isFalse();
+        Primitive other = sheet(Clear.DEFAULT, ColouredSurface.DEFAULT);
+        assertThat(other.shadows(dark, 10)).isFalse();
+        assertThat(other.shadows(bright, 10)).isTrue();
     }
 
     /** Light that gets in through the clear half of a ball and meets the dark half behind. */
@@ -285,21 +286,31 @@ class ShapeGeometryTest {
     void shadowsFallFromTheFarSideOfAHollowBall() {
         Surface cut = new CutOut(HALF_DARK, ColouredSurface.DEFAULT, Clear.DEFAULT);
         // dark where u < 1/2, which is the side of negative x
-        Primitive ball = PrimitiveCollector.primitivesOf(new Sphere("", new Vector3d(), 1, cut))
-                .get(0);
-        Ray fromTheRight = ray(new Vector3d(5, 0.1, 0.2), new Vector3d(0, 0.1, 0.2));
+        Primitive ball = only(new Sphere("", new Vector3d(), 1, cut));
+        Ray fromTheRight = EdgeRays.towards(new Vector3d(5, 0.1, 0.2), new Vector3d(0, 0.1, 0.2));
         assertThat(ball.shadows(fromTheRight, 10)).isTrue();
         assertThat(ball.shadows(fromTheRight, 5.5))
                 .as("the light stands inside")
                 .isFalse();
-        Ray onTheRight = ray(new Vector3d(0.5, 0.1, 5), new Vector3d(0.5, 0.1, 0));
+        Ray onTheRight = EdgeRays.towards(new Vector3d(0.5, 0.1, 5), new Vector3d(0.5, 0.1, 0));
         assertThat(ball.shadows(onTheRight, 20)).isFalse();
-        assertThat(ball.shadows(ray(new Vector3d(-0.5, 0.1, 5), new Vector3d(-0.5, 0.1, 0)), 20))
+        assertThat(ball.shadows(EdgeRays.towards(new Vector3d(-0.5, 0.1, 5), new Vector3d(-0.5, 0.1, 0)), 20))
                 .isTrue();
     }
 
-    private static Ray ray(Vector3dc origin, Vector3dc target) {
-        Vector3d d = target.sub(origin, new Vector3d()).normalize();
-        return Ray.from(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 0);
+    /** What rounding cannot tell from a point or a line faces the ray. */
+    @Test
+    void hitsOfVanishingShapesHaveANormal() {
+        Vector3d far = new Vector3d(0, 0, 0x1p68);
+        Cylinder rod = new Cylinder("", new Vector3d(-1, 0, 0x1p68), new Vector3d(1, 0, 0x1p68), 1e-3, false, TILED);
+        for (SceneObject tiny : List.of(new Sphere("", far, 1e-3, TILED), rod)) {
+            Hit hit = only(tiny).hit(EdgeRays.towards(new Vector3d(), far), 0x1p68);
+            assertThat(new Vector3d(hit.normalX, hit.normalY, hit.normalZ).distance(0, 0, -1))
+                    .isZero();
+        }
+    }
+
+    private static Primitive only(SceneObject object) {
+        return PrimitiveCollector.primitivesOf(object).get(0);
     }
 }
