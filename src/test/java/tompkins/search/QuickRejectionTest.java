@@ -13,6 +13,7 @@ import tompkins.primitive.Primitive;
 import tompkins.property.Descriptions;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
+import tompkins.sceneobject.EdgeRays;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
@@ -109,11 +110,6 @@ class QuickRejectionTest {
             double along = aims.mix(-0.5, 0.5);
             target = rod.longAxis().mul(along).add(primitive.bounds().centre());
         }
-        return ray(start, target.sub(start, new Vector3d()));
-    }
-
-    private static Ray ray(Vector3dc start, Vector3dc towards) {
-        Vector3d d = towards.normalize(new Vector3d());
-        return Ray.from(start.x(), start.y(), start.z(), d.x, d.y, d.z, 0);
+        return EdgeRays.towards(start, target);
     }
 }
