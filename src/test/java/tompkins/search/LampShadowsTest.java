@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3i;
 import org.junit.jupiter.api.Test;
@@ -104,6 +106,21 @@ class LampShadowsTest {
 
     static List<Primitive> primitives(List<SceneObject> objects) {
         return PrimitiveCollector.primitivesOf(new Group("all", objects));
+    }
+
+    /** Three thousand balls behind each other: a ray would ask them one by one. */
+    @Test
+    void crowdInOneCellIsLeftToTheTree() {
+        assertThat(LampShadows.of(LAMP, row(3000))).isNull();
+        assertThat(LampShadows.of(LAMP, row(900))).isNotNull();
+    }
+
+    /** Balls on a line to the lamp, and two far aside. */
+    private static ObjectTree row(int count) {
+        Stream<Vector3d> line = IntStream.range(0, count).mapToObj(i -> new Vector3d(LAMP).mul(0.3 * i / count));
+        return new ObjectTree(primitives(Stream.concat(line, Stream.of(new Vector3d(-3), new Vector3d(3)))
+                .<SceneObject>map(place -> new Sphere("ball", place, 0.001, ColouredSurface.DEFAULT))
+                .toList()));
     }
 
     /** Many primitives: the tree answers as many rays as there are primitives, then the grid, which says the same. */

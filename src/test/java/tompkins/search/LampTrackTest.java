@@ -5,12 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicLong;
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
+import tompkins.sceneobject.EdgeRays;
 
 /** What a lamp sees of primitives that it passes throws the shadows that the tree finds. */
 class LampTrackTest {
@@ -43,7 +42,7 @@ class LampTrackTest {
         int shadows = 0;
         for (int i = 0; i < RAYS; i++) {
             Vector3d lamp = from.fma(random.nextDouble(-20, 20), along, new Vector3d());
-            Ray ray = towards(LampShadowsTest.place(random), lamp);
+            Ray ray = EdgeRays.towards(LampShadowsTest.place(random), lamp);
             double distance = lamp.distance(ray.x, ray.y, ray.z);
             double place = track.at(ray, distance);
             LampShadows seen = place == LampTrack.NOWHERE ? null : track.seenFrom(place);
@@ -53,22 +52,12 @@ class LampTrackTest {
             asked++;
             boolean dark = tree.shadow(ray, distance, scratch) != null;
 
-            assertThat(seen.shadows(start(ray), ray, place - Math.floor(place), distance, counts))
+            assertThat(seen.shadows(QuickRejectionTest.startOf(ray), ray, place - Math.floor(place), distance, counts))
                     .isEqualTo(dark);
             shadows += dark ? 1 : 0;
         }
         assertThat(asked).isGreaterThan(RAYS / 10);
         assertThat(shadows).isBetween(asked / 20, asked * 19 / 20);
         assertThat(counts.tests).isLessThan(6L * asked);
-    }
-
-    private static Ray towards(Vector3dc start, Vector3dc lamp) {
-        Vector3d d = lamp.sub(start, new Vector3d());
-        d.div(d.length());
-        return Ray.from(start.x(), start.y(), start.z(), d.x, d.y, d.z, 0);
-    }
-
-    private static Hit start(Ray ray) {
-        return Hit.blank().set(ray, 0, 0, 0, 1, null, 0, null);
     }
 }

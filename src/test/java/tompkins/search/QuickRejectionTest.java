@@ -99,7 +99,7 @@ class QuickRejectionTest {
         assertThat(floor.leavesConvexShape(above, 0.6, -0.8, 0)).isFalse();
     }
 
-    private static Hit startOf(Ray ray) {
+    static Hit startOf(Ray ray) {
         return Hit.blank().set(ray, 0, 0, 0, 1, null, 0, null);
     }
 

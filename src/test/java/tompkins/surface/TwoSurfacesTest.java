@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -60,10 +59,6 @@ class TwoSurfacesTest {
         assertThat(ahead(turned)).isEqualTo(new Colour(1 - red, 1 - green, 0));
     }
 
-    private static Ray ray(Vector3dc start, double dz) {
-        return Ray.from(start.x(), start.y(), start.z(), 0, 0, dz, 0);
-    }
-
     @Test
     void glassIsRefusedOnOneSide() {
         Surface glass = new Tiling(Clear.DEFAULT, new Mixture(Refractive.DEFAULT, Clear.DEFAULT, 0.5), 1, 1, true);
@@ -110,10 +105,10 @@ class TwoSurfacesTest {
         Primitive sheet = PrimitiveCollector.primitivesOf(
                         new Disc("", new Vector3d(0, 0, 5), new Vector3d(0, 0, -1), 2, new Mixture(opaque, tiles, 0.5)))
                 .get(0);
-        assertThat(sheet.shadows(ray(new Vector3d(0.5, 0.5, 0), 1), 9))
+        assertThat(sheet.shadows(Ray.from(0.5, 0.5, 0, 0, 0, 1, 0), 9))
                 .as("on a tile that is opaque")
                 .isTrue();
-        assertThat(sheet.shadows(ray(new Vector3d(0.5, -0.5, 0), 1), 9))
+        assertThat(sheet.shadows(Ray.from(0.5, -0.5, 0, 0, 0, 1, 0), 9))
                 .as("on one that is clear")
                 .isFalse();
     }
