@@ -48,7 +48,7 @@ class NumberTextTest {
     @ValueSource(strings = {"x", ".x", ",x", "e5x"})
     @Timeout(600)
     void manyDigitsThatAreNoNumberAreRefusedSoon(String end) {
-        assertThatThrownBy(() -> NumberText.parse("1".repeat(1_000_000) + end))
+        assertThatThrownBy(() -> NumberText.parse("1".repeat(10_000_000) + end))
                 .isInstanceOf(NumberFormatException.class);
     }
 
