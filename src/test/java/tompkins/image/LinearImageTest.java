@@ -11,8 +11,7 @@ class LinearImageTest {
     @Test
     void namesThePixelThatDoesNotExist() {
         LinearImage image = new LinearImage(3, 2, new float[18]);
-        int[][] beyond = {{3, 0, 0}, {0, 2, 0}, {0, 0, 3}, {-1, 1, 0}};
-        for (int[] at : beyond) {
+        for (int[] at : new int[][] {{3, 0, 0}, {0, 2, 0}, {0, 0, 3}, {-1, 1, 0}}) {
             assertThatThrownBy(() -> image.value(at[0], at[1], at[2]))
                     .isInstanceOf(IndexOutOfBoundsException.class)
                     .hasMessage("no channel %d of pixel (%d, %d) in a picture of 3 x 2 pixels", at[2], at[0], at[1]);

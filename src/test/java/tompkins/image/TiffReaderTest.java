@@ -13,6 +13,7 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -303,28 +304,32 @@ class TiffReaderTest {
                 .hasMessageStartingWith("p.tif: " + reason);
     }
 
-    static List<Object[]> whatIsNotReadIsNamed() {
+    static List<Arguments> whatIsNotReadIsNamed() {
         return List.of(
-                new Object[] {plain(1, 8).tag(339, 2), "has signed samples of 8 bits; "},
-                new Object[] {plain(1, 8).tag(339, 5), "has complex signed samples of 8 bits; "},
-                new Object[] {plain(1, 8).tag(339, 7), "has unknown samples of 8 bits; "},
-                new Object[] {plain(3, 8).tag(258, 5, 6, 5), "has several kinds of samples; "},
-                new Object[] {plain(1, 64).tag(339, 3), "has floating-point samples of 64 bits; "},
-                new Object[] {plain(1, 32).tag(339, 3).tag(262, 0), "has floating-point samples of 32 bits; "},
-                new Object[] {plain(3, 4), "has unsigned samples of 4 bits; "},
-                new Object[] {plain(1, 16).tag(262, 3), "has unsigned samples of 16 bits; "},
-                new Object[] {plain(1, 8).tag(259, 7), "has compression number 7; "},
-                new Object[] {plain(4, 8).tag(262, 5), "has colours of kind 5; "},
-                new Object[] {plain(1, 8).tag(259, 5).tag(317, 4), "has predictor 4 for unsigned samples of 8 bits; "},
-                new Object[] {plain(1, 4).tag(259, 5).tag(317, 2), "has predictor 2 for unsigned samples of 4 bits; "},
-                new Object[] {plain(1, 16).tag(259, 5).tag(317, 3), "has predictor 3 for unsigned samples of 16 bits; "
-                },
-                new Object[] {plain(1, 8).tag(262, 2), "has 1 samples a pixel for 3 of colour; "},
-                new Object[] {plain(4, 8).tag(338, 0), "has 4 samples a pixel for 3 of colour; "},
-                new Object[] {
-                    plain(1, 8).tiles(16, 16).tag(322, 1L << 31), "has tiles of 2147483648 x 16 pixels; a TIFF picture"
-                },
-                new Object[] {plain(1, 8).tag(278, 0), "has strips of 11 x 0 pixels; "});
+                Arguments.of(plain(1, 8).tag(339, 2), "has signed samples of 8 bits; "),
+                Arguments.of(plain(1, 8).tag(339, 5), "has complex signed samples of 8 bits; "),
+                Arguments.of(plain(1, 8).tag(339, 7), "has unknown samples of 8 bits; "),
+                Arguments.of(plain(3, 8).tag(258, 5, 6, 5), "has several kinds of samples; "),
+                Arguments.of(plain(3, 32).tag(339, 3, 1, 3), "has several kinds of samples; "),
+                Arguments.of(plain(1, 64).tag(339, 3), "has floating-point samples of 64 bits; "),
+                Arguments.of(plain(1, 32).tag(339, 3).tag(262, 0), "has floating-point samples of 32 bits; "),
+                Arguments.of(plain(3, 4), "has unsigned samples of 4 bits; "),
+                Arguments.of(plain(1, 16).tag(262, 3), "has unsigned samples of 16 bits; "),
+                Arguments.of(plain(1, 8).tag(259, 7), "has compression number 7; "),
+                Arguments.of(plain(4, 8).tag(262, 5), "has colours of kind 5; "),
+                Arguments.of(plain(1, 8).tag(259, 5).tag(317, 4), "has predictor 4 for unsigned samples of 8 bits; "),
+                Arguments.of(plain(1, 4).tag(259, 5).tag(317, 2), "has predictor 2 for unsigned samples of 4 bits; "),
+                Arguments.of(plain(1, 16).tag(259, 5).tag(317, 3), "has predictor 3 for unsigned samples of 16 bits; "),
+                Arguments.of(plain(1, 8).tag(259, 32773).tag(317, 2), "has predictor 2 for unsigned samples of 8 bits"),
+                Arguments.of(
+                        plain(1, 32).tag(339, 3).tag(259, 8).tag(317, 2),
+                        "has predictor 2 for floating-point samples of 32"),
+                Arguments.of(plain(1, 8).tag(262, 2), "has 1 samples a pixel for 3 of colour; "),
+                Arguments.of(plain(4, 8).tag(338, 0), "has 4 samples a pixel for 3 of colour; "),
+                Arguments.of(
+                        plain(1, 8).tiles(16, 16).tag(322, 1L << 31),
+                        "has tiles of 2147483648 x 16 pixels; a TIFF picture"),
+                Arguments.of(plain(1, 8).tag(278, 0), "has strips of 11 x 0 pixels; "));
     }
 
     private static TiffSample plain(int samples, int bits) {

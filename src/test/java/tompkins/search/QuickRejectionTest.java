@@ -90,9 +90,8 @@ class QuickRejectionTest {
 
     @Test
     void planeTellsRaysThatGoAwayFromIt() {
-        Primitive floor = PrimitiveCollector.primitivesOf(
-                        new Plane("floor", new Vector3d(0, -1, 0), new Vector3d(0, 1, 0), ColouredSurface.DEFAULT))
-                .get(0);
+        Plane plane = new Plane("floor", new Vector3d(0, -1, 0), new Vector3d(0, 1, 0), ColouredSurface.DEFAULT);
+        Primitive floor = PrimitiveCollector.primitivesOf(plane).get(0);
         Hit above = startOf(Ray.from(0, 2, 0, 1, 0, 0, 0));
 
         assertThat(floor.leavesConvexShape(above, 0.6, 0.8, 0)).isTrue();

@@ -10,7 +10,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.sceneobject.Disc;
-import tompkins.sceneobject.PrimitiveCollector;
 
 /** The law c' = c/m into a sheet that faces the viewer: its axes are x and y there. */
 class ComplexRefractionTest {
@@ -21,9 +20,8 @@ class ComplexRefractionTest {
 
     /** The ray that goes on; its light gets the share that it can bring. */
     private static Ray beyond(ComplexRefraction surface, Ray ray) {
-        Primitive sheet = PrimitiveCollector.primitivesOf(
-                        new Disc("sheet", new Vector3d(), new Vector3d(0, 0, -1), 10, surface))
-                .get(0);
+        Disc disc = new Disc("sheet", new Vector3d(), new Vector3d(0, 0, -1), 10, surface);
+        Primitive sheet = ImagingSheetsTest.primitive(disc);
         double distance = sheet.distance(ray, Primitive.NO_HIT);
         Response response = surface.respond(ray, sheet.hit(ray, distance), null);
         assertThat(response.factor().green()).isEqualTo(response.next().throughput);

@@ -34,7 +34,7 @@ class ImagingSheetsTest {
                 random.nextDouble(-reach, reach), random.nextDouble(-reach, reach), random.nextDouble(-reach, reach));
     }
 
-    private static Primitive primitive(SceneObject sheet) {
+    static Primitive primitive(SceneObject sheet) {
         return PrimitiveCollector.primitivesOf(sheet).get(0);
     }
 

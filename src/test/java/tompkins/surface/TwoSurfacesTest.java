@@ -102,9 +102,8 @@ class TwoSurfacesTest {
         assertThat(new Mixture(Clear.DEFAULT, opaque, 1).shadow()).isEqualTo(Shadow.ALWAYS);
         assertThat(new Mixture(tiles, opaque, 0.5).shadow()).isEqualTo(Shadow.BY_POINT);
         assertThat(new Mixture(tiles, opaque, 0.5).usesCoordinates()).isTrue();
-        Primitive sheet = PrimitiveCollector.primitivesOf(
-                        new Disc("", new Vector3d(0, 0, 5), new Vector3d(0, 0, -1), 2, new Mixture(opaque, tiles, 0.5)))
-                .get(0);
+        Disc disc = new Disc("", new Vector3d(0, 0, 5), new Vector3d(0, 0, -1), 2, new Mixture(opaque, tiles, 0.5));
+        Primitive sheet = PrimitiveCollector.primitivesOf(disc).get(0);
         assertThat(sheet.shadows(Ray.from(0.5, 0.5, 0, 0, 0, 1, 0), 9))
                 .as("on a tile that is opaque")
                 .isTrue();
