@@ -192,10 +192,7 @@ final class PixelVariance {
         }
     }
 
-    /**
-     * The square of the height by which a pixel stands out, along the line through it on which this is largest; NaN
-     * outside of the picture and where there are no samples.
-     */
+    /** The square of the height by which a pixel stands out, along the line through it on which this is largest. */
     double contrast(int column, int row) {
         return secondDifferences(column, row) / 4;
     }
