@@ -76,6 +76,11 @@ final class PixelVariance {
         }
     }
 
+    /** The memory of {@link #estimatedError}: own and shared, and with highlights at most three more such arrays. */
+    static int bytesPerPixel(boolean comparesSamples) {
+        return (comparesSamples ? 5 : 2) * Float.BYTES;
+    }
+
     /**
      * The roughness of the pixels that have samples.
      *
