@@ -94,7 +94,7 @@ public record CostForecast(double samplesPerPixel, double seconds) {
         double seconds = secondsSince(start);
         costs.add(
                 blocks.stream().mapToInt(Tile::pixels).sum(),
-                job.report().counts().samples,
+                job.samples(),
                 job.progress(),
                 seconds,
                 job.planningSeconds());
