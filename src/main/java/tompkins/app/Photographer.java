@@ -13,6 +13,7 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import tompkins.file.FileException;
+import tompkins.image.LinearImage;
 import tompkins.image.PhotographFile;
 import tompkins.image.PhotographInfo;
 import tompkins.image.PictureFormat;
@@ -115,17 +116,18 @@ final class Photographer implements AutoCloseable {
         CompletableFuture<List<String>> warnings = CompletableFuture.supplyAsync(() -> ScenePlan.warnings(plan));
         RenderJob job = traced(plan, order.quality);
         progress.clear();
+        LinearImage image = job.image();
         // while the file is written, which takes as long
-        CompletableFuture<RenderReport> report = CompletableFuture.supplyAsync(job::report);
+        CompletableFuture<RenderReport> report = CompletableFuture.supplyAsync(() -> job.report(() -> image));
         ToneCurve curve = studio.settings().toneCurve();
         RenderSettings kept = kept(job, order);
         PhotographInfo info = kept == studio.settings() ? before : info(studio.withSettings(kept), order.scene);
         if (isPiped) {
-            OutputOption.toPipe(out -> PhotographFile.encode(out, job.image(), order.format, curve, info));
+            OutputOption.toPipe(out -> PhotographFile.encode(out, image, order.format, curve, info));
         }
         Path place = isPiped
                 ? target
-                : PhotographFile.write(target, job.image(), order.format, curve, info, mayReplace.getAsBoolean());
+                : PhotographFile.write(target, image, order.format, curve, info, mayReplace.getAsBoolean());
         ScenePlan.warn(warnings.join(), err);
         report(place, report.join(), studio.view());
         if (order.quality instanceof Quality.TimeLimit) {
@@ -134,9 +136,7 @@ final class Photographer implements AutoCloseable {
         tellFilesToKeep(studio, err);
     }
 
-    /**
-     * What the photograph says of its quality: a time would not make the same picture again, a number of samples does.
-     */
+    /** What the photograph says of its quality: a number of samples makes the same picture again, a time does not. */
     private static RenderSettings kept(RenderJob job, Order order) {
         RenderSettings settings = order.studio.settings();
         long mean = Math.max(1, Math.round((double) job.samples() / settings.pixels()));

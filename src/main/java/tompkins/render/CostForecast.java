@@ -32,9 +32,7 @@ public record CostForecast(double samplesPerPixel, double seconds) {
     /** Number of blocks that are needed for their mean to be within some tens of percent of the mean of all. */
     private static final int FIRST_BLOCKS = 32;
 
-    /**
-     * Multiples of these two, without their whole parts, fill the unit interval evenly over the plane (Roberts 2018).
-     */
+    /** Multiples of these two, without whole parts, fill the unit interval evenly over the plane (Roberts 2018). */
     private static final double ACROSS = 0.7548776662466927;
 
     private static final double DOWN = 0.5698402909980532;
@@ -96,7 +94,7 @@ public record CostForecast(double samplesPerPixel, double seconds) {
         double seconds = secondsSince(start);
         costs.add(
                 blocks.stream().mapToInt(Tile::pixels).sum(),
-                job.report().counts().samples,
+                job.samples(),
                 job.progress(),
                 seconds,
                 job.planningSeconds());

@@ -40,9 +40,7 @@ final class ForecastSamples {
         return expectedSamples / pixels;
     }
 
-    /**
-     * Samples that are taken in a second, with the greatest speed so far: the program gets faster while it warms up.
-     */
+    /** Samples that are taken in a second, with the greatest speed so far: the program gets faster as it warms up. */
     double rate() {
         return rate;
     }

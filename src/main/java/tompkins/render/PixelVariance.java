@@ -76,6 +76,11 @@ final class PixelVariance {
         }
     }
 
+    /** The memory of {@link #estimatedError}: own and shared, and with highlights at most three more such arrays. */
+    static int bytesPerPixel(boolean comparesSamples) {
+        return (comparesSamples ? 5 : 2) * Float.BYTES;
+    }
+
     /**
      * The roughness of the pixels that have samples.
      *
@@ -192,10 +197,7 @@ final class PixelVariance {
         }
     }
 
-    /**
-     * The square of the height by which a pixel stands out, along the line through it on which this is largest; NaN
-     * outside of the picture and where there are no samples.
-     */
+    /** The square of the height by which a pixel stands out, along the line through it on which this is largest. */
     double contrast(int column, int row) {
         return secondDifferences(column, row) / 4;
     }

@@ -10,6 +10,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import tompkins.image.FramePicture;
 import tompkins.image.LinearImage;
@@ -76,9 +77,7 @@ public final class RenderJob extends Padded {
         passes.add(schedule.next(this::isStopped));
     }
 
-    /**
-     * What one thread does for this job. Whatever goes wrong is kept, so that nobody waits for a thread that has ended.
-     */
+    /** What one thread does for this job. What goes wrong is kept, so that nobody waits for a thread that ended. */
     void work() {
         RayCounts mine = new RayCounts();
         try {
@@ -294,12 +293,17 @@ public final class RenderJob extends Padded {
      * takes a moment.
      */
     public RenderReport report() {
+        return report(this::image);
+    }
+
+    /** As above, with the picture if it is there already, which would take as much memory again. */
+    public RenderReport report(Supplier<LinearImage> image) {
         long until = end.getCount() == 0 ? endTime : System.nanoTime();
         int sampledPixels = buffer.sampledPixels();
         double error = buffer instanceof Film film
                 ? PixelVariance.estimatedError(film, sampledPixels, plan, this::isCancelled)
                 : Double.NaN;
-        Clipping clipping = clipping();
+        Clipping clipping = clipping(image);
         RayCounts now = new RayCounts();
         synchronized (counts) {
             now.add(counts);
@@ -308,7 +312,7 @@ public final class RenderJob extends Padded {
         return new RenderReport(
                 now,
                 missesScene,
-                complete && plan.blursInTime() && (missesScene || plan.hasFlashes() && isDark()),
+                complete && plan.blursInTime() && (missesScene || plan.hasFlashes() && isDark(image.get())),
                 plan.studio().settings().pixels(),
                 sampledPixels,
                 clipping.black(),
@@ -318,8 +322,8 @@ public final class RenderJob extends Padded {
                 Duration.ofNanos(until - startTime));
     }
 
-    private boolean isDark() {
-        float[] rgb = image().rgb();
+    private static boolean isDark(LinearImage image) {
+        float[] rgb = image.rgb();
         return IntStream.range(0, rgb.length).noneMatch(i -> rgb[i] > 0);
     }
 
@@ -327,10 +331,10 @@ public final class RenderJob extends Padded {
      * An unfinished picture is not judged, and neither is one without shifted colours, whose brightness is what the
      * scene says, or one of stars, where black is meant.
      */
-    private Clipping clipping() {
+    private Clipping clipping(Supplier<LinearImage> image) {
         Studio studio = plan.studio();
         return !complete || studio.colours() == ColourLaw.UNCHANGED || plan.hasStars()
                 ? new Clipping(0, 0)
-                : Clipping.of(image(), studio.settings().toneCurve());
+                : Clipping.of(image.get(), studio.settings().toneCurve());
     }
 }

@@ -135,11 +135,14 @@ public final class Renderer implements AutoCloseable {
                 || (fixed.samples() > 1 && settings.pixels() <= MOST_PIXELS_WITH_ESTIMATE);
     }
 
-    /** The bytes that a picture takes until it is saved: its film, its light and the levels of its file. */
-    public static long bytesOfMemory(RenderSettings settings, Quality quality) {
+    /** The bytes of a picture that is saved while its error is estimated: film, light, levels of the file, estimate. */
+    static long bytesOfMemory(RenderSettings settings, Quality quality) {
+        boolean comparesSamples = needsHalves(settings, quality);
         int picture = 3 * Float.BYTES;
         int levels = 3 * Short.BYTES;
-        return settings.pixels() * (Film.bytesPerPixel(needsHalves(settings, quality)) + picture + levels);
+        boolean isEstimated = comparesSamples || quality.equals(new Quality.Samples(1));
+        int estimate = isEstimated ? PixelVariance.bytesPerPixel(comparesSamples) : 0;
+        return settings.pixels() * (Film.bytesPerPixel(comparesSamples) + picture + levels + estimate);
     }
 
     /**

@@ -20,9 +20,7 @@ public final class EmissionTimes implements PathObserver {
     private final FlashWatch watch;
     private final SampleTracer tracer;
 
-    /**
-     * How many weaker branches of the ray are being followed, one from the other: the times are those of the main one.
-     */
+    /** How many weaker branches are being followed, one from the other: the times are those of the main one. */
     private int branch;
 
     /** The times in the picture that is planned. */

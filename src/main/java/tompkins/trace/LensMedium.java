@@ -31,9 +31,7 @@ final class LensMedium {
 
     private LensMedium() {}
 
-    /**
-     * The medium at an event of the camera frame: of what moves with the camera, or else of the scene; null in vacuum.
-     */
+    /** The medium at an event of the camera frame: of what moves with it, or else of the scene; null in vacuum. */
     static Medium around(Event lens, ObjectTree cameraFrame, World world, FrameRoutes routes) {
         double index = index(cameraFrame, lens.position());
         int frame = routes.camera();

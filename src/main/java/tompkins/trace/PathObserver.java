@@ -30,8 +30,6 @@ interface PathObserver {
      */
     default void hits(Hit hit) {}
 
-    /**
-     * The ray, or one that came from it, goes on and meets nothing else: in the camera frame, or in that of the scene.
-     */
+    /** The ray, or one that came from it, meets nothing else: in the camera frame, or in that of the scene. */
     default void leaves(Ray ray) {}
 }

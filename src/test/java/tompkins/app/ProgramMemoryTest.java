@@ -56,7 +56,7 @@ class ProgramMemoryTest extends ShellTest {
         assertThat(run.code()).isEqualTo(Failures.FAILURE);
     }
 
-    /** 46 bytes a pixel: sums of all samples and of half of them, their number, the picture, and two bytes a level. */
+    /** 70 bytes a pixel: the film takes 32, the picture 12, two bytes a level 6, and the estimate of its error 20. */
     @Test
     void picturesBeyondTheMemoryAreRefusedFirst() throws IOException, InterruptedException {
         Files.writeString(folder.resolve("large.json"), "{\"settings\": {\"width\": 2000, \"height\": 1500}}");
@@ -64,7 +64,7 @@ class ProgramMemoryTest extends ShellTest {
             ProgramRun run = shell("tompkins " + command + " large.json --error");
 
             assertThat(run.code()).isEqualTo(Failures.MISTAKE);
-            assertThat(run.err()).startsWith("a picture of 2000 x 1500 pixels needs about 143 MB of memory");
+            assertThat(run.err()).startsWith("a picture of 2000 x 1500 pixels needs about 200 MB of memory");
             assertThat(run.out()).isEmpty();
         }
         assertThat(shell("tompkins explain large.json --size 20x15 --error").code())

@@ -385,6 +385,15 @@ class RendererTest {
         }
     }
 
+    /** The film has 16 or 32 bytes a pixel, the picture 12, its file 6, and the estimate of its error 0, 8 or 20. */
+    @ParameterizedTest
+    @CsvSource({"3000, 1, 42", "10, 1, 42", "10, 2, 70", "2000, 4, 70", "2001, 4, 34"})
+    void memoryIsThatOfFilmFileAndEstimate(int side, int samples, int bytes) {
+        Studio studio = size(PaperStudios.fig1a(), side, 2000, samples);
+        assertThat(Renderer.bytesOfMemory(studio.settings(), Quality.of(studio)))
+                .isEqualTo(2000L * side * bytes);
+    }
+
     private static RenderJob render(RenderPlan plan, int threads) throws InterruptedException {
         try (Renderer renderer = new Renderer(threads)) {
             return renderer.render(plan);
