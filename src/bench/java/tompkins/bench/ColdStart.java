@@ -6,17 +6,17 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import tompkins.ui.StartBenchmark;
 
 /**
- * How long the program takes with a fresh process, from the start of Java on, to what it was started for. The measure
- * is {@code java -version} in turns with it, or an earlier jar of the program.
+ * How long the program takes with a fresh process, from the start of Java on, to what it was started for; and how long
+ * in turns with another jar of the program.
  */
 final class ColdStart {
 
     private static final Path JAR = Path.of("target/tompkins.jar");
     private static final String FIGURE = "scenes/fig1b.json";
     private static final String SQUARE = "scenes/town-square.json";
-    private static final String WINDOW = "tompkins.ui.StartBenchmark";
 
     private ColdStart() {}
 
@@ -104,7 +104,7 @@ final class ColdStart {
                 "-Dtompkins.settings=target/cold-settings",
                 "-cp",
                 jar + File.pathSeparator + Path.of("target/test-classes"),
-                WINDOW));
+                StartBenchmark.class.getName()));
         arguments.addAll(List.of(scene));
         return arguments;
     }

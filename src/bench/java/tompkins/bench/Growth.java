@@ -22,8 +22,8 @@ import tompkins.surface.ColouredSurface;
 import tompkins.trace.RenderPlan;
 
 /**
- * How time and memory grow with the number of objects: fields of spheres, lattices of rods, meshes of triangles. Each
- * scene has a process of its own.
+ * How time grows with the number of objects: fields of spheres, lattices of rods, meshes of triangles. Each scene has a
+ * process of its own.
  */
 final class Growth {
 
@@ -111,8 +111,7 @@ final class Growth {
     }
 
     private static double median(List<double[]> turns, int number) {
-        return Measure.median(
-                turns.stream().mapToDouble(numbers -> numbers[number]).toArray());
+        return Measure.median(turns.stream().map(numbers -> numbers[number]).toList());
     }
 
     /** Spheres at random, smaller where there are more, so that they fill the same part of space. */

@@ -1,6 +1,7 @@
 package tompkins.bench;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 
 /**
@@ -11,7 +12,7 @@ import java.util.Locale;
  * @param target what it should be, where somebody would notice a miss; else empty
  * @param met whether the target is met
  */
-record Measure(String what, double value, String unit, String target, boolean met) {
+public record Measure(String what, double value, String unit, String target, boolean met) {
 
     /** A number that nobody notices if it is at most {@code most}. */
     static Measure noticedAtMost(String what, double most, String unit, double measured) {
@@ -38,6 +39,11 @@ record Measure(String what, double value, String unit, String target, boolean me
         double[] sorted = values.clone();
         Arrays.sort(sorted);
         return sorted[sorted.length / 2];
+    }
+
+    /** As above. */
+    public static double median(List<? extends Number> values) {
+        return median(values.stream().mapToDouble(Number::doubleValue).toArray());
     }
 
     /** A number with three digits that count. */

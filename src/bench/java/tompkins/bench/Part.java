@@ -16,7 +16,7 @@ enum Part {
     LENS,
     /** Samples for an error, beside the fewest that any choice of samples takes. */
     SAMPLES,
-    /** Time and memory with more and more objects. */
+    /** Time with more and more objects. */
     GROWTH,
     /** What it costs that objects move. */
     MOTION,

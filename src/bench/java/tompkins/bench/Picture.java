@@ -63,10 +63,7 @@ final class Picture implements AutoCloseable {
 
     /** The median time, of the second half of the pictures: the compiler has settled then. */
     double median() {
-        return Measure.median(milliseconds.stream()
-                .skip(milliseconds.size() / 2)
-                .mapToDouble(Double::doubleValue)
-                .toArray());
+        return Measure.median(milliseconds.subList(milliseconds.size() / 2, milliseconds.size()));
     }
 
     RenderReport report() {

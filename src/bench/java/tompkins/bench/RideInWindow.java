@@ -9,11 +9,11 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import tompkins.ui.RideBenchmark;
 
 /** How live rides are in the window: through Fig. 1(b), the scenes with motion, and the first scene of the program. */
 final class RideInWindow {
 
-    private static final String BENCHMARK = "tompkins.ui.RideBenchmark";
     private static final Path SCENES = Path.of("scenes");
     private static final String HEAD = """
 
@@ -44,10 +44,7 @@ final class RideInWindow {
         }
 
         private String target() {
-            if (least > 0) {
-                return "at least " + Measure.number(least);
-            }
-            return most < Double.POSITIVE_INFINITY ? "at most " + Measure.number(most) : "";
+            return least > 0 ? "at least " + Measure.number(least) : "at most " + Measure.number(most);
         }
 
         /** A number as it stands in the table: bold where it misses its target. */
@@ -71,7 +68,7 @@ final class RideInWindow {
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-cp",
                 System.getProperty("java.class.path"),
-                BENCHMARK,
+                RideBenchmark.class.getName(),
                 Integer.toString(thrusts),
                 SCENES.resolve("fig1b.json").toString()));
         try (Stream<Path> files = Files.list(SCENES)) {
@@ -79,7 +76,7 @@ final class RideInWindow {
                     .sorted()
                     .forEach(file -> command.add(file.toString()));
         }
-        command.addAll(List.of(FIRST, "beside-rest", FIRST));
+        command.addAll(List.of(FIRST, RideBenchmark.BESIDE_REST, FIRST));
         Process process = new ProcessBuilder(command)
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();

@@ -12,7 +12,9 @@ import java.util.stream.IntStream;
 import org.jfree.chart.ChartUtils;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.renderer.xy.XYItemRenderer;
+import tompkins.image.LinearImage;
 import tompkins.image.Palette;
+import tompkins.image.PictureDifference;
 import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.Renderer;
@@ -78,7 +80,7 @@ final class SamplesForError {
     private final int seeds;
     private final String name;
     private final Renderer renderer;
-    private final float[] reference;
+    private final LinearImage reference;
 
     /** The mean square of the errors of the reference itself. */
     private final double ofReference;
@@ -90,13 +92,12 @@ final class SamplesForError {
         this.renderer = renderer;
         studio = figure.withSettings(figure.settings().withSize(width, width * 3 / 4));
         reference = picture(REFERENCE_SEED, REFERENCE_SAMPLES);
-        float[] other = picture(REFERENCE_SEED + 1, REFERENCE_SAMPLES);
-        double squares = 0;
-        for (int i = 0; i < reference.length; i++) {
-            squares += (reference[i] - other[i]) * (reference[i] - other[i]);
-            reference[i] = (reference[i] + other[i]) / 2;
+        LinearImage other = picture(REFERENCE_SEED + 1, REFERENCE_SAMPLES);
+        double halves = PictureDifference.ofLight(reference, other);
+        ofReference = halves * halves / 4;
+        for (int i = 0; i < reference.rgb().length; i++) {
+            reference.rgb()[i] = (reference.rgb()[i] + other.rgb()[i]) / 2;
         }
-        ofReference = squares / 4 / reference.length;
     }
 
     /** Counts samples, and draws the chart. */
@@ -157,8 +158,8 @@ final class SamplesForError {
         return RenderPlan.of(studio.withSettings(studio.settings().withSeed(seed)));
     }
 
-    private float[] picture(long seed, int samples) throws InterruptedException {
-        return renderer.render(plan(seed), new Quality.Samples(samples)).image().rgb();
+    private LinearImage picture(long seed, int samples) throws InterruptedException {
+        return renderer.render(plan(seed), new Quality.Samples(samples)).image();
     }
 
     /** The pictures of all wanted errors, beginning with a number of samples; 0 for that of the program. */
@@ -214,11 +215,12 @@ final class SamplesForError {
 
     /** The variance of each pixel with a number of samples, averaged over the channels. */
     private double[] variances(int samples) throws InterruptedException {
-        double[] variances = new double[reference.length / 3];
+        float[] mean = reference.rgb();
+        double[] variances = new double[mean.length / 3];
         for (int picture = 0; picture < PICTURES; picture++) {
-            float[] light = picture(FIRST_SEED_OF_VARIANCES + picture, samples);
+            float[] light = picture(FIRST_SEED_OF_VARIANCES + picture, samples).rgb();
             for (int i = 0; i < light.length; i++) {
-                variances[i / 3] += (light[i] - reference[i]) * (light[i] - reference[i]) / (3.0 * PICTURES);
+                variances[i / 3] += (light[i] - mean[i]) * (light[i] - mean[i]) / (3.0 * PICTURES);
             }
         }
         return variances;
@@ -227,7 +229,7 @@ final class SamplesForError {
     /** The medians of the samples of a pixel and of the errors. */
     private StudyPoint point(String choice, List<RenderJob> jobs) {
         double[] samples = jobs.stream()
-                .mapToDouble(job -> job.samples() / (reference.length / 3.0))
+                .mapToDouble(job -> (double) job.samples() / studio.settings().pixels())
                 .toArray();
         double[] errors = jobs.stream().mapToDouble(this::trueError).toArray();
         return new StudyPoint(
@@ -242,11 +244,7 @@ final class SamplesForError {
     }
 
     private double trueError(RenderJob job) {
-        float[] light = job.image().rgb();
-        double squares = 0;
-        for (int i = 0; i < light.length; i++) {
-            squares += (light[i] - reference[i]) * (light[i] - reference[i]);
-        }
-        return Math.sqrt(Math.max(0, squares / light.length - ofReference));
+        double error = PictureDifference.ofLight(job.image(), reference);
+        return Math.sqrt(Math.max(0, error * error - ofReference));
     }
 }

@@ -4,15 +4,13 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import tompkins.ui.WindowBenchmark;
 
 /** What the window takes with Fig. 1(b), each time with a fresh process. */
 final class Window {
-
-    private static final String BENCHMARK = "tompkins.ui.WindowBenchmark";
 
     /** Why nothing can be measured. */
     static final String NO_DISPLAY = "there is no display (xvfb-run -a mvn ...)";
@@ -56,7 +54,7 @@ final class Window {
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                         "-cp",
                         System.getProperty("java.class.path"),
-                        BENCHMARK,
+                        WindowBenchmark.class.getName(),
                         "scenes/fig1b.json")
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
@@ -73,8 +71,6 @@ final class Window {
     }
 
     private static double median(Map<String, List<Double>> values, String name) {
-        List<Double> sorted = new ArrayList<>(values.get(name));
-        Collections.sort(sorted);
-        return sorted.get(sorted.size() / 2);
+        return Measure.median(values.get(name));
     }
 }

@@ -11,6 +11,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3d;
+import tompkins.bench.Measure;
 import tompkins.image.BufferedImages;
 import tompkins.image.LinearImage;
 import tompkins.image.PictureDifference;
@@ -219,21 +220,15 @@ public final class RideBenchmark {
         return differences;
     }
 
-    private static double median(List<Double> values) {
-        List<Double> sorted = new ArrayList<>(values);
-        Collections.sort(sorted);
-        return sorted.get(sorted.size() / 2);
-    }
-
     private void print(String scene) throws InterruptedException {
         List<Double> differences = differences();
         System.out.printf(
                 Locale.ROOT,
                 "%s: %.1f %.1f %.2f %.2f%n",
                 scene,
-                median(rates),
-                median(answers),
-                median(differences),
+                Measure.median(rates),
+                Measure.median(answers),
+                Measure.median(differences),
                 Collections.max(differences));
     }
 }

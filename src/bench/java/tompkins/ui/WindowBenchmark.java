@@ -1,13 +1,12 @@
 package tompkins.ui;
 
-import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import org.joml.Vector3d;
+import tompkins.bench.Measure;
 import tompkins.io.StudioReader;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
@@ -31,12 +30,10 @@ public final class WindowBenchmark {
 
     private final Studio studio;
     private final WindowDriver driver;
-    private final PrintStream out;
 
-    private WindowBenchmark(Studio studio, WindowDriver driver, PrintStream out) {
+    private WindowBenchmark(Studio studio, WindowDriver driver) {
         this.studio = studio;
         this.driver = driver;
-        this.out = out;
     }
 
     /** Measures a scene file. */
@@ -44,7 +41,7 @@ public final class WindowBenchmark {
         Path settings = Files.createTempDirectory("tompkins-benchmark");
         Studio studio = StudioReader.read(Path.of(arguments[0]));
         try (WindowDriver driver = new WindowDriver(settings, new FirstScene(studio, null), List.of())) {
-            WindowBenchmark benchmark = new WindowBenchmark(studio, driver, System.out);
+            WindowBenchmark benchmark = new WindowBenchmark(studio, driver);
             benchmark.changes();
             benchmark.drag();
         }
@@ -66,8 +63,8 @@ public final class WindowBenchmark {
                 complete.add(whole);
             }
         }
-        print("change to picture on screen", median(first) * 1e-6);
-        print("change to complete picture", median(complete) * 1e-6);
+        print("change to picture on screen", Measure.median(first) * 1e-6);
+        print("change to complete picture", Measure.median(complete) * 1e-6);
     }
 
     /** Moves the speed to and fro as a hand does, without waiting for pictures. */
@@ -108,13 +105,7 @@ public final class WindowBenchmark {
         }
     }
 
-    private static long median(List<Long> values) {
-        List<Long> sorted = new ArrayList<>(values);
-        Collections.sort(sorted);
-        return sorted.get(sorted.size() / 2);
-    }
-
-    private void print(String what, double value) {
-        out.printf(Locale.ROOT, "%s: %.1f%n", what, value);
+    private static void print(String what, double value) {
+        System.out.printf(Locale.ROOT, "%s: %.1f%n", what, value);
     }
 }

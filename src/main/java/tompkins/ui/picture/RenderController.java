@@ -163,7 +163,7 @@ public final class RenderController implements AutoCloseable {
         return request.pace.isGlimpse() || System.nanoTime() - begun > LONGEST_OVERTAKEN.toNanos();
     }
 
-    /** Tells why there is no picture, unless it is no longer wanted: a plan that was stopped tells nothing. */
+    /** Tells why there is no picture, unless it is no longer wanted. */
     private void fail(Request request, Throwable error) {
         if (wanted.compareAndSet(request, null)) {
             failures.accept(error);
