@@ -308,13 +308,20 @@ class TiffReaderTest {
                 new Object[] {plain(1, 8).tag(339, 2), "has signed samples of 8 bits; "},
                 new Object[] {plain(1, 8).tag(339, 5), "has complex signed samples of 8 bits; "},
                 new Object[] {plain(1, 8).tag(339, 7), "has unknown samples of 8 bits; "},
+                new Object[] {plain(3, 32).tag(339, 3, 1, 3), "has several kinds of samples; "},
                 new Object[] {plain(3, 8).tag(258, 5, 6, 5), "has several kinds of samples; "},
+                new Object[] {plain(1, 24).tag(339, 3), "has floating-point samples of 24 bits; "},
                 new Object[] {plain(1, 64).tag(339, 3), "has floating-point samples of 64 bits; "},
                 new Object[] {plain(1, 32).tag(339, 3).tag(262, 0), "has floating-point samples of 32 bits; "},
                 new Object[] {plain(3, 4), "has unsigned samples of 4 bits; "},
                 new Object[] {plain(1, 16).tag(262, 3), "has unsigned samples of 16 bits; "},
                 new Object[] {plain(1, 8).tag(259, 7), "has compression number 7; "},
                 new Object[] {plain(4, 8).tag(262, 5), "has colours of kind 5; "},
+                new Object[] {plain(1, 8).tag(259, 32773).tag(317, 2), "has predictor 2 for unsigned samples of 8 bits"
+                },
+                new Object[] {
+                    plain(1, 32).tag(339, 3).tag(259, 8).tag(317, 2), "has predictor 2 for floating-point samples of 32"
+                },
                 new Object[] {plain(1, 8).tag(259, 5).tag(317, 4), "has predictor 4 for unsigned samples of 8 bits; "},
                 new Object[] {plain(1, 4).tag(259, 5).tag(317, 2), "has predictor 2 for unsigned samples of 4 bits; "},
                 new Object[] {plain(1, 16).tag(259, 5).tag(317, 3), "has predictor 3 for unsigned samples of 16 bits; "
