@@ -226,15 +226,10 @@ class CameraRaysTest {
     static List<Camera> camerasThatLookAlongZ() {
         return List.of(
                 ThinLensCamera.DEFAULT,
-                Cameras.panorama(
-                        new Vector3d(),
-                        new Vector3d(0, 0, 1),
-                        new Vector3d(0, 1, 0),
-                        120,
-                        80,
-                        1,
-                        0,
-                        AperturePlaneShutter.DEFAULT));
+                Descriptions.with(
+                        Descriptions.with(PanoramicCamera.DEFAULT, "horizontalAngleDegrees", 120.0),
+                        "verticalAngleDegrees",
+                        80.0));
     }
 
     /** Meridians come nearer to each other like the cosine of the latitude. */
@@ -248,15 +243,7 @@ class CameraRaysTest {
 
     @Test
     void topAlongTheViewIsRefused() {
-        assertThatThrownBy(() -> Cameras.panorama(
-                        POSITION,
-                        new Vector3d(0, 1, 0),
-                        new Vector3d(0, -2, 0),
-                        360,
-                        180,
-                        1,
-                        0,
-                        AperturePlaneShutter.DEFAULT))
+        assertThatThrownBy(() -> Descriptions.with(PanoramicCamera.DEFAULT, "topDirection", new Vector3d(0, 0, -2)))
                 .isInstanceOf(InvalidPropertyException.class)
                 .hasMessageContaining("topDirection");
     }

@@ -178,16 +178,8 @@ class FocusTest {
     }
 
     private static ThinLensCamera aside(SceneObject focus) {
-        return Cameras.lens(
-                new Vector3d(1, 2, 3),
-                new Vector3d(0, 30, 40),
-                new Vector3d(0, 1, 0),
-                40,
-                0,
-                0,
-                focus,
-                0,
-                AperturePlaneShutter.DEFAULT);
+        ThinLensCamera there = Descriptions.with(ThinLensCamera.DEFAULT, "position", new Vector3d(1, 2, 3));
+        return Descriptions.with(Descriptions.with(there, "viewDirection", new Vector3d(0, 30, 40)), "focus", focus);
     }
 
     private static double inFocus(SceneObject object) {

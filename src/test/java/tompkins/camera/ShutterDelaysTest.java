@@ -78,16 +78,10 @@ class ShutterDelaysTest {
                 new FocusSurfaceShutter(-9.5),
                 new FixedPointSurfaceShutter(),
                 new ArbitraryPlaneShutter(-1, new Vector3d(0, 0, 1), new Vector3d(0.3, 0.2, 1)));
-        ThinLensCamera wide = Cameras.lens(
-                new Vector3d(1, 2, 3),
-                new Vector3d(0.1, 0, 1),
-                new Vector3d(0, 1, 0),
-                60,
-                0,
-                0.4,
-                ThinLensCamera.DEFAULT.focus(),
-                0,
-                AperturePlaneShutter.DEFAULT);
+        Camera there = Descriptions.with(ThinLensCamera.DEFAULT, "position", new Vector3d(1, 2, 3));
+        Camera aside = Descriptions.with(there, "viewDirection", new Vector3d(0.1, 0, 1));
+        Camera wide =
+                Descriptions.with(Descriptions.with(aside, "horizontalAngleDegrees", 60.0), "apertureRadius", 0.4);
         return Stream.of(ThinLensCamera.DEFAULT, wide, PanoramicCamera.DEFAULT)
                 .flatMap(camera -> shutters.stream().map(camera::withShutter));
     }

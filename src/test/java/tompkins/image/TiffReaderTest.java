@@ -311,6 +311,7 @@ class TiffReaderTest {
                 Arguments.of(plain(1, 8).tag(339, 7), "has unknown samples of 8 bits; "),
                 Arguments.of(plain(3, 8).tag(258, 5, 6, 5), "has several kinds of samples; "),
                 Arguments.of(plain(3, 32).tag(339, 3, 1, 3), "has several kinds of samples; "),
+                Arguments.of(plain(1, 24).tag(339, 3), "has floating-point samples of 24 bits; "),
                 Arguments.of(plain(1, 64).tag(339, 3), "has floating-point samples of 64 bits; "),
                 Arguments.of(plain(1, 32).tag(339, 3).tag(262, 0), "has floating-point samples of 32 bits; "),
                 Arguments.of(plain(3, 4), "has unsigned samples of 4 bits; "),

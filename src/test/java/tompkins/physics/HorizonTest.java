@@ -10,6 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.camera.Camera;
+import tompkins.camera.CameraMotion;
 import tompkins.camera.ThinLensCamera;
 import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
@@ -151,5 +153,20 @@ class HorizonTest {
         }
         assertThat(spreadOfMoire).isEqualTo(0.5);
         assertThat(spreadOfSmooth).isLessThan(0.05);
+    }
+
+    /** Coordinates beyond the range of an int. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e6, 1e9, 1e10, 1e12, -1e6, -1e10, -1e12})
+    void farTilesStillAlternate(double x) {
+        for (boolean filtered : new boolean[] {true, false}) {
+            SceneObject plane = new Plane("floor", new Vector3d(0, -1, 0), new Vector3d(0, 1, 0), tiles(filtered));
+            for (int step = 0; step < 4; step++) {
+                Camera down = CameraMotion.shifted(
+                        Photograph.pinhole(new Vector3d(0, -1, 0), 1, 0), new Vector3d(x + step + 0.5, 0, 0.5));
+                Photograph photograph = Photograph.of(List.of(plane), down, Velocity.REST, 1, 1);
+                assertThat(photograph.image().value(0, 0, 0)).isEqualTo(step % 2);
+            }
+        }
     }
 }

@@ -41,6 +41,14 @@ class AdaptiveScheduleTest {
         assertThat(schedule.isOver()).isTrue();
     }
 
+    @Test
+    void progressIsTheShareOfTheTime() {
+        now = 5_000_000_000L;
+        AdaptiveSchedule schedule = schedule(new Film(4, 4, 1, true), false, 10);
+        now = 7_500_000_000L;
+        assertThat(schedule.progress(0)).isEqualTo(0.25);
+    }
+
     /** The border, and of the rest one pixel of 17 in each row, five columns on from row to row. */
     @Test
     void oneOfSeventeenIsLookedAtAfterTheCentres() {

@@ -56,6 +56,22 @@ class IsolatedHighlightsTest {
         assertThat(specks(film).isEmpty()).isTrue();
     }
 
+    /** One sample in each pixel, 16 in one: its neighbours may show more of the same, or not. */
+    @Test
+    void neighboursWithOneSampleAreNamed() {
+        Film film = new Film(SIDE, SIDE, 1, true);
+        IntStream.range(0, SIDE * SIDE).forEach(pixel -> add(film, pixel, 1, 0));
+        film.restart(place(20, 30));
+        meet(film, place(20, 30));
+        IsolatedHighlights specks = specks(film);
+        assertThat(specks.isEmpty()).isTrue();
+        assertThat(specks.untested().stream())
+                .hasSize(8)
+                .doesNotContain(place(20, 30))
+                .allMatch(pixel -> Math.abs(pixel % SIDE - 20) <= 1 && Math.abs(pixel / SIDE - 30) <= 1);
+        assertThat(specks(film(place(20, 30))).untested().isEmpty()).isTrue();
+    }
+
     /**
      * The lights cover 1/16 of their pixels, as far as 16 samples can tell: half of the variance of 16 independent
      * samples is left where samples are spread evenly and one of them is expected to meet such a light.

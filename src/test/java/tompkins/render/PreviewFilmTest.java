@@ -224,6 +224,27 @@ class PreviewFilmTest {
                 .isLessThan(levels);
     }
 
+    /** A single picture that waited for something else changes the next one by a sixth. */
+    @Test
+    void oneSlowPictureChangesLittle() {
+        PreviewBudget budget = new PreviewBudget();
+        settled(budget, 60, 0.01, 2e-6);
+        budget.ended(3, 0.06);
+        assertThat(budget.most(1000, 1e-3, 0.06, 100_000)).isCloseTo(25_000 * 5 / 6, within(250L));
+    }
+
+    /** A slow moment is not taken for a slow machine; a slow scene is, after some time. */
+    @Test
+    void slownessCountsOnceItLasts() {
+        PreviewBudget budget = new PreviewBudget();
+        budget.most(1000, 1e-3, 0.02, 1_000_000);
+        assertThat(budget.most(1000, 1e-2, 0.02, 1_000_000)).isCloseTo(19_600, within(1L));
+        for (int i = 0; i < 200; i++) {
+            budget.most(1000, 1e-2, 0.02, 1_000_000);
+        }
+        assertThat(budget.most(1000, 1e-2, 0.02, 1_000_000)).isCloseTo(2000, within(1L));
+    }
+
     private static long settled(PreviewBudget budget, int pictures, double fixed, double each) {
         long samples = 0;
         for (int i = 0; i < pictures; i++) {

@@ -29,4 +29,12 @@ class TileTest {
     void tilesBeginAtMultiplesOfTheirSize() {
         assertThat(Tile.of(1000, 700)).allMatch(tile -> tile.column() % 32 == 0 && tile.row() % 32 == 0);
     }
+
+    @Test
+    void tilesGoFromTheCentreOutwards() {
+        assertThat(Tile.of(160, 96))
+                .startsWith(new Tile(64, 32, 32, 32))
+                .last()
+                .matches(tile -> tile.column() % 128 == 0 && tile.row() % 64 == 0);
+    }
 }

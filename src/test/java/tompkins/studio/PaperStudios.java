@@ -3,8 +3,9 @@ package tompkins.studio;
 import java.util.List;
 import org.joml.Vector2i;
 import org.joml.Vector3d;
-import tompkins.camera.Cameras;
+import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.ImagePointGrid;
@@ -64,17 +65,10 @@ public final class PaperStudios {
     }
 
     /** The camera of the paper. */
-    public static ThinLensCamera camera(double apertureRadius, Shutter shutter) {
-        ThinLensCamera usual = ThinLensCamera.DEFAULT;
-        return Cameras.lens(
-                usual.position(),
-                usual.viewDirection(),
-                usual.topDirection(),
-                20.03066570511592,
-                15.097852663761984,
-                apertureRadius,
-                usual.focus(),
-                0,
-                shutter);
+    public static Camera camera(double apertureRadius, Shutter shutter) {
+        Camera wide = Descriptions.with(
+                ThinLensCamera.DEFAULT.withShutter(shutter), "horizontalAngleDegrees", 20.03066570511592);
+        Camera high = Descriptions.with(wide, "verticalAngleDegrees", 15.097852663761984);
+        return Descriptions.with(high, "apertureRadius", apertureRadius);
     }
 }

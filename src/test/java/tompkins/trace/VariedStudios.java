@@ -87,7 +87,6 @@ public final class VariedStudios {
         PointLight inside = lamp(0.2, 0.1, 6, 0.7);
         PointLight beside = lamp(-6, 1, 5, 0.5);
         PanoramicCamera allAround = PanoramicCamera.DEFAULT;
-        ThinLensCamera usual = ThinLensCamera.DEFAULT;
         ThinLensCamera veryWide = Cameras.lens(
                 new Vector3d(0.1, 0.2, 4),
                 new Vector3d(0.2, -0.1, 1),
@@ -98,16 +97,9 @@ public final class VariedStudios {
                 new Sphere("focus", new Vector3d(0, 0, 4), 3, GREY),
                 0.5,
                 new FocusSurfaceShutter(-3));
-        ThinLensCamera back = Cameras.lens(
-                new Vector3d(0, 0, 14),
-                new Vector3d(0, 0, -1),
-                usual.topDirection(),
-                30,
-                0,
-                0,
-                usual.focus(),
-                0,
-                AperturePlaneShutter.DEFAULT);
+        Camera behind = Descriptions.with(ThinLensCamera.DEFAULT, "position", new Vector3d(0, 0, 14));
+        Camera back = Descriptions.with(
+                Descriptions.with(behind, "viewDirection", new Vector3d(0, 0, -1)), "horizontalAngleDegrees", 30.0);
         Studio late = studio.withCamera(PaperStudios.camera(0, new AperturePlaneShutter(1e7)));
         Vector3dc farAway = LensEvent.inScene(late).position();
         Placed nearTheCamera = new Placed("placed", new Group("crowd", crowd()), 1, new Vector3d(0, 1, 0), 0, farAway);
