@@ -21,10 +21,7 @@ import tompkins.spacetime.FrameTree;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 
-/**
- * Collects the primitives of a scene for one picture, one list for each velocity, and numbers them all in the order of
- * the scene file.
- */
+/** Collects the primitives of a scene, a list for each velocity, numbered in the order of the scene file. */
 public final class PrimitiveCollector {
 
     /** The sizes that always work: their fourth powers are far from the limits of a double. Others may work, too. */

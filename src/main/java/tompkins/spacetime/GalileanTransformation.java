@@ -12,9 +12,20 @@ import tompkins.ray.Ray;
  */
 final class GalileanTransformation implements SpaceTimeTransformation {
 
+    /**
+     * From this speed on, beta is described by how little it lacks to the speed of light, which keeps all digits. Below
+     * it the components are used as they are given: the difference of d and beta loses three digits at most.
+     */
+    private static final double FAST = 0.999;
+
     private final Velocity velocity;
     private final double sign;
     private final Vector3dc beta;
+
+    // beta is base - rest: at high speed base is its direction, and 1 - |beta| the length of rest
+    private final boolean isFast;
+    private final Vector3dc base;
+    private final Vector3dc rest;
 
     /** From the frame that moves with the given velocity into the frame in which it moves. */
     GalileanTransformation(Velocity velocity) {
@@ -25,6 +36,9 @@ final class GalileanTransformation implements SpaceTimeTransformation {
         this.velocity = velocity;
         this.sign = sign;
         beta = velocity.components().mul(sign, new Vector3d());
+        isFast = velocity.speed() > FAST;
+        base = isFast ? velocity.direction().mul(sign, new Vector3d()) : beta;
+        rest = isFast ? base.mul(velocity.oneMinusSpeed(), new Vector3d()) : new Vector3d();
     }
 
     @Override
@@ -55,9 +69,9 @@ final class GalileanTransformation implements SpaceTimeTransformation {
     @Override
     public Ray transform(Ray ray, Ray memory) {
         double slowness = ray.slowness;
-        double dx = ray.dx - beta.x() * slowness;
-        double dy = ray.dy - beta.y() * slowness;
-        double dz = ray.dz - beta.z() * slowness;
+        double dx = ray.dx - base.x() * slowness + rest.x() * slowness;
+        double dy = ray.dy - base.y() * slowness + rest.y() * slowness;
+        double dz = ray.dz - base.z() * slowness + rest.z() * slowness;
         double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
         double time = ray.time;
         return memory.setInFrame(
@@ -70,8 +84,20 @@ final class GalileanTransformation implements SpaceTimeTransformation {
                 dz / length,
                 time,
                 slowness / length,
-                1 - slowness * (beta.x() * ray.dx + beta.y() * ray.dy + beta.z() * ray.dz),
+                frequency(ray),
                 length);
+    }
+
+    /** {@code 1 - slowness beta.d}; at high speed {@code 1 - n.d} is half of the square of d - n. */
+    private double frequency(Ray ray) {
+        if (!isFast) {
+            return 1 - ray.slowness * (beta.x() * ray.dx + beta.y() * ray.dy + beta.z() * ray.dz);
+        }
+        double wx = ray.dx - base.x();
+        double wy = ray.dy - base.y();
+        double wz = ray.dz - base.z();
+        double half = (wx * wx + wy * wy + wz * wz) / 2;
+        return 1 - ray.slowness + ray.slowness * (half + velocity.oneMinusSpeed() * (1 - half));
     }
 
     /** 0: at t = 0 all places coincide. */

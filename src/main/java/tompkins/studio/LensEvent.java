@@ -22,10 +22,7 @@ public final class LensEvent {
 
     private LensEvent() {}
 
-    /**
-     * When light for the middle of the picture crosses the centre of the lens, in the camera frame, by the model of the
-     * shutter alone; not finite if none does.
-     */
+    /** When light for the middle of the picture crosses the lens by the shutter model; not finite if none does. */
     public static double timeInMiddle(Camera camera, SpaceTimeTransformation sceneFromCamera) {
         LensRay middle =
                 camera.betweenEyes().rays(1, 1, sceneFromCamera).chiefRay(Vectors.unit(camera.viewDirection()));

@@ -47,10 +47,7 @@ public record RideGoal(
         Require.duration("younger", younger);
     }
 
-    /**
-     * Whether a step of a ride reaches it: the straight way between both moments comes near enough, with the speed and
-     * the clocks of the later one.
-     */
+    /** Whether a step reaches it: its straight way comes near enough, with the speed and clocks of its end. */
     boolean isReached(RideMoment before, RideMoment now) {
         double gamma = now.rider().gamma();
         return gamma >= leastGamma

@@ -29,10 +29,7 @@ public record Mirror(
         return mirrored == null ? Response.ends(Colour.BLACK) : Response.goesOn(mirrored, Colour.grey(reflectance));
     }
 
-    /**
-     * The ray that belongs to the mirrored wave, where the medium moves past the mirror; null if the mirror outruns the
-     * light, so that none comes from it.
-     */
+    /** The ray of the mirrored wave in a medium that moves past the mirror; null if none comes from it. */
     static Ray reflected(Ray ray, MediumWave wave, Hit hit, double fraction, Tracer tracer) {
         Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
         MediumWave.Outgoing back = wave.outgoing(normal, -Math.signum(hit.cosine(ray)), ray.medium, ray.frame, tracer);

@@ -8,10 +8,7 @@ import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
 import tompkins.studio.View;
 
-/**
- * Follows the rays of samples that an eye takes: through what moves with the camera, and then into the scene. One for
- * each thread.
- */
+/** Follows the rays of an eye's samples through what is on board, and then the scene. One for each thread. */
 final class EyeTracer extends Padded {
 
     private final RenderPlan plan;

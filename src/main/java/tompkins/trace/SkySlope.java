@@ -4,10 +4,7 @@ import org.joml.Vector3d;
 import tompkins.ray.Ray;
 import tompkins.trace.NearbyRays.Leaving;
 
-/**
- * How directions in the sky change with the place in the picture: near one place, and along one way past mirrors and
- * glass. Memory that is used again.
- */
+/** How directions in the sky change with the place in the picture, past mirrors and glass. Used again. */
 final class SkySlope {
 
     /** Distance of the neighbours in pixels: so near that the slope is that of the place. */

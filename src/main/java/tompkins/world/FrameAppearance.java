@@ -59,10 +59,7 @@ public final class FrameAppearance {
         outwards = seeing.route(motion, seeing.camera());
     }
 
-    /**
-     * The frame of a motion, or the scene frame if that is null, as a camera sees it that rests in the scene, at the
-     * same event and with the same axes.
-     */
+    /** How a camera at rest in the scene sees the frame of a motion, or the scene frame if that is null. */
     public static FrameAppearance atRest(Studio studio, FrameMotion motion) {
         return new FrameAppearance(studio, motion, studio.view(), Velocity.REST);
     }

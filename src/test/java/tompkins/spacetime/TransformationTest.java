@@ -42,8 +42,8 @@ class TransformationTest {
      * grows by epsilon + beta theta^2/2, with epsilon = 1 - beta = 1/(2 gamma^2).
      */
     @ParameterizedTest
-    @CsvSource({"300, 0", "300, 1e-4", "1e3, 0", "1e3, 1e-4"})
-    void galileanLightStraightAheadIsSlow(double gamma, double theta) {
+    @CsvSource({"1e3, 0", "1e3, 1e-6", "1e3, 1e-4", "1e8, 0", "1e8, 1e-17", "1e8, 1e-9", "6.5e7, 0", "9.45e7, 1e-8"})
+    void galileanLightKeepsItsDigitsStraightAhead(double gamma, double theta) {
         Velocity velocity = Velocity.of(SpeedScale.GAMMA, gamma, new Vector3d(0, 0, 1));
         Ray ray = Ray.from(0, 0, 0, Math.sin(theta), 0, Math.cos(theta), 0);
 
@@ -56,10 +56,10 @@ class TransformationTest {
         double halfSine = Math.sin(theta / 2);
         double length = Math.hypot(Math.sin(theta), along);
         assertThat(moved.frequency)
-                .isCloseTo(epsilon + (1 - epsilon) * 2 * halfSine * halfSine, withinPercentage(1e-6));
-        assertThat(moved.dz).isCloseTo(along / length, within(1e-11));
-        assertThat(moved.dx).isCloseTo(Math.sin(theta) / length, within(1e-11));
-        assertThat(moved.slowness).isCloseTo(1 / length, withinPercentage(1e-6));
+                .isCloseTo(epsilon + (1 - epsilon) * 2 * halfSine * halfSine, withinPercentage(1e-8));
+        assertThat(moved.dz).isCloseTo(along / length, within(1e-12));
+        assertThat(moved.dx).isCloseTo(Math.sin(theta) / length, within(1e-12));
+        assertThat(moved.slowness).isCloseTo(1 / length, withinPercentage(1e-9));
     }
 
     /** A ray is two events: its start, and one on its way. */
