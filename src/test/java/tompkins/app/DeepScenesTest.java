@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.CsvFileSource;
 import tompkins.ProcessorTime;
 import tompkins.Thorough;
 
@@ -58,26 +58,7 @@ class DeepScenesTest {
 
     /** The shallow one comes first, which also loads the program. */
     @ParameterizedTest
-    @CsvSource(delimiter = '|', quoteCharacter = '~', textBlock = """
-            'scene': [INNER] | BALL | 2 | {'type': 'Group', 'objects': [INNER]}
-            'scene': [INNER] | BALL | 1 | {'type': 'Placed', 'rotationDegrees': 1, 'object': INNER}
-            'scene': [INNER] | BALL | 1 | {'type': 'Hidden', 'object': INNER}
-            'scene': [INNER] | BALL | 1 | {'type': 'ImagePointGrid', 'points': [1, 1], 'corner': [0, 0, 10], 'object': INNER}
-            'scene': [INNER] | BALL | 2 | {'type': 'Moving', 'velocity': [0, 0.01, 0], 'objects': [{'type': 'Sphere'}, INNER, \
-            {'type': 'Moving'}]} ; {'type': 'Moving', 'velocity': [0.001, -0.01, 0], 'objects': [INNER, BALL]}
-            'scene': [INNER] | BALL | 2 | {'type': 'Group', 'objects': [INNER]} ; {'type': 'Placed', 'rotationDegrees': 1, \
-            'object': {'type': 'Placed', 'object': INNER}} ; {'type': 'Moving', 'velocity': [0.01, 0.01, 0], 'objects': [INNER]}
-            'scene': [BALL], 'lights': [INNER] | {'type': 'PointLight', 'position': [0, 5, 0]} | 2 | {'type': 'Moving', \
-            'velocity': [0.01, 0, 0], 'objects': [INNER]}
-            'scene': [{'type': 'Sphere', 'surface': INNER}] | GREY | 1 | {'type': 'Tiling', 'first': INNER, 'second': {'type': 'Mirror'}}
-            'scene': [{'type': 'Sphere', 'surface': INNER}] | GREY | 1 | {'type': 'Blinking', 'first': INNER, 'second': {'type': 'Refractive'}}
-            'scene': [{'type': 'Sphere', 'surface': INNER}] | GREY | 1 | {'type': 'Clock', 'face': INNER, 'hand': {'type': 'Mirror'}}
-            'scene': [{'type': 'Sphere', 'surface': INNER}] | GREY | 1 | {'type': 'CutOut', 'dark': {'type': 'Clear'}, 'bright': INNER}
-            LESSON | READING | 1 | {'type': 'DifferenceOf', 'first': INNER, 'second': {'type': 'RayReading'}}
-            LESSON | READING | 1 | {'type': 'RatioOf', 'first': INNER, 'second': {'type': 'RayReading'}}
-            LESSON | READING | 1 | {'type': 'WithNumber', 'value': 1, 'measurement': INNER}
-            LESSON | READING | 1 | {'type': 'WithShutter', 'measurement': INNER}
-            """)
+    @CsvFileSource(resources = "deep-scenes.csv", delimiter = '|', quoteCharacter = '~')
     void everyCommandIsQuick(String around, String innermost, int opened, String shells) throws IOException {
         String whole = around.replace(
                 "LESSON",

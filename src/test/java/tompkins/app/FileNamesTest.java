@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvFileSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.OnLinux;
 
@@ -42,22 +43,7 @@ class FileNamesTest {
 
     /** Files from elsewhere may have names that a terminal would obey; one that is missing is told in one line. */
     @ParameterizedTest
-    @ValueSource(
-            strings = {
-                "check %s.json",
-                "check %s.hdr",
-                "explain %s.json",
-                "render --size=8x6 %s.json -o %s.png",
-                "render --size=8x6 %s.json -o scene.txt/%s.png",
-                "render --size=8x6 bad.json -o %s.tif",
-                "animate %s.json -o %s.gif --duration=0.1 --size=8x6 --from=0 --to=0.5",
-                "trace %s.json --pixel=3,3 -o %s.csv --csv",
-                "render %s.no",
-                "render scenes/fig1b.json -o %s.no",
-                "render scenes/fig1b.json -o %s/no.png",
-                "%s.json extra",
-                "%s"
-            })
+    @CsvFileSource(resources = "file-names.csv", delimiter = '|')
     void namesOfFilesReachNoTerminalAsCodes(String line, @TempDir Path folder) throws IOException {
         String name = folder.resolve("a\u001b[31m\u009b\u0007\rb\u007f\u202ec").toString();
         Files.writeString(Path.of(name + ".json"), "{\"title\": \"a\", \"lights\": []}");

@@ -78,6 +78,23 @@ class MeasureCommandTest {
     }
 
     @Test
+    void circlesAndLinesAreFitted() {
+        Object[] circle = {"measure", "circle", scene, "--json", "--pixel", "60,50", "--pixel", "40,50", "--pixel"};
+        String fitted = ProgramRun.of(List.of(circle), "50,60").out();
+        assertThat(value(fitted, "halfAngle")).isCloseTo(Math.toDegrees(Math.atan(20 / 101.0)), within(1e-12));
+        assertThat(value(fitted, "middlePixelX")).isCloseTo(50, within(1e-9));
+        assertThat(value(fitted, "residual")).isCloseTo(0, within(1e-9));
+
+        Object[] line = {"measure", "line", scene, "--json", "--pixel", "0,0", "--pixel", "50,50", "--pixel"};
+        String straight = ProgramRun.of(List.of(line), "100,100").out();
+        assertThat(value(straight, "largestMiss")).isCloseTo(0, within(1e-9));
+        double length = 2 * Math.atan(Math.sqrt(2) * 100 / 101);
+        assertThat(value(straight, "length")).isCloseTo(Math.toDegrees(length), within(1e-12));
+        String bent = ProgramRun.of(List.of(line), "100,99").out();
+        assertThat(value(bent, "largestMiss")).isGreaterThan(1.1 * value(bent, "residual"));
+    }
+
+    @Test
     void profilesAreTablesOfRays() {
         Object[] profile = {"measure", "profile", scene, "--pixel", "50,50", "--pixel", "54,50"};
         List<String> csv =

@@ -117,6 +117,29 @@ class TraceCommandTest {
         assertThat(numbers(json.out(), "scene", "direction")).containsExactly(0.0, -1.0, 0.0);
     }
 
+    /** Glass of index 1.5 reflects ((1.5 - 1)/(1.5 + 1))^2 = 0.04 of the light that meets it straight. */
+    @Test
+    void whereTheRaySplitsItsWeakerBranchIsIndented() throws IOException {
+        String plane = "{'type': 'Plane', 'normal': [0, 0, 1], 'description': ";
+        String text = "{'settings': {'width': 1, 'height': 1}, 'scene': [" + plane
+                + "'glass', 'point': [0, 0, 5], 'surface': {'type': 'Refractive'}}, "
+                + plane + "'behind', 'point': [0, 0, -3]}, " + plane + "'ahead', 'point': [0, 0, 9]}]}";
+        Path scene = Files.writeString(folder.resolve("glass.json"), text.replace('\'', '"'));
+
+        ProgramRun told = ProgramRun.of("trace", scene, "--pixel", "0,0");
+        String json = ProgramRun.of("trace", scene, "--pixel", "0,0", "--json").out();
+
+        assertThat(told.out()
+                        .lines()
+                        .filter(line -> line.matches(" *(Hits|throughput) .*"))
+                        .map(line -> line.replaceAll("(?<=\\S) +", " ")))
+                .containsExactly(
+                        "Hits glass", "  Hits behind", "    throughput 0.04", "Hits ahead", "  throughput 0.96");
+        assertThat(numbers(json, "behind", "branch")).containsExactly(1.0);
+        assertThat(numbers(json, "ahead", "branch")).containsExactly(0.0);
+        assertThat(numbers(json, "behind", "share").get(0)).isCloseTo(0.04, within(1e-16));
+    }
+
     /** The moments of an exposure of 4 lie 4 apart; without one named it is the middle. */
     @Test
     void momentsAreChosen() {

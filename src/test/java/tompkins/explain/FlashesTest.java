@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.CsvFileSource;
 import tompkins.io.StudioReader;
 import tompkins.render.Quality;
 import tompkins.render.Renderer;
@@ -35,26 +35,7 @@ class FlashesTest {
 
     /** A picture of one pixel is lit within the ends of each span that is told, and dark without. */
     @ParameterizedTest
-    @ValueSource(
-            strings = {
-                "'scene':[{WALL}],'lights':[{LAMP{'start':0,'duration':0.1}}],'camera':{EXPOSE10 SHUT OPEN15}}",
-                "'scene':[{WALL}],'lights':[{LAMP{'start':0,'duration':2}}],'camera':{EXPOSE0.5 SHUT OPEN20}}",
-                "'scene':[{WALL}],'lights':[{LAMP{'start':0,'duration':2}}],'camera':{SHUT OPEN20}}",
-                "'scene':[{WALL}],'lights':[{LAMP{'start':0,'duration':1,'period':7}}],'camera':{EXPOSE2 SHUT OPEN20}}",
-                "'velocity':[0,0,0.6],'scene':[{WALL}],'lights':[{LAMP{'start':0,'duration':1}}],'camera':{EXPOSE2 SHUT OPEN3}}",
-                "'velocity':[0.3,0,-0.6],'transformation':'galilean','scene':[{WALL}],'lights':[{LAMP{'start':0,'duration':1}}],'camera':{EXPOSE2 SHUT OPEN3}}",
-                "'velocity':[0,0,0.6],'transformation':'none','scene':[{WALL}],'lights':[{LAMP{'start':0,'duration':1}}],'camera':{EXPOSE2 SHUT OPEN20}}",
-                "'scene':[{WALL}],'lights':[{LAMP{'start':0,'duration':1}}],'camera':{EXPOSE2 'rollingShutter':{'direction':'down','sweep':4},SHUT OPEN19}}",
-                "'scene':[{'type':'Moving','velocity':[0,0.2,-0.4],'place':[0,0,10],'objects':[{'type':'Plane','point':[0,0,0],'normal':[0.1,0,-1]}]}],"
-                        + "'lights':[{'type':'Moving','velocity':[0.5,0.5,0],'place':[0,1,-2],'objects':[{LAMP{'start':0,'duration':1}}]}],'camera':{EXPOSE2 SHUT OPEN20}}",
-                "'velocity':[0,0.5,0.5],'scene':[{WALL}],'lights':[{'type':'Moving','velocity':[0.5,0,0],'place':[0,1,-2],'objects':[{LAMP{'start':-3,'duration':1}}]}],'camera':{EXPOSE2 SHUT OPEN1}}",
-                "'view':'measured','velocity':[0,0,0.5],'scene':[{WALL}],'lights':[{LAMP{'start':0,'duration':1}}],'camera':{EXPOSE2 SHUT OPEN5}}",
-                "'velocity':[0,0,0.6],'scene':[{WALL}],'lights':[{LAMP{'start':0,'duration':1}}],'camera':{EXPOSE2 'shutter':{'type':'DetectorPlaneShutter',OPEN3}}}",
-                "'velocity':[0,0,0.6],'scene':[{WALL}],'lights':[{LAMP{'start':0,'duration':1}}],'camera':{EXPOSE2 'shutter':{'type':'LensHologramShutter',OPEN3}}}",
-                "'velocity':[0,0,0.6],'scene':[{WALL}],'lights':[{LAMP{'start':0,'duration':1}}],'camera':{EXPOSE2 'shutter':{'type':'FocusSurfaceShutter',OPEN-3}}}",
-                "'velocity':[0,0,0.6],'scene':[{WALL}],'lights':[{LAMP{'start':0,'duration':1}}],'camera':{EXPOSE2 'shutter':{'type':'ArbitraryPlaneShutter','point':[0,0,-1],OPEN3}}}",
-                "'cameraFrame':[{'type':'Plane','point':[0,0,3],'normal':[0,0,-1]}],'velocity':[0,0,0.6],'lights':[{LAMP{'start':0,'duration':1}}],'camera':{EXPOSE2 SHUT OPEN3}}"
-            })
+    @CsvFileSource(resources = "flashes.csv", delimiter = '|', quoteCharacter = '~')
     void endsOfWhatIsLitAreThoseOfThePicture(String scene) throws Exception {
         Studio studio = studio(scene);
         String sentence = new Flashes(RenderPlan.of(studio)).sentences().get(0);

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.RepetitionInfo;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvFileSource;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Areas against closed formulas; triangles that lay on each other, or outside their face, would make them larger. */
@@ -21,22 +22,7 @@ class FaceTriangulationTest {
 
     /** Corners in a plane, in both orders and with each as the first, in 10 planes in space. */
     @ParameterizedTest
-    @CsvSource({
-        "arrow, 1.2, -1 -1 0 -0.2 1 -1 0 1",
-        "the letter L, 3, 0 0 2 0 2 1 1 1 1 2 0 2",
-        "the letter U, 7, 0 0 3 0 3 3 2 3 2 1 1 1 1 3 0 3",
-        "the letter E, 11, 0 0 3 0 3 1 1 1 1 2 3 2 3 3 1 3 1 4 3 4 3 5 0 5",
-        "square with corners on its sides, 4, 0 0 1 0 2 0 2 1 2 2 1 2 0 2 0 1",
-        "L with corners on its sides, 3, 0 0 1 0 2 0 2 0.5 2 1 1.5 1 1 1 1 1.5 1 2 0.5 2 0 2 0 1",
-        "frame that is cut open once, 12, 0 0 4 0 4 4 0 4 0 0 1 1 1 3 3 3 3 1 1 1",
-        "two triangles that touch at a corner, 4, 0 0 2 0 2 2 0 0 -2 0 -2 -2",
-        "corners that are given twice, 1.2, -1 -1 0 -0.2 0 -0.2 1 -1 0 1 0 1",
-        "spike without width, 4, 0 0 2 0 2 2 1 2 1 3 1 2 0 2",
-        "needle with a dent, 9.999995e-7, 0 0 1 -1e-6 2 0 1 -5e-13",
-        "needle with a hooked end, 1.999e-6, 0 0 1 0 1 1e-3 0.999 1e-3 0.999 1e-6 0 1e-6",
-        "large L, 3e120, 0 0 2e60 0 2e60 1e60 1e60 1e60 1e60 2e60 0 2e60",
-        "small L, 3e-120, 0 0 2e-60 0 2e-60 1e-60 1e-60 1e-60 1e-60 2e-60 0 2e-60",
-    })
+    @CsvFileSource(resources = "faces.csv")
     void facesHaveTheirAreaInAnyPlane(String name, double area, String numbers) {
         double[] flat = Arrays.stream(numbers.split(" "))
                 .mapToDouble(Double::parseDouble)

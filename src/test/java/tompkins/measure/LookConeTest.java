@@ -77,4 +77,9 @@ class LookConeTest {
         Vector3d last = frame.look(new Vector3d(through).fma(2, along));
         return Math.abs(middle.dot(Vectors.unit(Vectors.cross(first, last))));
     }
+
+    @Test
+    void nobodySeesTheOutlineOfASphereFromInside() {
+        assertThat(LookCone.outline(new Vector3d(0, 0, 1), new Vector3d(), 1.5)).isNull();
+    }
 }

@@ -13,6 +13,7 @@ import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.Group;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -126,6 +127,19 @@ class RayTubesTest {
         assertThat(parts(tubes, Cylinder.class))
                 .singleElement()
                 .satisfies(rod -> assertThat(rod.start().z()).isCloseTo(0.5 + 39.5 * 30 / 250, within(1e-12)));
+    }
+
+    /** A wall that comes with 0.5 c from z = 9 at time 0 is met by the backward ray z = -t where 9 - 0.5 t = -t. */
+    @Test
+    void whatMovesIsMetWhereItWas() {
+        Plane wall = new Plane("wall", new Vector3d(), BACK, ColouredSurface.DEFAULT);
+        Velocity coming = Velocity.of(0, 0, -0.5);
+        Group tubes = RayTubes.of(
+                "ray", List.of(middle(studio(new Moving("", coming, new Vector3d(0, 0, 9), 0, List.of(wall))))));
+
+        assertThat(parts(tubes, Sphere.class))
+                .singleElement()
+                .satisfies(ball -> assertThat(ball.centre().z()).isCloseTo(18, within(1e-12)));
     }
 
     /** Through the edge of a lens of radius 1/2 that is focused at 5 all rays meet there. */

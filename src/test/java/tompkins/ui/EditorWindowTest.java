@@ -104,6 +104,14 @@ class EditorWindowTest extends WindowFixture {
                 () -> driver.said().equals("Saved " + file + ", without the values that are marked as wrong"));
         assertThat(Components.isMarked(radius())).isTrue();
         assertThat(StudioReader.read(file)).isEqualTo(driver.studio());
+
+        // and it is put right before another object is chosen
+        JTree tree = driver.find(JTree.class, "tree");
+        onEventThread(() -> tree.requestFocusInWindow());
+        await("the focus", tree::isFocusOwner);
+        onEventThread(() -> tree.setSelectionRow(1));
+        await("the focus on the wrong value", () -> radius().isFocusOwner());
+        assertThat(tree.getSelectionRows()).containsExactly(2);
     }
 
     @Test

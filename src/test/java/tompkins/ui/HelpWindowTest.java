@@ -86,7 +86,7 @@ class HelpWindowTest extends WindowFixture {
     }
 
     @Test
-    void aDocumentCoversThePanelsAndOpensAgainWhereItWasLeft() {
+    void aDocumentCoversThePanelsAndOpensWhereItWasLeft() {
         Rectangle owner = driver.window().frame().getBounds();
         Rectangle document = SwingUtilities.getWindowAncestor(text).getBounds();
         assertThat(document.getCenterX()).isGreaterThan(owner.getCenterX());

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.light.ColourLaw;
 import tompkins.render.Quality;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studios;
@@ -84,6 +85,19 @@ class PhotographViewTest {
         BufferedImage difference = view.canvas().shown().difference();
         int[] levels = difference.getRGB(0, 0, 64, 48, null, 0, 64);
         assertThat(IntStream.of(levels).filter(level -> level != 0xff000000)).isEmpty();
+    }
+
+    @Test
+    void aKeptPictureIsCalledByItsSpeedAndItsColours() {
+        WindowDriver.onEventThread(() ->
+                model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.6)).withColours(ColourLaw.SEARCHLIGHT)));
+        view.render();
+        WindowDriver.await(
+                "the picture",
+                () -> view.canvas().shown().now() != null
+                        && view.canvas().shown().now().studio().equals(model.studio()));
+        assertThat(WindowDriver.onEventThread(view::keepPicture))
+                .endsWith("\u03b2 = 0.6, \u03b3 = 1.25, Searchlight effect");
     }
 
     @Test

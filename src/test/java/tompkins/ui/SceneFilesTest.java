@@ -105,9 +105,12 @@ class SceneFilesTest extends WindowFixture {
         return stopped;
     }
 
+    /** Until then it is not saved again: a second writer might be faster than the first. */
     @Test
     void escapeStopsASave() throws InterruptedException {
         CountDownLatch stopped = saveSlowly();
+        save();
+        await("the answer", () -> driver.said().startsWith("Still saving " + file));
         onEventThread(() -> {
             JRootPane pane = driver.window().frame().getRootPane();
             KeyStroke escape = KeyStroke.getKeyStroke("ESCAPE");

@@ -236,6 +236,19 @@ class OverlayTest {
         return marked(painted(overlay(OverlayKind.OUTLINES), studio, free)).getMaxY();
     }
 
+    /** At 0.8 c straight ahead tan(a'/2) is a third of tan(a/2). */
+    @Test
+    void outlineLiesAroundTheSphere() {
+        Rectangle outline = marked(painted(overlay(OverlayKind.OUTLINES), flying(0, 0, 0.8)));
+        double angle = 2 * Math.atan(Math.tan(Math.asin(0.1) / 2) / 3);
+        double radius = 320 * Math.tan(angle) / Math.tan(Math.toRadians(10));
+
+        assertThat(outline.getCenterX()).isCloseTo(320, within(1.0));
+        assertThat(outline.getCenterY()).isCloseTo(240, within(1.0));
+        assertThat(outline.width / 2.0).isBetween(radius + 1, radius + 4);
+        assertThat(marked(painted(overlay(), flying(0, 0, 0.8))).isEmpty()).isTrue();
+    }
+
     /** A shutter that opens at many times is worked out by another thread; then the canvas is painted again. */
     @Test
     void slowOverlaysComeLater() throws InterruptedException {
