@@ -35,7 +35,7 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        26_592),
+                        26_596),
                 arguments("file, image", 3_696),
                 arguments("explain", 797),
                 arguments("lesson, measure, animation", 4_700),
