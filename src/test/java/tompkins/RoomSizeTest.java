@@ -39,7 +39,7 @@ class RoomSizeTest {
                 arguments("file, image", 3_696),
                 arguments("explain", 797),
                 arguments("lesson, measure, animation", 4_700),
-                arguments("io, app", 7_598),
+                arguments("io, app", 7_600),
                 arguments("study", 3_398),
                 arguments("ui", 18_491),
                 arguments("lab", 229));

@@ -73,13 +73,15 @@ final class Photographer implements AutoCloseable {
         this.threads = threads;
     }
 
-    /**
-     * Takes the picture of a scene file into a folder. A photograph of the same scene is replaced, and nothing else.
-     */
+    /** Takes the picture of a scene file into a folder; replaces a photograph of the same scene, and nothing else. */
     void takeDefault(Path file, Path folder) throws IOException, InterruptedException {
         reads();
         Studio studio = StudioReader.read(file);
         Order order = new Order(file, studio, Quality.of(studio), targetOf(file, folder), PictureFormat.PNG);
+        if (Files.exists(order.target) && !order.isAt(order.target)) {
+            throw new MistakeException(
+                    order.target + ": there is another file of this name; the command render replaces it with --force");
+        }
         take(order, () -> order.isAt(order.target));
     }
 

@@ -80,7 +80,8 @@ class PicturePlacesTest {
         ProgramRun.of("render", FIG1B, "-o", target, "--size", "8x6", "--force");
         byte[] other = Files.readAllBytes(target);
         assertThatThrownBy(() -> photographer.takeDefault(scene, folder))
-                .hasMessage(target + ": there is a file of this name already; --force replaces it");
+                .hasMessage(
+                        target + ": there is another file of this name; the command render replaces it with --force");
         assertThat(folder)
                 .isDirectoryNotContaining(file -> !List.of(scene, target).contains(file));
         assertThat(target).hasBinaryContent(other);
