@@ -1,6 +1,7 @@
 package tompkins.surface;
 
 import tompkins.property.Meaning;
+import tompkins.property.Require;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -16,7 +17,9 @@ public record ColourFilter(
 
     /** Checks that no channel is brightened. */
     public ColourFilter {
-        Transmission.required("transmission", transmission);
+        Require.within("transmission (red)", transmission.red(), 0.0, 1.0);
+        Require.within("transmission (green)", transmission.green(), 0.0, 1.0);
+        Require.within("transmission (blue)", transmission.blue(), 0.0, 1.0);
     }
 
     @Override

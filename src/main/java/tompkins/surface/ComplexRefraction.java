@@ -43,7 +43,7 @@ public record ComplexRefraction(
     public ComplexRefraction {
         Require.within("indexRatio", indexRatio, 1 / LARGEST_RATIO, LARGEST_RATIO);
         Require.finite("rotationDegrees", rotationDegrees);
-        Transmission.required("transmission", transmission);
+        Require.within("transmission", transmission, 0.0, 1.0);
     }
 
     @Override

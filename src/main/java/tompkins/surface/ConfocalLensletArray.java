@@ -46,7 +46,7 @@ public record ConfocalLensletArray(
         Require.sizeWithin("etaV", etaV, 1 / LARGEST, LARGEST);
         Require.within("deltaU", deltaU, -LARGEST, LARGEST);
         Require.within("deltaV", deltaV, -LARGEST, LARGEST);
-        Transmission.required("transmission", transmission);
+        Require.within("transmission", transmission, 0.0, 1.0);
     }
 
     @Override

@@ -2,6 +2,7 @@ package tompkins.surface;
 
 import org.joml.Vector3dc;
 import tompkins.property.Meaning;
+import tompkins.property.Require;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -30,7 +31,7 @@ public record GalileoWindow(
     /** Checks all values. */
     public GalileoWindow {
         Velocity.required("velocity", velocity);
-        Transmission.required("transmission", transmission);
+        Require.within("transmission", transmission, 0.0, 1.0);
     }
 
     @Override

@@ -43,7 +43,7 @@ public record IdealLens(
         Require.sizeWithin("focalLength", focalLength, SHORTEST, LONGEST);
         Require.coordinate("centreU", centreU);
         Require.coordinate("centreV", centreV);
-        Transmission.required("transmission", transmission);
+        Require.within("transmission", transmission, 0.0, 1.0);
     }
 
     @Override

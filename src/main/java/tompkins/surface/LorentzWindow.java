@@ -2,6 +2,7 @@ package tompkins.surface;
 
 import org.joml.Vector3d;
 import tompkins.property.Meaning;
+import tompkins.property.Require;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -34,7 +35,7 @@ public record LorentzWindow(
     /** Checks all values. */
     public LorentzWindow {
         Velocity.required("velocity", velocity);
-        Transmission.required("transmission", transmission);
+        Require.within("transmission", transmission, 0.0, 1.0);
     }
 
     @Override

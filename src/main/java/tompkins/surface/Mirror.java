@@ -2,6 +2,7 @@ package tompkins.surface;
 
 import org.joml.Vector3d;
 import tompkins.property.Meaning;
+import tompkins.property.Require;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -17,7 +18,7 @@ public record Mirror(
 
     /** Checks the reflectance. */
     public Mirror {
-        Transmission.required("reflectance", reflectance);
+        Require.within("reflectance", reflectance, 0.0, 1.0);
     }
 
     @Override
