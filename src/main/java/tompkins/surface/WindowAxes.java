@@ -16,13 +16,7 @@ public enum WindowAxes {
 
     /** A vector given in these axes, in the axes of the frame. */
     Vector3dc inFrame(Vector3dc vector, Hit hit) {
-        if (this == FRAME) {
-            return vector;
-        }
-        Matrix3d own = ofSurface(hit);
-        Vector3d first = own.getColumn(0, new Vector3d()).mul(vector.x());
-        Vector3d second = own.getColumn(1, new Vector3d()).mul(vector.y());
-        return first.add(second).add(own.getColumn(2, new Vector3d()).mul(vector.z()));
+        return this == FRAME ? vector : ofSurface(hit).transform(vector, new Vector3d());
     }
 
     /** The unit vectors along the axes of the surface at a hit, as columns: the matrix takes them to the frame. */
