@@ -14,9 +14,6 @@ final class SevenSegments {
     private static final double PITCH = 0.7;
     private static final double HALF_THICKNESS = 0.06;
 
-    /** What is longer is not shown. */
-    private static final int MOST_DIGITS = 5;
-
     private SevenSegments() {}
 
     /**
@@ -25,13 +22,11 @@ final class SevenSegments {
      * @param number a whole number
      */
     static boolean isLit(double number, double x, double y) {
-        if (Math.abs(y) > 0.5 + HALF_THICKNESS || !(Math.abs(number) < 1e5)) {
+        // what is longer than five characters is not shown
+        if (Math.abs(y) > 0.5 + HALF_THICKNESS || !(number > -1e4 && number < 1e5)) {
             return false;
         }
         String text = Long.toString((long) number);
-        if (text.length() > MOST_DIGITS) {
-            return false;
-        }
         double fromLeft = x + PITCH * text.length() / 2;
         int place = (int) Math.floor(fromLeft / PITCH);
         if (place < 0 || place >= text.length()) {
