@@ -1,4 +1,4 @@
-package tompkins.math;
+package tompkins.light;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class PowersTest {
+class HighlightTest {
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2, 3, 40, 63, 64, 100, 1023, 1024})
@@ -18,19 +18,19 @@ class PowersTest {
             double exact =
                     new BigDecimal(base).pow(exponent, new MathContext(60)).doubleValue();
 
-            assertThat(Powers.power(base, exponent)).isCloseTo(exact, within(exponent * 0x1p-53 * exact));
+            assertThat(Sightline.power(base, exponent)).isCloseTo(exact, within(exponent * 0x1p-53 * exact));
         }
     }
 
     @Test
     void otherPowersAreThoseOfTheLibrary() {
-        assertThat(Powers.power(0.3, 2.5)).isEqualTo(Math.pow(0.3, 2.5));
-        assertThat(Powers.power(0.999, 1e10)).isEqualTo(Math.pow(0.999, 1e10));
+        assertThat(Sightline.power(0.3, 2.5)).isEqualTo(Math.pow(0.3, 2.5));
+        assertThat(Sightline.power(0.999, 1e10)).isEqualTo(Math.pow(0.999, 1e10));
     }
 
     @Test
     void zeroHasPowers() {
-        assertThat(Powers.power(0, 0)).isEqualTo(1);
-        assertThat(Powers.power(0, 40)).isEqualTo(0);
+        assertThat(Sightline.power(0, 0)).isEqualTo(1);
+        assertThat(Sightline.power(0, 40)).isEqualTo(0);
     }
 }
