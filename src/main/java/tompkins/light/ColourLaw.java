@@ -11,16 +11,6 @@ public enum ColourLaw {
     /** Nothing: brightness and colours stay as they are in the scene. */
     UNCHANGED {
         @Override
-        public Colour seen(Colour light, double dopplerFactor) {
-            return light;
-        }
-
-        @Override
-        public Colour ofBlackBody(double temperature, double dopplerFactor) {
-            return BlackBodyColours.ofTemperature(temperature, 1);
-        }
-
-        @Override
         public double starFactor(double temperature, double dopplerFactor) {
             return 1;
         }
@@ -36,16 +26,6 @@ public enum ColourLaw {
      * (Weiskopf, Kraus, Ruder 1999), and keeps its colour.
      */
     SEARCHLIGHT {
-        @Override
-        public Colour seen(Colour light, double dopplerFactor) {
-            return light.times(brightness(dopplerFactor));
-        }
-
-        @Override
-        public Colour ofBlackBody(double temperature, double dopplerFactor) {
-            return BlackBodyColours.ofTemperature(temperature, 1).times(brightness(dopplerFactor));
-        }
-
         @Override
         public double brightness(double dopplerFactor) {
             double square = dopplerFactor * dopplerFactor;
@@ -92,7 +72,9 @@ public enum ColourLaw {
      * @param light its colour in the scene frame
      * @param dopplerFactor D, from 0 upwards
      */
-    public abstract Colour seen(Colour light, double dopplerFactor);
+    public Colour seen(Colour light, double dopplerFactor) {
+        return light.times(brightness(dopplerFactor));
+    }
 
     /**
      * How light that a lamp has sent to a surface looks in the camera frame.
@@ -111,7 +93,9 @@ public enum ColourLaw {
      * @param temperature in kelvins, in its rest frame
      * @param dopplerFactor D, from 0 upwards
      */
-    public abstract Colour ofBlackBody(double temperature, double dopplerFactor);
+    public Colour ofBlackBody(double temperature, double dopplerFactor) {
+        return BlackBodyColours.ofTemperature(temperature, 1).times(brightness(dopplerFactor));
+    }
 
     /**
      * By what factor a star gets brighter: its luminance summed over all directions, which are fewer by D^-2. A star
