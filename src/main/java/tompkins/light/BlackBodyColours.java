@@ -1,6 +1,7 @@
 package tompkins.light;
 
 import java.util.List;
+import java.util.stream.Stream;
 import org.joml.Matrix3d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -47,10 +48,10 @@ final class BlackBodyColours {
     /** Logarithm of the largest one: beyond it the visible light of all black bodies grows with the temperature. */
     private static final double MOST = 9;
 
-    private static final int STEPS_PER_UNIT = 400;
-    private static final int ENTRIES = (int) ((MOST - LEAST) * STEPS_PER_UNIT) + 1;
+    static final int STEPS_PER_UNIT = 400;
+    static final int ENTRIES = (int) ((MOST - LEAST) * STEPS_PER_UNIT) + 1;
 
-    private static final List<SpectralPoint> SPECTRUM = spectrum();
+    static final List<SpectralPoint> SPECTRUM = spectrum();
 
     private static final Matrix3d AT_REST = bands(1);
 
@@ -103,27 +104,22 @@ final class BlackBodyColours {
         double beyond = Math.max(0, position - (ENTRIES - 1)) / STEPS_PER_UNIT;
         Vector3d amounts = WEIGHTS.transform(new Vector3d(light.red(), light.green(), light.blue()));
         double logEdge = Math.log(edgeFactor);
-        Vector3d sum = TwoShifts.colour(before, logEdge, amounts)
-                .lerp(TwoShifts.colour(before + 1, logEdge, amounts), fraction)
+        Vector3d sum = seen(before, logEdge, amounts)
+                .lerp(seen(before + 1, logEdge, amounts), fraction)
                 .mul(Math.exp(beyond));
         return new Colour(Math.max(0, sum.x), Math.max(0, sum.y), Math.max(0, sum.z));
     }
 
-    /** The table that only light of moving lamps needs, made when such light is first asked for. */
-    private static final class TwoShifts {
-        private static final LampShiftTable TABLE = new LampShiftTable(SPECTRUM, STEPS_PER_UNIT, ENTRIES);
-
-        /** The colour for an entry of the temperature, of amounts of the long, the middle and the short waves. */
-        static Vector3d colour(int index, double logEdge, Vector3dc amounts) {
-            Vector3d first = new Vector3d();
-            Vector3d second = new Vector3d();
-            TABLE.bands(index, dopplerFactor(index), logEdge, first, second);
-            // all, as a matrix for amounts of 1, is the white that the other table holds
-            Vector3d all = new Vector3d(
-                    entry(index, 0, Colour.WHITE), entry(index, 1, Colour.WHITE), entry(index, 2, Colour.WHITE));
-            return BALANCE.transform(second.mul(amounts.x() - amounts.y()).add(first.mul(amounts.y() - amounts.z())))
-                    .fma(amounts.z(), all);
-        }
+    /** The colour for an entry of the temperature, of amounts of the long, the middle and the short waves. */
+    private static Vector3d seen(int index, double logEdge, Vector3dc amounts) {
+        Vector3d first = new Vector3d();
+        Vector3d second = new Vector3d();
+        LampShiftTable.bands(index, dopplerFactor(index), logEdge, first, second);
+        // all, as a matrix for amounts of 1, is the white that the other table holds
+        Vector3d all = new Vector3d(
+                entry(index, 0, Colour.WHITE), entry(index, 1, Colour.WHITE), entry(index, 2, Colour.WHITE));
+        return BALANCE.transform(second.mul(amounts.x() - amounts.y()).add(first.mul(amounts.y() - amounts.z())))
+                .fma(amounts.z(), all);
     }
 
     /** The luminance in the camera frame of a black body, divided by that in its rest frame. */
@@ -188,12 +184,17 @@ final class BlackBodyColours {
     /** A wavelength L, and what it adds to the screen for each unit of 1/(exp(h c/(L k T)) - 1). */
     record SpectralPoint(double wavelength, Vector3dc weight) {}
 
+    /**
+     * By the colour-matching functions of the CIE 1931 standard observer, from 360 to 830 nm in steps of 1 nm (G.
+     * Wyszecki, W. S. Stiles, Color Science, 2nd edition (1982), table I(3.3.1)).
+     */
     private static List<SpectralPoint> spectrum() {
-        return ColourMatching.table().stream()
+        return ResourceTable.lines("cie-1931.csv").stream()
+                .map(cells -> Stream.of(cells).mapToDouble(Double::parseDouble).toArray())
                 .map(point -> new SpectralPoint(
-                        point.wavelength(),
-                        SCREEN.transform(point.xyz(), new Vector3d())
-                                .mul(Math.pow(point.wavelength() / WEIGHT_ONE, -5))))
+                        point[0],
+                        SCREEN.transform(new Vector3d(point[1], point[2], point[3]))
+                                .mul(Math.pow(point[0] / WEIGHT_ONE, -5))))
                 .toList();
     }
 

@@ -2,6 +2,7 @@ package tompkins.light;
 
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReferenceArray;
+import java.util.function.DoubleUnaryOperator;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -20,38 +21,28 @@ final class LampShiftTable {
     /** For each edge factor the three channels of what lies above the first edge, then of that above the second. */
     private static final int NUMBERS = 6;
 
-    private final List<BlackBodyColours.SpectralPoint> spectrum;
-    private final int stepsPerUnit;
-    private final int edgeEntries;
+    private static final List<BlackBodyColours.SpectralPoint> SPECTRUM = BlackBodyColours.SPECTRUM;
+    private static final int EDGES = (int) ((MOST_EDGE - LEAST_EDGE) * BlackBodyColours.STEPS_PER_UNIT) + 1;
 
-    // for each edge factor and wavelength the fraction above the first edge, and above the second
-    private final double[] aboveFirst;
-    private final double[] aboveSecond;
-    private final AtomicReferenceArray<double[]> rows;
+    // for each edge factor and wavelength
+    private static final double[] ABOVE_FIRST = fractions(BlackBodyColours::aboveFirst);
+    private static final double[] ABOVE_SECOND = fractions(BlackBodyColours::aboveSecond);
 
-    /**
-     * An empty table.
-     *
-     * @param stepsPerUnit entries for each unit of the logarithm of an edge factor
-     * @param temperatures number of temperatures
-     */
-    LampShiftTable(List<BlackBodyColours.SpectralPoint> spectrum, int stepsPerUnit, int temperatures) {
-        this.spectrum = spectrum;
-        this.stepsPerUnit = stepsPerUnit;
-        edgeEntries = (int) ((MOST_EDGE - LEAST_EDGE) * stepsPerUnit) + 1;
-        rows = new AtomicReferenceArray<>(temperatures);
-        aboveFirst = new double[edgeEntries * spectrum.size()];
-        aboveSecond = new double[edgeEntries * spectrum.size()];
+    private static final AtomicReferenceArray<double[]> ROWS = new AtomicReferenceArray<>(BlackBodyColours.ENTRIES);
+
+    private LampShiftTable() {}
+
+    /** The fraction of each wavelength of the surface that lies above an edge. */
+    private static double[] fractions(DoubleUnaryOperator above) {
+        double[] fractions = new double[EDGES * SPECTRUM.size()];
         int index = 0;
-        for (int entry = 0; entry < edgeEntries; entry++) {
-            double edgeFactor = Math.exp(LEAST_EDGE + (double) entry / stepsPerUnit);
-            for (BlackBodyColours.SpectralPoint point : spectrum) {
-                double atSurface = edgeFactor * point.wavelength();
-                aboveFirst[index] = BlackBodyColours.aboveFirst(atSurface);
-                aboveSecond[index] = BlackBodyColours.aboveSecond(atSurface);
-                index++;
+        for (int entry = 0; entry < EDGES; entry++) {
+            double edgeFactor = Math.exp(LEAST_EDGE + (double) entry / BlackBodyColours.STEPS_PER_UNIT);
+            for (BlackBodyColours.SpectralPoint point : SPECTRUM) {
+                fractions[index++] = above.applyAsDouble(edgeFactor * point.wavelength());
             }
         }
+        return fractions;
     }
 
     /**
@@ -63,14 +54,16 @@ final class LampShiftTable {
      * @param first receives what lies above the first edge
      * @param second receives what lies above the second edge
      */
-    void bands(int temperature, double temperatureFactor, double logEdgeFactor, Vector3d first, Vector3d second) {
-        double[] row = rows.get(temperature);
+    static void bands(
+            int temperature, double temperatureFactor, double logEdgeFactor, Vector3d first, Vector3d second) {
+        double[] row = ROWS.get(temperature);
         if (row == null) {
             row = row(temperatureFactor);
-            rows.set(temperature, row);
+            ROWS.set(temperature, row);
         }
-        double position = Math.max(0, Math.min(edgeEntries - 1, (logEdgeFactor - LEAST_EDGE) * stepsPerUnit));
-        int before = NUMBERS * (int) Math.min(position, edgeEntries - 2);
+        double position =
+                Math.max(0, Math.min(EDGES - 1, (logEdgeFactor - LEAST_EDGE) * BlackBodyColours.STEPS_PER_UNIT));
+        int before = NUMBERS * (int) Math.min(position, EDGES - 2);
         double fraction = position - before / NUMBERS;
         first.set(
                 between(row, before, fraction), between(row, before + 1, fraction), between(row, before + 2, fraction));
@@ -84,17 +77,17 @@ final class LampShiftTable {
         return (1 - fraction) * row[before] + fraction * row[before + NUMBERS];
     }
 
-    private double[] row(double temperatureFactor) {
-        double[] row = new double[NUMBERS * edgeEntries];
-        for (int i = 0; i < spectrum.size(); i++) {
-            Vector3dc weight = spectrum.get(i).weight();
+    private static double[] row(double temperatureFactor) {
+        double[] row = new double[NUMBERS * EDGES];
+        for (int i = 0; i < SPECTRUM.size(); i++) {
+            Vector3dc weight = SPECTRUM.get(i).weight();
             double planck =
-                    BlackBodyColours.planck(temperatureFactor, spectrum.get(i).wavelength());
-            for (int entry = 0; entry < edgeEntries; entry++) {
-                int at = entry * spectrum.size() + i;
+                    BlackBodyColours.planck(temperatureFactor, SPECTRUM.get(i).wavelength());
+            for (int entry = 0; entry < EDGES; entry++) {
+                int at = entry * SPECTRUM.size() + i;
                 for (int channel = 0; channel < 3; channel++) {
-                    row[NUMBERS * entry + channel] += planck * weight.get(channel) * aboveFirst[at];
-                    row[NUMBERS * entry + 3 + channel] += planck * weight.get(channel) * aboveSecond[at];
+                    row[NUMBERS * entry + channel] += planck * weight.get(channel) * ABOVE_FIRST[at];
+                    row[NUMBERS * entry + 3 + channel] += planck * weight.get(channel) * ABOVE_SECOND[at];
                 }
             }
         }
