@@ -15,11 +15,6 @@ public record Event(double x, double y, double z, double time) {
     /** The origin of a frame at time 0. */
     public static final Event ORIGIN = new Event(0, 0, 0, 0);
 
-    /** Whether it is that of the origin at time 0. */
-    boolean isOrigin() {
-        return x == 0 && y == 0 && z == 0 && time == 0;
-    }
-
     /** The place. */
     public Vector3d position() {
         return new Vector3d(x, y, z);

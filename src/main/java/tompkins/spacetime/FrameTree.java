@@ -108,7 +108,7 @@ public final class FrameTree {
         if (known == null) {
             known = motion == null
                     ? law.sceneFromCamera(camera.velocity()).transform(PreciseEvent.of(lens))
-                    : into(motion).transform(lensIn(motion.outer()).from(motion.start()));
+                    : into(motion).transform(lensIn(motion.outer()).minus(motion.start()));
             lensEvents.put(motion, known);
         }
         return known;
@@ -155,12 +155,12 @@ public final class FrameTree {
         }
         Event outerOrigin = origin(motion.outer());
         Event innerOrigin = origin(motion);
-        FrameRoute.Step step = outerOrigin.isOrigin() && innerOrigin.isOrigin()
+        FrameRoute.Step step = outerOrigin.equals(Event.ORIGIN) && innerOrigin.equals(Event.ORIGIN)
                 ? new FrameRoute.Step(motion.start(), into(motion), Event.ORIGIN)
                 : new FrameRoute.Step(
-                        lensIn(motion.outer()).minus(outerOrigin),
+                        lensIn(motion.outer()).minus(outerOrigin).rounded(),
                         into(motion),
-                        lensIn(motion).minus(innerOrigin));
+                        lensIn(motion).minus(innerOrigin).rounded());
         steps.put(motion, step);
         return step;
     }

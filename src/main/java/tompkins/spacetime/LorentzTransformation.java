@@ -74,7 +74,7 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
 
     @Override
     public PreciseEvent transform(PreciseEvent event) {
-        return new PreciseTransformation(velocity, sign).transform(event);
+        return event.boosted(velocity, sign);
     }
 
     @Override

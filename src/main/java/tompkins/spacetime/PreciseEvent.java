@@ -1,7 +1,10 @@
 package tompkins.spacetime;
 
+import java.util.Arrays;
 import org.hipparchus.dfp.Dfp;
 import org.hipparchus.dfp.DfpField;
+import org.hipparchus.dfp.DfpMath;
+import org.joml.Vector3dc;
 
 /**
  * An event with sixty digits, for the few places where a double does not have enough: a camera that has flown a
@@ -9,10 +12,8 @@ import org.hipparchus.dfp.DfpField;
  */
 public final class PreciseEvent {
 
-    private static final int DIGITS = 60;
-
-    /** The numbers that events and changes of frame are made of. */
-    static final DfpField NUMBERS = new DfpField(DIGITS);
+    private static final DfpField NUMBERS = new DfpField(60);
+    private static final Dfp ONE = NUMBERS.getOne();
 
     // x, y, z, time
     private final Dfp[] coordinates;
@@ -35,26 +36,72 @@ public final class PreciseEvent {
         return coordinates[index];
     }
 
-    /** The event as seen from another, rounded only at the end. */
-    public Event minus(Event origin) {
-        return new Event(
-                coordinates[0].subtract(exact(origin.x())).toDouble(),
-                coordinates[1].subtract(exact(origin.y())).toDouble(),
-                coordinates[2].subtract(exact(origin.z())).toDouble(),
-                coordinates[3].subtract(exact(origin.time())).toDouble());
-    }
-
     /** The difference to an event that is given exactly, with all digits. */
-    public PreciseEvent from(Event origin) {
-        return new PreciseEvent(
-                coordinates[0].subtract(exact(origin.x())),
-                coordinates[1].subtract(exact(origin.y())),
-                coordinates[2].subtract(exact(origin.z())),
-                coordinates[3].subtract(exact(origin.time())));
+    public PreciseEvent minus(Event origin) {
+        Dfp[] from = of(origin).coordinates;
+        Dfp[] difference = new Dfp[4];
+        Arrays.setAll(difference, i -> coordinates[i].subtract(from[i]));
+        return new PreciseEvent(difference);
     }
 
     /** The event in doubles. */
     public Event rounded() {
-        return minus(Event.ORIGIN);
+        return new Event(
+                coordinates[0].toDouble(),
+                coordinates[1].toDouble(),
+                coordinates[2].toDouble(),
+                coordinates[3].toDouble());
+    }
+
+    /**
+     * The Lorentz transformation from the frame that moves with a velocity, or its opposite (sign -1), into the frame
+     * in which it moves.
+     */
+    PreciseEvent boosted(Velocity velocity, double sign) {
+        if (velocity.isRest()) {
+            return this;
+        }
+        Vector3dc given = velocity.given();
+        Dfp length = NUMBERS.getZero();
+        for (int axis = 0; axis < 3; axis++) {
+            length = length.add(exact(given.get(axis)).multiply(exact(given.get(axis))));
+        }
+        length = length.sqrt();
+        Dfp properSpeed = properSpeed(velocity, length);
+        Dfp gamma = ONE.add(properSpeed.multiply(properSpeed)).sqrt();
+        Dfp[] proper = new Dfp[3];
+        Dfp along = NUMBERS.getZero();
+        for (int axis = 0; axis < 3; axis++) {
+            proper[axis] = properSpeed.multiply(exact(sign * given.get(axis))).divide(length);
+            along = along.add(proper[axis].multiply(coordinates[axis]));
+        }
+        Dfp time = coordinates[3];
+        Dfp factor = along.divide(gamma.add(ONE)).add(time);
+        return new PreciseEvent(
+                coordinates[0].add(proper[0].multiply(factor)),
+                coordinates[1].add(proper[1].multiply(factor)),
+                coordinates[2].add(proper[2].multiply(factor)),
+                gamma.multiply(time).add(along));
+    }
+
+    /** gamma beta, from the numbers by which a velocity was given: a speed, or components of a length. */
+    private static Dfp properSpeed(Velocity velocity, Dfp length) {
+        if (velocity.scale() == null) {
+            return properSpeed(length);
+        }
+        Dfp value = exact(velocity.value());
+        return switch (velocity.scale()) {
+            case GAMMA -> value.subtract(ONE).multiply(value.add(ONE)).sqrt();
+            case BETA -> properSpeed(value);
+            case ONE_MINUS_BETA -> properSpeed(ONE.subtract(value));
+            case RAPIDITY -> {
+                Dfp growth = DfpMath.exp(value);
+                yield growth.subtract(ONE.divide(growth)).divide(2);
+            }
+        };
+    }
+
+    private static Dfp properSpeed(Dfp beta) {
+        return beta.divide(ONE.subtract(beta).multiply(ONE.add(beta)).sqrt());
     }
 }

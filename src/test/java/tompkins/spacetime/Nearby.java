@@ -13,6 +13,7 @@ public final class Nearby {
         return transformation
                 .transform(PreciseEvent.of(event))
                 .minus(new Event(near.x(), near.y(), near.z(), 0))
+                .rounded()
                 .position();
     }
 }
