@@ -100,12 +100,6 @@ final class GalileanTransformation implements SpaceTimeTransformation {
         return 1 - ray.slowness + ray.slowness * (half + velocity.oneMinusSpeed() * (1 - half));
     }
 
-    /** 0: at t = 0 all places coincide. */
-    @Override
-    public double fixedPointTime(Vector3dc position) {
-        return 0;
-    }
-
     @Override
     public SpaceTimeTransformation inverse() {
         return new GalileanTransformation(velocity, -sign);

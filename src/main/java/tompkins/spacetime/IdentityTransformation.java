@@ -1,6 +1,5 @@
 package tompkins.spacetime;
 
-import org.joml.Vector3dc;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 
@@ -24,12 +23,6 @@ public record IdentityTransformation() implements SpaceTimeTransformation {
 
     @Override
     public void transform(RayPacket rays) {}
-
-    /** 0: every event keeps its place, so the time is free; 0 is the limit of small velocities. */
-    @Override
-    public double fixedPointTime(Vector3dc position) {
-        return 0;
-    }
 
     @Override
     public SpaceTimeTransformation inverse() {

@@ -34,9 +34,11 @@ public sealed interface SpaceTimeTransformation
 
     /**
      * The time at which a place of the first frame has the same coordinates in the other frame: the event of the
-     * fixed-point surface that passes through the place.
+     * fixed-point surface that passes through the place. That is 0 where all places coincide at time 0.
      */
-    double fixedPointTime(Vector3dc position);
+    default double fixedPointTime(Vector3dc position) {
+        return 0;
+    }
 
     /** The way back. */
     SpaceTimeTransformation inverse();
