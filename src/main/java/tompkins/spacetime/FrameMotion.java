@@ -2,7 +2,6 @@ package tompkins.spacetime;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.joml.Vector3dc;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
 
@@ -46,20 +45,11 @@ public record FrameMotion(FrameMotion outer, Velocity velocity, Event start) {
 
     /** The Lorentz factor in the scene frame. */
     public double gamma() {
-        return inScene().gamma();
-    }
-
-    /** The proper velocity in the scene frame. */
-    public Vector3dc proper() {
-        return inScene().proper();
-    }
-
-    private ProperVelocity inScene() {
         ProperVelocity sum = ProperVelocity.of(velocity);
         for (FrameMotion each = outer; each != null; each = each.outer) {
             sum = ProperVelocity.of(each.velocity).plus(sum);
         }
-        return sum;
+        return sum.gamma();
     }
 
     /** The way from this frame to the scene frame. */

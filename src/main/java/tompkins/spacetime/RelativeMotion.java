@@ -18,9 +18,6 @@ import org.joml.Vector3dc;
  */
 public record RelativeMotion(Vector3dc inFirst, Vector3dc inSecond, Quaterniondc turn) {
 
-    /** Both frames are one. */
-    public static final RelativeMotion REST = new RelativeMotion(new Vector3d(), new Vector3d(), new Quaterniond());
-
     /** The Lorentz factor. */
     public double gamma() {
         return Math.sqrt(1 + inFirst.lengthSquared());
