@@ -80,7 +80,7 @@ public final class Overlays {
             case OUTLINES -> addOutlines(drawing, this::frame);
             case LINES -> addLines(drawing, this::frame);
             case AT_REST -> addGhost(drawing, motion -> FrameAppearance.atRest(studio, motion));
-            case MEASURED -> addGhost(drawing, motion -> new FrameAppearance(studio, motion, View.MEASURED));
+            case MEASURED -> addGhost(drawing, motion -> new FrameAppearance(studio.withView(View.MEASURED), motion));
             case PLACES -> shapes.objects().forEach(thing -> addPositions(drawing, thing));
             case SCENE_GRID -> addGrid(drawing, Frame.SCENE);
             case CAMERA_GRID -> addGrid(drawing, Frame.CAMERA);
@@ -165,7 +165,8 @@ public final class Overlays {
             return;
         }
         Vector2dc seen = projection.position(frame(thing.motion()), thing.middle());
-        Vector2dc now = projection.position(new FrameAppearance(studio, thing.motion(), View.MEASURED), thing.middle());
+        Vector2dc now = projection.position(
+                new FrameAppearance(studio.withView(View.MEASURED), thing.motion()), thing.middle());
         if (inPicture(seen) != null) {
             drawing.dots().add(seen);
         }

@@ -42,16 +42,11 @@ public final class FrameAppearance {
 
     /** The frame of a motion, in the view of the studio; null means the scene frame. */
     public FrameAppearance(Studio studio, FrameMotion motion) {
-        this(studio, motion, studio.view());
+        this(studio, motion, studio.velocity());
     }
 
-    /** The frame of a motion, or the scene frame if that is null, in a view. */
-    public FrameAppearance(Studio studio, FrameMotion motion, View view) {
-        this(studio, motion, view, studio.velocity());
-    }
-
-    private FrameAppearance(Studio studio, FrameMotion motion, View view, Velocity observer) {
-        this.view = view;
+    private FrameAppearance(Studio studio, FrameMotion motion, Velocity observer) {
+        view = studio.view();
         law = studio.transformation();
         FrameTree camera = FrameTree.described(law, studio.velocity());
         inwards = camera.route(camera.camera(), motion);
@@ -61,17 +56,12 @@ public final class FrameAppearance {
 
     /** How a camera at rest in the scene sees the frame of a motion, or the scene frame if that is null. */
     public static FrameAppearance atRest(Studio studio, FrameMotion motion) {
-        return new FrameAppearance(studio, motion, studio.view(), Velocity.REST);
+        return new FrameAppearance(studio, motion, Velocity.REST);
     }
 
     /** An event of the camera frame, in this frame. */
     public Event fromCamera(Event event) {
         return inwards.transform(event);
-    }
-
-    /** A difference of two events of this frame, in the camera frame. */
-    public Event differenceInCamera(Event difference) {
-        return outwards.difference(difference);
     }
 
     /**
@@ -177,14 +167,14 @@ public final class FrameAppearance {
     }
 
     private Vector3d measured(Vector3dc unit) {
-        Event along = differenceInCamera(new Event(unit.x(), unit.y(), unit.z(), 0));
+        Event along = outwards.difference(new Event(unit.x(), unit.y(), unit.z(), 0));
         Event later = outwards.worldLine();
         return Vectors.unit(later.position().mul(-along.time() / later.time()).add(along.position()));
     }
 
     private Vector3d withLightOfTheCamera(Vector3dc unit) {
         Vector3d along =
-                differenceInCamera(new Event(unit.x(), unit.y(), unit.z(), 0)).position();
+                outwards.difference(new Event(unit.x(), unit.y(), unit.z(), 0)).position();
         Vector3d earlier = outwards.worldLine().position().negate();
         if (earlier.lengthSquared() >= 1) {
             return null;
