@@ -11,22 +11,13 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
 
     /** The box around points. */
     public static Bounds around(Vector3dc... points) {
-        Bounds all = around(points[0], 0, 0, 0);
+        Vector3d least = new Vector3d(points[0]);
+        Vector3d most = new Vector3d(points[0]);
         for (Vector3dc point : points) {
-            all = all.with(around(point, 0, 0, 0));
+            least.min(point);
+            most.max(point);
         }
-        return all;
-    }
-
-    /** The box from {@code centre - half} to {@code centre + half}. */
-    public static Bounds around(Vector3dc centre, double halfX, double halfY, double halfZ) {
-        return new Bounds(
-                centre.x() - halfX,
-                centre.y() - halfY,
-                centre.z() - halfZ,
-                centre.x() + halfX,
-                centre.y() + halfY,
-                centre.z() + halfZ);
+        return new Bounds(least.x, least.y, least.z, most.x, most.y, most.z);
     }
 
     /** The smallest box that holds this one and another. */

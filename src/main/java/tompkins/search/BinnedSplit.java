@@ -31,11 +31,10 @@ final class BinnedSplit {
     /**
      * Finds the cheapest cut.
      *
-     * @param area half the area of the box around all
      * @param worth cost above which a cut is not worth while
      * @return whether there is one; none if all centres coincide
      */
-    boolean choose(Boxes boxes, int from, int to, double area, double worth) {
+    boolean choose(Boxes boxes, int from, int to, double worth) {
         double bestCost = worth;
         boolean found = false;
         for (axis = 0; axis < 3; axis++) {
@@ -43,6 +42,8 @@ final class BinnedSplit {
                 continue;
             }
             sweep(0, 1);
+            // of the box around all
+            double area = Boxes.halfArea(side);
             sweep(SLICES - 1, -1);
             for (int slice = 1; slice < SLICES; slice++) {
                 double cost = costOfNode + costs[slice] / area;

@@ -46,7 +46,7 @@ final class TreeBuilder {
 
     private TreeNode node(int from, int to, int depth, BinnedSplit cuts) {
         Bounds all = boxes.around(from, to);
-        int middle = to - from < SMALLEST_INNER_NODE ? -1 : middle(from, to, depth, cuts, all);
+        int middle = to - from < SMALLEST_INNER_NODE ? -1 : middle(from, to, depth, cuts);
         if (middle < 0) {
             return leaf(all, from, to);
         }
@@ -65,9 +65,9 @@ final class TreeBuilder {
     }
 
     /** Parts the primitives and says where the second part begins; -1 if they are better left together. */
-    private int middle(int from, int to, int depth, BinnedSplit cuts, Bounds all) {
+    private int middle(int from, int to, int depth, BinnedSplit cuts) {
         boolean small = to - from <= LARGEST_LEAF;
-        boolean cut = cuts.choose(boxes, from, to, all.halfArea(), small ? to - from : Double.POSITIVE_INFINITY);
+        boolean cut = cuts.choose(boxes, from, to, small ? to - from : Double.POSITIVE_INFINITY);
         if (!cut && small) {
             return -1;
         }
