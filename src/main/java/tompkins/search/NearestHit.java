@@ -2,7 +2,6 @@ package tompkins.search;
 
 import tompkins.primitive.Primitive;
 import tompkins.ray.Contact;
-import tompkins.ray.Hit;
 import tompkins.ray.Padded;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
@@ -100,10 +99,5 @@ public final class NearestHit extends Padded {
     /** Distance of the nearest primitive. */
     public double distance() {
         return distance;
-    }
-
-    /** The hit on the nearest primitive, in memory that may be used again. */
-    public Hit hit(Ray ray, Hit memory) {
-        return primitive.hit(ray, distance, memory);
     }
 }

@@ -181,7 +181,7 @@ class TorusTest {
             hits += expected < Primitive.NO_HIT ? 1 : 0;
             different += found == expected || Math.abs(found - expected) < 1e-6 ? 0 : 1;
             if (found < Primitive.NO_HIT) {
-                Hit hit = nearest.hit(ray, Hit.blank());
+                Hit hit = nearest.primitive().hit(ray, nearest.distance());
                 assertThat(new Vector3d(hit.normalX, hit.normalY, hit.normalZ).length())
                         .isCloseTo(1, within(1e-12));
             }

@@ -8,7 +8,6 @@ import java.util.Random;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import tompkins.primitive.Primitive;
-import tompkins.ray.Hit;
 import tompkins.ray.MeshData;
 import tompkins.ray.MeshDetail;
 import tompkins.ray.Ray;
@@ -41,7 +40,7 @@ class TriangleMeshTest {
                     + Math.abs(start.z + distance * direction.z);
             assertThat(sum).isCloseTo(1, within(1e-14));
             assertThat(distance).as("the nearer side").isLessThan(start.distance(target));
-            assertThat(nearest.hit(ray, Hit.blank()).cosine(ray))
+            assertThat(nearest.primitive().hit(ray, nearest.distance()).cosine(ray))
                     .as("normals point outwards")
                     .isNegative();
         }

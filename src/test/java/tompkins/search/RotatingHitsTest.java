@@ -116,7 +116,7 @@ class RotatingHitsTest {
             hits += expected < Primitive.NO_HIT ? 1 : 0;
             different += expected == found || Math.abs(expected - found) < 2 * LENGTH / STEPS ? 0 : 1;
             if (found < Primitive.NO_HIT) {
-                isOnTheSurface(described, ray, nearest.hit(ray, Hit.blank()));
+                isOnTheSurface(described, ray, nearest.primitive().hit(ray, nearest.distance()));
             }
         }
         assertThat(hits).isGreaterThan(RAYS / 20);
@@ -133,7 +133,7 @@ class RotatingHitsTest {
         Ray ray = Ray.from(0.5, 0.25, 0, 0, 0, 1, 0);
 
         tree.nearest(Ray.from(0, 0, 0, 0, 0, 1, 0), LENGTH, nearest);
-        Hit hit = nearest.hit(ray, Hit.blank());
+        Hit hit = nearest.primitive().hit(ray, nearest.distance());
 
         assertThat(hit.distance).isEqualTo(2);
         assertThat(new double[] {hit.x, hit.y, hit.z}).containsExactly(0.5, 0.25, 2);
