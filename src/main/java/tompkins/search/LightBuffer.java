@@ -2,6 +2,7 @@ package tompkins.search;
 
 import java.util.Arrays;
 import java.util.List;
+import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
 import tompkins.search.LightBufferProjection.Rectangle;
 
@@ -30,6 +31,28 @@ final class LightBuffer {
         this.starts = starts;
         entries = new long[starts[CELLS]];
         primitives = new Primitive[starts[CELLS]];
+    }
+
+    /**
+     * A primitive as a lamp sees it.
+     *
+     * @param leastDistance a lower bound of its distance from the lamp; 0 or more
+     * @param rectangle where it is seen
+     * @param strip the same, if it is long; otherwise null
+     */
+    private record ProjectedBounds(
+            Primitive primitive, float leastDistance, Rectangle rectangle, LightBufferProjection.Strip strip) {
+
+        static ProjectedBounds of(Primitive primitive, LightBufferProjection view) {
+            Bounds box = primitive.bounds().widened();
+            return new ProjectedBounds(
+                    primitive, view.leastDistance(box), view.rectangle(primitive, box), view.strip(primitive, box));
+        }
+
+        /** Where it is seen in some rows of a column of cells, or more; empty if it is not. */
+        Rectangle rectangle(LightBufferProjection view, int column, int row, int rows) {
+            return strip == null ? rectangle : rectangle.and(view.rectangle(strip, column, row, rows));
+        }
     }
 
     /** Does something with each cell of a view in which a primitive is seen, and with its entry there. */
