@@ -118,9 +118,8 @@ public final class World {
         try {
             for (Lamp lamp : unprepared) {
                 ObjectTree seen = objects(lamp.frame());
-                boolean hasBuffer = lamp.position() != null
-                        && places++ < Math.min(MOST_BUFFERS, MOST_SEEN / Math.max(1, seen.size()));
-                boolean hasTracks = lamp.position() != null && prepared.size() < MOST_BUFFERS;
+                boolean hasTracks = lamp.position() != null && places++ < MOST_BUFFERS;
+                boolean hasBuffer = hasTracks && places <= MOST_SEEN / Math.max(1, seen.size());
                 prepared.add(new Lamp(
                         lamp.light(),
                         lamp.frame(),

@@ -20,6 +20,7 @@ import tompkins.ray.RayCounts;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.CylinderLattice;
+import tompkins.sceneobject.EdgeRays;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.PrimitiveCollector;
@@ -155,6 +156,18 @@ class LampShadowsTest {
 
         assertThat(LampShadows.of(LAMP, new ObjectTree(PrimitiveCollector.primitivesOf(rods))))
                 .isNull();
+    }
+
+    /** Thirty balls on a line, in one cell: from a place between them and the lamp none is asked. */
+    @Test
+    void whatLiesBehindThePlaceIsNotAsked() {
+        Ray ray = EdgeRays.towards(new Vector3d(LAMP).mul(0.295), LAMP);
+        RayCounts counts = new RayCounts();
+
+        assertThat(LampShadows.of(LAMP, row(30))
+                        .shadows(QuickRejectionTest.startOf(ray), ray, 0, 0.705 * LAMP.length(), counts))
+                .isFalse();
+        assertThat(counts.tests).isZero();
     }
 
     @Test

@@ -1,15 +1,22 @@
 package tompkins.search;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.IntStream;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.EdgeRays;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.surface.ColouredSurface;
 
 /** What a lamp sees of primitives that it passes throws the shadows that the tree finds. */
 class LampTrackTest {
@@ -59,5 +66,47 @@ class LampTrackTest {
         assertThat(asked).isGreaterThan(RAYS / 10);
         assertThat(shadows).isBetween(asked / 20, asked * 19 / 20);
         assertThat(counts.tests).isLessThan(6L * asked);
+    }
+
+    /** The track of a lamp through the origin past balls in a row, with the middle of the row at a place. */
+    private LampTrack track(int balls, double x, double z, Vector3d along) {
+        List<SceneObject> row = IntStream.range(0, balls)
+                .<SceneObject>mapToObj(i -> new Sphere(
+                        "ball", new Vector3d(x, (2.0 * i + 1 - balls) / balls, z), 0.1, ColouredSurface.DEFAULT))
+                .toList();
+        return LampTrack.of(new Vector3d(), along, new ObjectTree(LampShadowsTest.primitives(row)), left);
+    }
+
+    /** Few or very many primitives, a lamp that rests, and coordinates whose rounding is seen. */
+    @Test
+    void noTrackIsMadeThatIsNotWorthWhile() {
+        Vector3d along = new Vector3d(1, 0, 0);
+
+        assertThat(track(10, 0, 8, along)).isNotNull();
+        assertThat(track(9, 0, 8, along)).isNull();
+        assertThat(track(20_001, 0, 8, along)).isNull();
+        assertThat(track(10, 0, 8, new Vector3d())).isNull();
+        assertThat(track(10, 5e4, 0, along)).isNotNull();
+        assertThat(track(10, 1e5, 0, along)).isNull();
+    }
+
+    /** With the row at a distance of 8, a piece has the length 1, and 64 of them lie around the nearest place. */
+    @ParameterizedTest
+    @CsvSource({
+        "-31.9, 0, 0, 0.1",
+        "31.9, 0, 0, 63.9",
+        "-32.1, 0, 0, -1",
+        "32.1, 0, 0, -1",
+        "0, 1e-10, 0, 32",
+        "0, 1e-8, 0, -1",
+        "0, 0, 9e5, 32",
+        "0, 0, 2e6, -1"
+    })
+    void placesOnTheTrackAreTold(double x, double y, double behind, double expected) {
+        LampTrack track = track(10, 0, 8, new Vector3d(1, 0, 0));
+        Vector3d lamp = new Vector3d(x, y, 0);
+        Ray ray = EdgeRays.towards(new Vector3d(x, y, 8 + behind), lamp);
+
+        assertThat(track.at(ray, 8 + behind)).isCloseTo(expected, within(1e-9));
     }
 }

@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.light.AmbientLight;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
@@ -138,6 +140,21 @@ class WorldTest {
 
     private static LightSource lamp(double x) {
         return new PointLight(new Vector3d(x, 0, 0), Colour.WHITE, Colour.WHITE, 1);
+    }
+
+    /** To prepare what a lamp sees takes time and memory: for the seventeenth with a place the tree answers. */
+    @Test
+    void onlySixteenLampsArePrepared() {
+        Stream<LightSource> lights = Stream.concat(
+                Stream.of(AmbientLight.DEFAULT), IntStream.rangeClosed(1, 17).mapToObj(i -> lamp(9 * i)));
+
+        List<Lamp> lamps = world(Lighting.of(studio(BALL), lights.toList())).lamps();
+
+        for (int i = 0; i <= 17; i++) {
+            boolean isPrepared = i > 0 && i < 17;
+            assertThat(lamps.get(i).shadows() != null).isEqualTo(isPrepared);
+            assertThat(lamps.get(i).tracks()).hasSize(isPrepared ? 1 : 0);
+        }
     }
 
     /** Lamps in motion light the camera's rest frame as if at rest, where they are at time 0. */
