@@ -83,6 +83,7 @@ class ColourLawTest {
         Colour light = new Colour(0.1, 0.2, 3);
         assertThat(ColourLaw.UNCHANGED.seen(light, 7)).isEqualTo(light);
         assertThat(ColourLaw.UNCHANGED.brightness(7)).isEqualTo(1);
+        assertThat(ColourLaw.UNCHANGED.ofBlackBody(4000, 7).luminance()).isCloseTo(1, within(1e-3));
     }
 
     @ParameterizedTest
@@ -93,6 +94,10 @@ class ColourLawTest {
                 new Colour(0.1 * factor, 0.2 * factor, 3 * factor),
                 1e-12 * factor);
         assertThat(ColourLaw.SEARCHLIGHT.brightness(dopplerFactor)).isCloseTo(factor, within(1e-12 * factor));
+        assertSame(
+                ColourLaw.SEARCHLIGHT.ofBlackBody(4000, dopplerFactor),
+                ColourLaw.UNCHANGED.ofBlackBody(4000, dopplerFactor).times(factor),
+                1e-12 * factor);
     }
 
     @Test
