@@ -80,15 +80,13 @@ public final class FrameTree {
             return Event.ORIGIN;
         }
         if (motion == null) {
-            Event inScene = law.sceneFromCamera(camera.velocity()).transform(lens);
+            SpaceTimeTransformation toScene = law.sceneFromCamera(camera.velocity());
+            Event inScene = toScene.transform(lens);
             // a camera at rest has not moved away from what it sees
-            return isAtRest() ? origin(new Event(0, 0, 0, inScene.time())) : origin(inScene);
+            boolean isAtRest = toScene instanceof IdentityTransformation;
+            return origin(isAtRest ? new Event(0, 0, 0, inScene.time()) : inScene);
         }
         return origin(lensIn(motion).rounded());
-    }
-
-    private boolean isAtRest() {
-        return law.sceneFromCamera(camera.velocity()) instanceof IdentityTransformation;
     }
 
     /** Where coordinates begin, for a lens at an event. */

@@ -1,6 +1,5 @@
 package tompkins.spacetime;
 
-import org.hipparchus.dfp.Dfp;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
@@ -49,14 +48,7 @@ final class GalileanTransformation implements SpaceTimeTransformation {
 
     @Override
     public PreciseEvent transform(PreciseEvent event) {
-        Dfp time = event.coordinate(3);
-        Dfp[] moved = new Dfp[4];
-        for (int axis = 0; axis < 3; axis++) {
-            moved[axis] = event.coordinate(axis)
-                    .add(PreciseEvent.exact(beta.get(axis)).multiply(time));
-        }
-        moved[3] = time;
-        return new PreciseEvent(moved);
+        return event.carried(beta);
     }
 
     /**

@@ -18,7 +18,7 @@ public final class PreciseEvent {
     // x, y, z, time
     private final Dfp[] coordinates;
 
-    PreciseEvent(Dfp... coordinates) {
+    private PreciseEvent(Dfp... coordinates) {
         this.coordinates = coordinates;
     }
 
@@ -27,13 +27,8 @@ public final class PreciseEvent {
         return new PreciseEvent(exact(event.x()), exact(event.y()), exact(event.z()), exact(event.time()));
     }
 
-    static Dfp exact(double value) {
+    private static Dfp exact(double value) {
         return NUMBERS.newDfp(value);
-    }
-
-    /** Place (0, 1, 2) or time (3). */
-    Dfp coordinate(int index) {
-        return coordinates[index];
     }
 
     /** The difference to an event that is given exactly, with all digits. */
@@ -51,6 +46,15 @@ public final class PreciseEvent {
                 coordinates[1].toDouble(),
                 coordinates[2].toDouble(),
                 coordinates[3].toDouble());
+    }
+
+    /** The Galilean change of frame: the place moves with a velocity for the time of the event. */
+    PreciseEvent carried(Vector3dc beta) {
+        Dfp[] carried = coordinates.clone();
+        for (int axis = 0; axis < 3; axis++) {
+            carried[axis] = carried[axis].add(coordinates[3].multiply(exact(beta.get(axis))));
+        }
+        return new PreciseEvent(carried);
     }
 
     /**
