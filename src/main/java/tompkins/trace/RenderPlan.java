@@ -242,7 +242,7 @@ public final class RenderPlan {
 
     /** The history of the sample in the middle of the picture; null if it never crosses the shutter. */
     public SampleHistory middleHistory() {
-        return SampleHistory.way(this, middle().x(), middle().y(), 0, 0, SamplePositions.MIDDLE);
+        return SampleHistory.way(this, middle().x(), middle().y());
     }
 
     /**
