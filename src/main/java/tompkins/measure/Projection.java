@@ -10,12 +10,14 @@ import tompkins.camera.Camera;
 import tompkins.camera.CameraRays;
 import tompkins.camera.EyeView;
 import tompkins.camera.PanoramicCamera;
+import tompkins.camera.PictureRays;
 import tompkins.math.Vectors;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.RollingShutter;
 import tompkins.spacetime.Event;
+import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.world.FrameAppearance;
 
@@ -47,7 +49,10 @@ public final class Projection {
 
     /** The projections of the eyes of a studio in a picture of the size of its settings. */
     public static List<Projection> ofEyes(Studio studio) {
-        return views(studio).stream().map(view -> new Projection(studio, view)).toList();
+        RenderSettings settings = studio.settings();
+        return rays(studio, settings.width(), settings.height()).views().stream()
+                .map(view -> new Projection(studio, view))
+                .toList();
     }
 
     /** The projection of a studio's picture in the size of its settings; if it has two eyes, that of the left one. */
@@ -57,24 +62,25 @@ public final class Projection {
 
     /** The projection of the eye in whose part of the picture a position lies. */
     static Projection at(Studio studio, Vector2dc position) {
-        return new Projection(studio, EyeView.at(views(studio), position.x(), position.y()));
+        RenderSettings settings = studio.settings();
+        return new Projection(
+                studio, rays(studio, settings.width(), settings.height()).view(position.x(), position.y()));
     }
 
-    private static List<EyeView> views(Studio studio) {
-        return EyeView.of(
-                studio.camera(), studio.settings().width(), studio.settings().height());
+    private static PictureRays rays(Studio studio, int width, int height) {
+        return new PictureRays(studio.camera(), width, height, studio.sceneFromCamera());
     }
 
     /** The projection of a studio's picture in another size; if it has two eyes, that of the left one. */
     public Projection(Studio studio, int width, int height) {
-        this(studio, EyeView.of(studio.camera(), width, height).get(0));
+        this(studio, rays(studio, width, height).views().get(0));
     }
 
     private Projection(Studio studio, EyeView view) {
         this.studio = studio;
         this.view = view;
-        Camera camera = view.camera();
-        rays = camera.rays(view.width(), view.height(), studio.sceneFromCamera());
+        Camera camera = studio.camera();
+        rays = view.rays();
         lens = rays.lens(rays.chiefDirection(view.width() / 2.0, view.height() / 2.0));
         rolling = camera.rollingShutter();
         oneTime = camera.shutter() instanceof AperturePlaneShutter && !rolling.rolls();

@@ -12,6 +12,8 @@ import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
+import tompkins.camera.EyeView;
+import tompkins.camera.SamplePositions;
 import tompkins.image.FramePicture;
 import tompkins.image.LinearImage;
 import tompkins.light.ColourLaw;
@@ -19,6 +21,7 @@ import tompkins.ray.Padded;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
 import tompkins.studio.Studio;
+import tompkins.trace.BlockSamples;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleTracer;
 
@@ -90,7 +93,7 @@ public final class RenderJob extends Padded {
     }
 
     private void renderTiles(SampleTracer tracer, RayCounts mine) {
-        BlockSums sums = new BlockSums(buffer, this::isStopped);
+        BlockSums sums = new BlockSums(buffer, plan.pictureRays());
         int index = nextTile.getAndIncrement();
         for (Pass pass = passOf(index); pass != null; pass = passOf(index)) {
             Tile tile = tiles.get(index % tiles.size());
@@ -106,37 +109,39 @@ public final class RenderJob extends Padded {
 
     private void renderTile(Pass pass, Tile tile, SampleTracer tracer, BlockSums sums) {
         tracer.shareBetween(pass.inAll());
-        int side = RayPacket.SIDE * pass.stride();
-        int end = pass.firstSample() + pass.samples();
-        for (int row = 0; row < tile.height(); row += side) {
-            for (int column = 0; column < tile.width(); column += side) {
-                int width = Math.min(side, tile.width() - column);
-                int height = Math.min(side, tile.height() - row);
-                if (schedule.isOver() || !isWanted(pass, tile.column() + column, tile.row() + row, width, height)) {
-                    continue;
-                }
-                int left = tile.column() + column;
-                int top = tile.row() + row;
-                sums.begin(pass);
-                tracer.beginBlock(left, top, width, height, pass.stride(), sums);
-                for (int sample = pass.firstSample(); sample < end && !isStopped(); sample++) {
-                    try {
-                        tracer.sampleBlock(sample, sums);
-                    } catch (RuntimeException | Error error) {
-                        fail(new RenderFailedException(tracer.column(), tracer.row(), Math.max(0, sample), error));
-                    }
-                    if (Film.isNewHalf(sample + 1)) {
-                        sums.addToFilm();
+        for (Tile block : tile.parts(RayPacket.SIDE * pass.stride())) {
+            if (!schedule.isOver() && isWanted(pass, block)) {
+                for (EyeView eye : plan.pictureRays().views()) {
+                    SamplePositions pixels = sums.begin(pass, eye, block);
+                    if (pixels.count() > 0) {
+                        renderBlock(pass, pixels, tracer, sums);
                     }
                 }
-                sums.addToFilm();
             }
         }
     }
 
-    private boolean isWanted(Pass pass, int left, int top, int width, int height) {
-        for (int row = top; row < top + height; row += pass.stride()) {
-            if (pass.takesAny(buffer.pixel(left, row), width)) {
+    private void renderBlock(Pass pass, SamplePositions pixels, SampleTracer tracer, BlockSums sums) {
+        int end = pass.firstSample() + pass.samples();
+        for (int sample = pass.firstSample(); sample < end && !isStopped(); sample++) {
+            try {
+                BlockSamples taken = tracer.sampleBlock(pixels, sample, this::isStopped);
+                if (taken != null) {
+                    sums.add(taken);
+                }
+            } catch (RuntimeException | Error error) {
+                fail(new RenderFailedException(tracer.column(), tracer.row(), Math.max(0, sample), error));
+            }
+            if (Film.isNewHalf(sample + 1)) {
+                sums.addToFilm();
+            }
+        }
+        sums.addToFilm();
+    }
+
+    private boolean isWanted(Pass pass, Tile block) {
+        for (int row = block.row(); row < block.row() + block.height(); row += pass.stride()) {
+            if (pass.takesAny(buffer.pixel(block.column(), row), block.width())) {
                 return true;
             }
         }

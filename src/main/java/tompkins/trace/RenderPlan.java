@@ -297,8 +297,7 @@ public final class RenderPlan {
         RayTracer cameraTracer = cameraFrame.size() == 0
                 ? null
                 : new RayTracer(beforeLens(counts), null, entry, depth, counts, observer);
-        EyeTracer eyeTracer = new EyeTracer(this, cameraTracer, entry, starTracer, counts);
-        return new SampleTracer(pictureRays, sampler, eyeTracer, counts, observer != null);
+        return new SampleTracer(this, sampler, cameraTracer, entry, starTracer, counts);
     }
 
     /** Whether rays are searched for frame by frame, or light depends on the motion of what it leaves. */
