@@ -49,8 +49,7 @@ public final class Projection {
 
     /** The projections of the eyes of a studio in a picture of the size of its settings. */
     public static List<Projection> ofEyes(Studio studio) {
-        RenderSettings settings = studio.settings();
-        return rays(studio, settings.width(), settings.height()).views().stream()
+        return rays(studio).views().stream()
                 .map(view -> new Projection(studio, view))
                 .toList();
     }
@@ -62,18 +61,21 @@ public final class Projection {
 
     /** The projection of the eye in whose part of the picture a position lies. */
     static Projection at(Studio studio, Vector2dc position) {
-        RenderSettings settings = studio.settings();
-        return new Projection(
-                studio, rays(studio, settings.width(), settings.height()).view(position.x(), position.y()));
+        return new Projection(studio, rays(studio).view(position.x(), position.y()));
     }
 
-    private static PictureRays rays(Studio studio, int width, int height) {
-        return new PictureRays(studio.camera(), width, height, studio.sceneFromCamera());
+    private static PictureRays rays(Studio studio) {
+        RenderSettings settings = studio.settings();
+        return new PictureRays(studio.camera(), settings.width(), settings.height(), studio.sceneFromCamera());
     }
 
     /** The projection of a studio's picture in another size; if it has two eyes, that of the left one. */
     public Projection(Studio studio, int width, int height) {
-        this(studio, rays(studio, width, height).views().get(0));
+        this(
+                studio,
+                new PictureRays(studio.camera(), width, height, studio.sceneFromCamera())
+                        .views()
+                        .get(0));
     }
 
     private Projection(Studio studio, EyeView view) {
