@@ -265,9 +265,9 @@ public final class RenderJob extends Padded {
         return failure.get();
     }
 
-    /** The picture so far, in linear light, exposed; that of a preview has the light of its levels. */
+    /** The picture so far, in linear light, exposed; a glimpse without stars has its {@link #levels} alone. */
     public LinearImage image() {
-        return buffer.image();
+        return ((Film) buffer).image();
     }
 
     /** The picture so far as the screen shows it. */
@@ -285,7 +285,8 @@ public final class RenderJob extends Padded {
         boolean staysNoisy = aim instanceof Quality.Samples all
                 && all.samples() < Math.max(AdaptiveSchedule.FIRST_SAMPLES, buffer.samples(0) + 1);
         boolean isFiltered = plan.blurs() && !staysNoisy && buffer.pixels() <= MOST_FILTERED;
-        return isFiltered && buffer instanceof Film film && film.comparesSamples() ? NoiseFilter.image(film) : image();
+        Film film = (Film) buffer;
+        return isFiltered && film.comparesSamples() ? NoiseFilter.image(film) : film.image();
     }
 
     /** The plan of the picture. */
@@ -305,9 +306,7 @@ public final class RenderJob extends Padded {
     public RenderReport report(Supplier<LinearImage> image) {
         long until = end.getCount() == 0 ? endTime : System.nanoTime();
         int sampledPixels = buffer.sampledPixels();
-        double error = buffer instanceof Film film
-                ? PixelVariance.estimatedError(film, sampledPixels, plan, this::isCancelled)
-                : Double.NaN;
+        double error = PixelVariance.estimatedError((Film) buffer, sampledPixels, plan, this::isCancelled);
         Clipping clipping = clipping(image);
         RayCounts now = new RayCounts();
         synchronized (counts) {
