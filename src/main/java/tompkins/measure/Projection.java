@@ -6,7 +6,6 @@ import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import tompkins.camera.Camera;
 import tompkins.camera.CameraRays;
 import tompkins.camera.EyeView;
 import tompkins.camera.PanoramicCamera;
@@ -17,7 +16,6 @@ import tompkins.ray.RayCounts;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.RollingShutter;
 import tompkins.spacetime.Event;
-import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.world.FrameAppearance;
 
@@ -49,9 +47,8 @@ public final class Projection {
 
     /** The projections of the eyes of a studio in a picture of the size of its settings. */
     public static List<Projection> ofEyes(Studio studio) {
-        return rays(studio).views().stream()
-                .map(view -> new Projection(studio, view))
-                .toList();
+        List<EyeView> views = rays(studio).views();
+        return views.stream().map(view -> new Projection(studio, view)).toList();
     }
 
     /** The projection of a studio's picture in the size of its settings; if it has two eyes, that of the left one. */
@@ -65,27 +62,22 @@ public final class Projection {
     }
 
     private static PictureRays rays(Studio studio) {
-        RenderSettings settings = studio.settings();
-        return new PictureRays(studio.camera(), settings.width(), settings.height(), studio.sceneFromCamera());
+        return new PictureRays(
+                studio.camera(), studio.settings().width(), studio.settings().height(), studio.sceneFromCamera());
     }
 
     /** The projection of a studio's picture in another size; if it has two eyes, that of the left one. */
     public Projection(Studio studio, int width, int height) {
-        this(
-                studio,
-                new PictureRays(studio.camera(), width, height, studio.sceneFromCamera())
-                        .views()
-                        .get(0));
+        this(studio, new PictureRays(studio.camera(), width, height, studio.sceneFromCamera()).view(0, 0));
     }
 
     private Projection(Studio studio, EyeView view) {
         this.studio = studio;
         this.view = view;
-        Camera camera = studio.camera();
         rays = view.rays();
         lens = rays.lens(rays.chiefDirection(view.width() / 2.0, view.height() / 2.0));
-        rolling = camera.rollingShutter();
-        oneTime = camera.shutter() instanceof AperturePlaneShutter && !rolling.rolls();
+        rolling = studio.camera().rollingShutter();
+        oneTime = studio.camera().shutter() instanceof AperturePlaneShutter && !rolling.rolls();
         middleTime = time(middle().x(), middle().y());
     }
 

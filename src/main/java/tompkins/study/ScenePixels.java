@@ -63,9 +63,8 @@ final class ScenePixels {
         Rectangle picture = new Rectangle(plan.width(), plan.height());
         int step = Math.max(1, all / most);
         for (int number = step / 2; number < all; number += step) {
-            int left = number % columns * side;
-            int top = number / columns * side;
-            blocks.add(new Rectangle(left, top, side, side).intersection(picture));
+            Rectangle block = new Rectangle(number % columns * side, number / columns * side, side, side);
+            blocks.add(block.intersection(picture));
         }
     }
 
@@ -93,10 +92,9 @@ final class ScenePixels {
     Figures photographed(long seed, int runs, Quality quality) {
         double[] right = reference();
         List<Figures> figures = new ArrayList<>();
-        Studio studio = plan.studio();
         for (long run = seed; run < seed + runs; run++) {
             Cancellation.stopIf(cancelled);
-            Studio seeded = studio.withSettings(studio.settings().withSeed(run));
+            Studio seeded = plan.studio().withSettings(plan.studio().settings().withSeed(run));
             RenderJob job = Photographs.taken(RenderPlan.of(seeded), quality, cancelled);
             RenderReport report = job.report();
             double[] errors = difference(light(blocks.stream(), block -> light(block, job.image())), right);
@@ -112,10 +110,7 @@ final class ScenePixels {
 
     private static double[] light(Rectangle block, LinearImage image) {
         double[] light = new double[3 * block.width * block.height];
-        for (int i = 0; i < light.length; i++) {
-            int pixel = i / 3;
-            light[i] = image.value(block.x + pixel % block.width, block.y + pixel / block.width, i % 3);
-        }
+        Arrays.setAll(light, i -> image.value(block.x + i / 3 % block.width, block.y + i / 3 / block.width, i % 3));
         return light;
     }
 
@@ -138,10 +133,8 @@ final class ScenePixels {
                 }
             }
         }
-        for (int i = 0; i < light.length; i++) {
-            light[i] *= plan.exposure() / samples;
-        }
-        return light;
+        double mean = plan.exposure() / samples;
+        return Arrays.stream(light).map(sum -> mean * sum).toArray();
     }
 
     /** The light of all pixels as it should be; worked out when it is first asked for, by all threads. */
