@@ -110,11 +110,10 @@ public record PanoramicCamera(
         return new Rays(this, width, height, sceneFromCamera);
     }
 
-    private static final class Rays implements CameraRays {
+    private static final class Rays extends CameraRays {
 
         private final PanoramicCamera camera;
         private final CameraAxes axes;
-        private final ShutterDelays delays;
         private final SpaceTimeTransformation sceneFromCamera;
         private final double longitudePerPixel;
         private final double latitudePerPixel;
@@ -130,9 +129,9 @@ public record PanoramicCamera(
         private final double middleY;
 
         Rays(PanoramicCamera camera, int width, int height, SpaceTimeTransformation sceneFromCamera) {
+            super(camera, width, height);
             this.camera = camera;
             this.sceneFromCamera = sceneFromCamera;
-            delays = new ShutterDelays(camera, width, height);
             axes = CameraAxes.of(camera.viewDirection, camera.topDirection);
             longitudePerPixel = Math.toRadians(camera.horizontalAngleDegrees) / width;
             latitudePerPixel = Math.toRadians(camera.verticalAngleDegrees) / height;
@@ -204,8 +203,7 @@ public record PanoramicCamera(
         }
 
         @Override
-        public void make(SamplePositions positions, RayPacket rays, RayCounts counts) {
-            rays.begin(positions.count());
+        void start(SamplePositions positions, RayPacket rays, RayCounts counts) {
             int made = 0;
             for (int i = 0; i < positions.count(); i++) {
                 Vector3d chief = chiefDirection(positions.x[i], positions.y[i]);
@@ -228,7 +226,6 @@ public record PanoramicCamera(
                 made++;
             }
             rays.keep(made);
-            delays.addTo(rays, positions);
         }
     }
 }

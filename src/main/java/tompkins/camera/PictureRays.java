@@ -12,7 +12,6 @@ public final class PictureRays {
 
     private final StereoLayout layout;
     private final List<EyeView> views;
-    private final List<CameraRays> rays;
     private final CameraRays between;
 
     /**
@@ -24,13 +23,26 @@ public final class PictureRays {
      */
     public PictureRays(Camera camera, int width, int height, SpaceTimeTransformation sceneFromCamera) {
         layout = camera.stereo().layout();
-        views = EyeView.of(camera, width, height);
-        rays = views.stream()
-                .map(view -> view.camera().rays(view.width(), view.height(), sceneFromCamera))
-                .toList();
-        between = layout == StereoLayout.NONE
-                ? rays.get(0)
-                : camera.betweenEyes().rays(views.get(0).width(), views.get(0).height(), sceneFromCamera);
+        boolean besides = layout == StereoLayout.SIDE_BY_SIDE;
+        boolean below = layout == StereoLayout.TOP_AND_BOTTOM;
+        int own = besides ? Math.max(1, width / 2) : width;
+        int high = below ? Math.max(1, height / 2) : height;
+        boolean areTwo = layout.hasHalves() || layout.isAnaglyph();
+        Camera first = areTwo ? alone(camera, StereoLayout.LEFT_EYE) : camera;
+        EyeView left = new EyeView(first, 0, 0, own, high, sceneFromCamera);
+        int column = besides ? own : 0;
+        int row = below ? high : 0;
+        views = areTwo
+                ? List.of(
+                        left,
+                        new EyeView(alone(camera, StereoLayout.RIGHT_EYE), column, row, own, high, sceneFromCamera))
+                : List.of(left);
+        between =
+                layout == StereoLayout.NONE ? left.rays() : camera.betweenEyes().rays(own, high, sceneFromCamera);
+    }
+
+    private static Camera alone(Camera camera, StereoLayout eye) {
+        return camera.withStereo(camera.stereo().withLayout(eye));
     }
 
     /** How the pictures of the eyes are put together. */
@@ -45,12 +57,9 @@ public final class PictureRays {
 
     /** The picture of the eye that is followed at a position; of both in an anaglyph the left one. */
     public EyeView view(double x, double y) {
-        return views.size() == 1 ? views.get(0) : EyeView.at(views, x, y);
-    }
-
-    /** The rays of one of the {@link #views}, in its own pixels. */
-    public CameraRays of(EyeView view) {
-        return rays.get(number(view));
+        EyeView last = views.get(views.size() - 1);
+        boolean inLast = last.column() > 0 ? x >= last.column() : last.row() > 0 && y >= last.row();
+        return inLast ? last : views.get(0);
     }
 
     /** The place of one of the {@link #views} among them. */
@@ -66,7 +75,7 @@ public final class PictureRays {
     /** The unit direction of the ray through the centre of the lens for a point of the whole picture in pixels. */
     public Vector3dc chiefDirection(double x, double y) {
         EyeView view = view(x, y);
-        return of(view).chiefDirection(x - view.column(), y - view.row());
+        return view.rays().chiefDirection(x - view.column(), y - view.row());
     }
 
     /**
@@ -78,7 +87,7 @@ public final class PictureRays {
     public List<Vector2dc> positions(Vector3dc direction) {
         List<Vector2dc> positions = new ArrayList<>();
         for (EyeView view : views) {
-            Vector2dc own = of(view).position(direction);
+            Vector2dc own = view.rays().position(direction);
             Vector2dc whole = own == null ? null : new Vector2d(view.column(), view.row()).add(own);
             if (whole != null && (!layout.hasHalves() || view(whole.x(), whole.y()) == view)) {
                 positions.add(whole);

@@ -5,14 +5,30 @@ import java.util.stream.Stream;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import tompkins.ray.Padded;
+import tompkins.ray.RayPacket;
 
-/** The samples of a block: their pixels, and where they lie in picture, lens and exposure. One for each thread. */
+/**
+ * The samples of a block: their pixels, and where they lie in an eye's picture, lens and exposure. One for each thread.
+ */
 public final class SamplePositions extends Padded {
 
     /** The moment in the middle of the exposure time. */
     public static final double MIDDLE = 0.5;
 
-    /** The columns of the pixels of the samples. */
+    /** Columns of the indices on Morton's way through a block, on which those that follow each other are neighbours. */
+    private static final int[] MORTON_COLUMNS = IntStream.range(0, RayPacket.MOST)
+            .map(index -> index & 1 | index >> 1 & 2 | index >> 2 & 4 | index >> 3 & 8)
+            .toArray();
+
+    /** Says which pixels of the whole picture are wanted. */
+    @FunctionalInterface
+    public interface PixelChoice {
+
+        /** Whether a sample of a pixel is wanted. */
+        boolean wants(int column, int row);
+    }
+
+    /** The columns of the pixels of the samples, in the picture of the eye. */
     public final int[] columns;
 
     /** The rows of these pixels. */
@@ -33,6 +49,7 @@ public final class SamplePositions extends Padded {
     /** The part of the exposure time that has passed, from 0 to 1. */
     public final double[] moments;
 
+    private EyeView eye;
     private int count;
     private int changes;
 
@@ -65,13 +82,56 @@ public final class SamplePositions extends Padded {
         return count;
     }
 
+    /** The eye in whose picture they lie. */
+    public EyeView eye() {
+        return eye;
+    }
+
+    /** The column of the pixel of a sample in the whole picture. */
+    public int column(int index) {
+        return eye.column() + columns[index];
+    }
+
+    /** The row of that pixel. */
+    public int row(int index) {
+        return eye.row() + rows[index];
+    }
+
     /** Removes all positions. */
     public void clear() {
         count = 0;
         changes++;
     }
 
-    /** Adds a pixel; a {@link PixelSampler} chooses the position in it. */
+    /** Removes all positions; those that follow are in the picture of an eye. */
+    public void begin(EyeView seeing) {
+        eye = seeing;
+        clear();
+    }
+
+    /**
+     * Adds the pixels of a block of the whole picture; a {@link Sampler} chooses the positions in them.
+     *
+     * @param left first column
+     * @param top first row
+     * @param width columns of the block
+     * @param height rows of the block
+     * @param stride distance between the pixels; at most {@link RayPacket#SIDE} of them each way
+     * @param choice says which of them are wanted
+     */
+    public void addPixels(int left, int top, int width, int height, int stride, PixelChoice choice) {
+        // the way goes through a square of twice the side only after the smaller one
+        int side = Integer.highestOneBit(2 * ((Math.max(width, height) - 1) / stride) + 1);
+        for (int index = 0; index < side * side; index++) {
+            int across = stride * MORTON_COLUMNS[index];
+            int down = stride * MORTON_COLUMNS[index >> 1];
+            if (across < width && down < height && choice.wants(left + across, top + down)) {
+                addPixel(left + across - eye.column(), top + down - eye.row());
+            }
+        }
+    }
+
+    /** Adds a pixel of the eye's picture; a {@link Sampler} chooses the position in it. */
     public void addPixel(int column, int row) {
         columns[count] = column;
         rows[count] = row;

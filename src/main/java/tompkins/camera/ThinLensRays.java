@@ -13,7 +13,7 @@ import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpaceTimeTransformation;
 
 /** A {@link ThinLensCamera}, ready for one picture. */
-final class ThinLensRays implements CameraRays {
+final class ThinLensRays extends CameraRays {
 
     private final Vector3d right;
     private final Vector3d up;
@@ -22,7 +22,6 @@ final class ThinLensRays implements CameraRays {
     private final double apertureRadius;
     private final Shutter shutter;
     private final boolean constantTime;
-    private final ShutterDelays delays;
     private final FocusSurface focus;
     private final SpaceTimeTransformation sceneFromCamera;
     private final double middleX;
@@ -32,6 +31,7 @@ final class ThinLensRays implements CameraRays {
     private final double pixelAngle;
 
     ThinLensRays(ThinLensCamera camera, int width, int height, SpaceTimeTransformation sceneFromCamera) {
+        super(camera, width, height);
         CameraAxes axes = CameraAxes.of(camera.viewDirection(), camera.topDirection());
         right = new Vector3d(axes.right());
         up = new Vector3d(axes.up());
@@ -40,7 +40,6 @@ final class ThinLensRays implements CameraRays {
         apertureRadius = camera.apertureRadius();
         shutter = camera.shutter();
         constantTime = shutter instanceof AperturePlaneShutter;
-        delays = new ShutterDelays(camera, width, height);
         // a pinhole needs its focus only where the shutter does
         boolean focused = camera.hasWideAperture() || shutter.needsFocus();
         focus = focused ? new FocusSurface(camera.surfaceInFocus()) : null;
@@ -98,12 +97,10 @@ final class ThinLensRays implements CameraRays {
     }
 
     @Override
-    public void make(SamplePositions positions, RayPacket rays, RayCounts counts) {
-        rays.begin(positions.count());
+    void start(SamplePositions positions, RayPacket rays, RayCounts counts) {
         aim(positions, rays);
         if (constantTime && apertureRadius == 0) {
             startInPinhole(rays);
-            delays.addTo(rays, positions);
             return;
         }
         int made = 0;
@@ -114,7 +111,6 @@ final class ThinLensRays implements CameraRays {
             }
         }
         rays.keep(made);
-        delays.addTo(rays, positions);
     }
 
     /** Sets all directions to those through the centre of the lens, in short loops for several at once. */

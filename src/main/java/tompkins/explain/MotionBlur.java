@@ -2,7 +2,6 @@ package tompkins.explain;
 
 import org.joml.Vector2dc;
 import tompkins.camera.Camera;
-import tompkins.camera.SamplePositions;
 import tompkins.measure.Projection;
 import tompkins.shutter.Shutter;
 import tompkins.studio.Studio;
@@ -23,7 +22,7 @@ final class MotionBlur {
      * glass, these count.
      */
     static double length(RenderPlan plan, double x, double y) {
-        SampleHistory history = SampleHistory.way(plan, x, y, 0, 0, SamplePositions.MIDDLE);
+        SampleHistory history = SampleHistory.way(plan, x, y);
         Studio studio = plan.studio();
         Camera camera = studio.camera();
         if (history == null || !camera.shutter().hasOpeningTime()) {

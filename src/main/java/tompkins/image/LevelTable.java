@@ -43,11 +43,6 @@ public final class LevelTable {
         return level(red) << 16 | level(green) << 8 | level(blue);
     }
 
-    /** The least light that has a level, from 0 to 255. */
-    public float light(int level) {
-        return threshold[level];
-    }
-
     /** The level of an amount of light, from 0 to 255. */
     int level(float light) {
         if (!(light > 0)) {

@@ -6,10 +6,10 @@ import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import tompkins.camera.Camera;
 import tompkins.camera.CameraRays;
 import tompkins.camera.EyeView;
 import tompkins.camera.PanoramicCamera;
+import tompkins.camera.PictureRays;
 import tompkins.math.Vectors;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
@@ -47,7 +47,8 @@ public final class Projection {
 
     /** The projections of the eyes of a studio in a picture of the size of its settings. */
     public static List<Projection> ofEyes(Studio studio) {
-        return views(studio).stream().map(view -> new Projection(studio, view)).toList();
+        List<EyeView> views = rays(studio).views();
+        return views.stream().map(view -> new Projection(studio, view)).toList();
     }
 
     /** The projection of a studio's picture in the size of its settings; if it has two eyes, that of the left one. */
@@ -57,27 +58,26 @@ public final class Projection {
 
     /** The projection of the eye in whose part of the picture a position lies. */
     static Projection at(Studio studio, Vector2dc position) {
-        return new Projection(studio, EyeView.at(views(studio), position.x(), position.y()));
+        return new Projection(studio, rays(studio).view(position.x(), position.y()));
     }
 
-    private static List<EyeView> views(Studio studio) {
-        return EyeView.of(
-                studio.camera(), studio.settings().width(), studio.settings().height());
+    private static PictureRays rays(Studio studio) {
+        return new PictureRays(
+                studio.camera(), studio.settings().width(), studio.settings().height(), studio.sceneFromCamera());
     }
 
     /** The projection of a studio's picture in another size; if it has two eyes, that of the left one. */
     public Projection(Studio studio, int width, int height) {
-        this(studio, EyeView.of(studio.camera(), width, height).get(0));
+        this(studio, new PictureRays(studio.camera(), width, height, studio.sceneFromCamera()).view(0, 0));
     }
 
     private Projection(Studio studio, EyeView view) {
         this.studio = studio;
         this.view = view;
-        Camera camera = view.camera();
-        rays = camera.rays(view.width(), view.height(), studio.sceneFromCamera());
+        rays = view.rays();
         lens = rays.lens(rays.chiefDirection(view.width() / 2.0, view.height() / 2.0));
-        rolling = camera.rollingShutter();
-        oneTime = camera.shutter() instanceof AperturePlaneShutter && !rolling.rolls();
+        rolling = studio.camera().rollingShutter();
+        oneTime = studio.camera().shutter() instanceof AperturePlaneShutter && !rolling.rolls();
         middleTime = time(middle().x(), middle().y());
     }
 

@@ -1,88 +1,74 @@
 package tompkins.render;
 
 import java.util.Arrays;
-import java.util.function.BooleanSupplier;
+import tompkins.camera.EyeView;
+import tompkins.camera.PictureRays;
+import tompkins.camera.SamplePositions;
 import tompkins.ray.Padded;
 import tompkins.ray.RayPacket;
 import tompkins.trace.BlockSamples;
-import tompkins.trace.SampleSink;
 
 /**
  * Adds up the samples that a pass takes of a block of pixels, in double precision, and then gives the film their sums.
  * The film has single precision, and would lose the last digits of each of many samples. One for each thread.
  */
-final class BlockSums extends Padded implements SampleSink {
+final class BlockSums extends Padded {
 
     private final PixelBuffer buffer;
-    private final BooleanSupplier stopped;
+    private final PictureRays rays;
+    private final SamplePositions places = new SamplePositions(RayPacket.MOST);
     private final double[] red = new double[RayPacket.MOST];
     private final double[] green = new double[RayPacket.MOST];
     private final double[] blue = new double[RayPacket.MOST];
     private final double[] squares = new double[RayPacket.MOST];
-    private Pass pass;
-
-    /** What was taken last, which knows its pixels. */
-    private BlockSamples last;
 
     /** Number of samples of each pixel. */
     private int taken;
 
-    /** So many of the first pixels have one sample more, because the block was cut short. */
-    private int more;
-
-    /**
-     * Sums for one film.
-     *
-     * @param stopped whether no sample is wanted any more
-     */
-    BlockSums(PixelBuffer buffer, BooleanSupplier stopped) {
+    /** Sums for one film, of which the rays are. */
+    BlockSums(PixelBuffer buffer, PictureRays rays) {
         this.buffer = buffer;
-        this.stopped = stopped;
+        this.rays = rays;
     }
 
-    /** Begins a block of a pass. */
-    void begin(Pass ofPass) {
-        pass = ofPass;
+    /** Begins with the pixels of a block that a pass takes and an eye shows. */
+    SamplePositions begin(Pass pass, EyeView eye, Tile block) {
+        places.begin(eye);
+        places.addPixels(
+                block.column(),
+                block.row(),
+                block.width(),
+                block.height(),
+                pass.stride(),
+                (column, row) -> rays.view(column, row) == eye && pass.takes(column, row, buffer.pixel(column, row)));
+        return places;
     }
 
-    @Override
-    public boolean wants(int column, int row) {
-        return pass.takes(column, row, buffer.pixel(column, row));
-    }
-
-    @Override
-    public boolean isStopped() {
-        return stopped.getAsBoolean();
-    }
-
-    @Override
-    public void take(BlockSamples samples) {
-        last = samples;
-        taken += samples.isWhole() ? 1 : 0;
-        more = samples.isWhole() ? 0 : samples.count();
-        for (int i = 0; i < samples.count(); i++) {
+    /** Adds a sample of each of these pixels. */
+    void add(BlockSamples samples) {
+        int count = places.count();
+        taken++;
+        for (int i = 0; i < count; i++) {
             red[i] += samples.red[i];
         }
-        for (int i = 0; i < samples.count(); i++) {
+        for (int i = 0; i < count; i++) {
             green[i] += samples.green[i];
         }
-        for (int i = 0; i < samples.count(); i++) {
+        for (int i = 0; i < count; i++) {
             blue[i] += samples.blue[i];
         }
-        for (int i = 0; i < samples.count(); i++) {
+        for (int i = 0; i < count; i++) {
             squares[i] += Film.squared(samples.red[i], samples.green[i], samples.blue[i]);
         }
     }
 
     /** Gives the film what was summed up, and starts from 0 again. */
     void addToFilm() {
-        int pixels = taken == 0 ? more : last.pixels();
-        for (int i = 0; i < pixels; i++) {
-            int added = taken + (i < more ? 1 : 0);
-            buffer.add(buffer.pixel(last.column(i), last.row(i)), red[i], green[i], blue[i], squares[i], added);
+        for (int i = 0; taken > 0 && i < places.count(); i++) {
+            int pixel = buffer.pixel(places.column(i), places.row(i));
+            buffer.add(pixel, red[i], green[i], blue[i], squares[i], taken);
         }
         taken = 0;
-        more = 0;
         Arrays.fill(red, 0);
         Arrays.fill(green, 0);
         Arrays.fill(blue, 0);

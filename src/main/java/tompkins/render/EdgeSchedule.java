@@ -2,6 +2,7 @@ package tompkins.render;
 
 import java.util.BitSet;
 import java.util.function.BooleanSupplier;
+import java.util.function.DoubleToLongFunction;
 import java.util.stream.IntStream;
 import tompkins.camera.PixelSampler;
 
@@ -30,20 +31,8 @@ final class EdgeSchedule implements Schedule {
     /** The same in the last cells, whose right and lower side are left to their neighbours. */
     private static final int PER_LAST_CELL = 3;
 
-    /** How many samples there may be. */
-    interface Budget {
-
-        /**
-         * About how many there may be in all.
-         *
-         * @param first how many the widest net has taken
-         * @param seconds how long that took
-         */
-        long most(long first, double seconds);
-    }
-
     private final PreviewFilm preview;
-    private final Budget budget;
+    private final DoubleToLongFunction budget;
     private final TimeBudget clock = new TimeBudget(Double.POSITIVE_INFINITY);
     private int stride = 2 * WIDEST;
     private long taken;
@@ -53,9 +42,10 @@ final class EdgeSchedule implements Schedule {
      * A schedule for one picture.
      *
      * @param preview what gets the samples
-     * @param budget asked once, when the samples of the widest net have been taken
+     * @param budget about how many samples there may be in all; asked once, with the number of samples in a second with
+     *     which those of the widest net have been taken
      */
-    EdgeSchedule(PreviewFilm preview, Budget budget) {
+    EdgeSchedule(PreviewFilm preview, DoubleToLongFunction budget) {
         this.preview = preview;
         this.budget = budget;
     }
@@ -70,7 +60,7 @@ final class EdgeSchedule implements Schedule {
         double fraction = 1.0 / (WIDEST * WIDEST);
         long[] chosen = null;
         if (stride < WIDEST) {
-            most = most == 0 ? budget.most(taken, clock.spent()) : most;
+            most = most == 0 ? budget.applyAsLong(taken / clock.spent()) : most;
             // each finer net needs as many samples
             BitSet next = choose(cell, (most - taken) / Integer.numberOfTrailingZeros(cell));
             fraction = (double) next.cardinality() / preview.pixels();

@@ -127,10 +127,10 @@ final class Film extends PixelBuffer {
     }
 
     /**
-     * The mean of the samples of each pixel. Between coarse pixels it is interpolated, which costs little and takes a
-     * third of the error away (see the charts of previews in docs/speed-and-accuracy.md).
+     * The picture in linear light: the mean of the samples of each pixel. Between coarse pixels it is interpolated,
+     * which costs little and takes a third of the error away (see the charts of previews in
+     * docs/speed-and-accuracy.md).
      */
-    @Override
     LinearImage image() {
         return interpolated(completeStride(), means());
     }

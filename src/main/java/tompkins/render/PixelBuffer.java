@@ -1,7 +1,5 @@
 package tompkins.render;
 
-import tompkins.image.LinearImage;
-
 /** The samples of pixels. Each pixel is written by one thread at a time, in the order of its samples. */
 abstract sealed class PixelBuffer permits Film, PreviewFilm {
 
@@ -46,9 +44,6 @@ abstract sealed class PixelBuffer permits Film, PreviewFilm {
 
     /** Number of samples of a pixel. */
     abstract int samples(int pixel);
-
-    /** The picture in linear light, with pixels interpolated that have no samples. */
-    abstract LinearImage image();
 
     /** Number of pixels that have samples. */
     final int sampledPixels() {

@@ -38,6 +38,9 @@ final class PixelVariance {
     /** The roughness that each pixel's own samples show, in a picture with a border; NaN where there are no samples. */
     private final float[] own;
 
+    /** From a pixel to the eight around it. */
+    private final int[] around;
+
     private float[] shared;
     private final BooleanSupplier stopped;
     private final int sampled;
@@ -94,8 +97,10 @@ final class PixelVariance {
         height = film.height();
         sampled = film.sampledPixels();
         own = new float[(width + 2) * (height + 2)];
+        int down = width + 2;
+        around = new int[] {-down - 1, -down, -down + 1, -1, 1, down - 1, down, down + 1};
         measure();
-        shared = withNeighbours(own);
+        shared = withNeighbours();
         fillGaps();
     }
 
@@ -179,7 +184,7 @@ final class PixelVariance {
             double variance = specks.varianceOfMean(column, row) * growing.of(film.samples(pixel));
             own[index] = (float) (Math.max(own[index], variance) * (1 - specks.missed(column, row)));
         });
-        shared = withNeighbours(own);
+        shared = withNeighbours();
         bands().forEach(first -> addUnseen(specks, first));
     }
 
@@ -235,13 +240,14 @@ final class PixelVariance {
         return other > number ? other : number;
     }
 
-    private float[] withNeighbours(float[] own) {
+    private float[] withNeighbours() {
         float[] mean = new float[width * height];
         IntStream.range(0, height).parallel().forEach(row -> {
             Cancellation.stopIf(stopped);
             for (int column = 0; column < width; column++) {
-                if (!Float.isNaN(own[bordered(row, column)])) {
-                    mean[film.pixel(column, row)] = meanAround(own, row, column);
+                int here = bordered(row, column);
+                if (!Float.isNaN(own[here])) {
+                    mean[film.pixel(column, row)] = meanAround(here);
                 }
             }
         });
@@ -252,31 +258,26 @@ final class PixelVariance {
      * The mean of those neighbours of a pixel that have samples; of the pixel, too, if none of them shows anything. If
      * a pixel with samples that met little light were the first to stop, pictures would be too dark.
      */
-    private float meanAround(float[] own, int row, int column) {
-        int here = bordered(row, column);
+    private float meanAround(int here) {
         double sum = 0;
         int others = 0;
-        for (int y = row - 1; y <= row + 1; y++) {
-            for (int index = bordered(y, column - 1); index <= bordered(y, column + 1); index++) {
-                if (index != here && own[index] >= 0) {
-                    sum += own[index];
-                    others++;
-                }
+        for (int offset : around) {
+            if (own[here + offset] >= 0) {
+                sum += own[here + offset];
+                others++;
             }
         }
         return (float) (sum > 0 ? sum / others : own[here] / (others + 1));
     }
 
-    /** The sum of those neighbours of a pixel that have samples. */
-    private double sumAround(float[] own, int row, int column) {
-        double sum = 0;
-        for (int y = row - 1; y <= row + 1; y++) {
-            for (int x = column - 1; x <= column + 1; x++) {
-                float value = own[bordered(y, x)];
-                sum += value >= 0 && (x != column || y != row) ? value : 0;
+    /** Whether a pixel varies and no neighbour does. */
+    private boolean isAlone(int here) {
+        for (int offset : around) {
+            if (own[here + offset] > 0) {
+                return false;
             }
         }
-        return sum;
+        return own[here] > 0;
     }
 
     /** The roughness of a pixel, shared with its neighbours. */
@@ -331,11 +332,11 @@ final class PixelVariance {
                 for (int column = left; column < right; column++) {
                     int pixel = film.pixel(column, row);
                     if (film.samples(pixel) > 1) {
-                        double roughness = own[bordered(row, column)];
+                        int here = bordered(row, column);
                         several++;
-                        sum += roughness;
-                        varied += roughness > 0 ? 1 : 0;
-                        alone += roughness > 0 && sumAround(own, row, column) == 0 ? 1 : 0;
+                        sum += own[here];
+                        varied += own[here] > 0 ? 1 : 0;
+                        alone += isAlone(here) ? 1 : 0;
                         gaps += shared[pixel] == 0 ? 1 : 0;
                     }
                 }

@@ -28,12 +28,11 @@ final class PreviewBudget {
     /**
      * The most samples of a picture, including its first.
      *
-     * @param first how many were taken first
-     * @param firstSeconds how long these took
+     * @param speed samples in a second with which the first of the picture were taken
      * @param seconds how long a picture may take
      */
-    synchronized long most(long first, double firstSeconds, double seconds, int pixels) {
-        rate = Math.max(first / firstSeconds, FADING * rate);
+    synchronized long most(double speed, double seconds, int pixels) {
+        rate = Math.max(speed, FADING * rate);
         // where rays are slow the picture is coarse, so that it still follows the hand
         double needed = Math.min(GOOD_ENOUGH * pixels, seconds * rate);
         return (long) Math.max(fraction > GOOD_ENOUGH ? fraction * pixels : 0, needed);

@@ -3,7 +3,6 @@ package tompkins.render;
 import java.util.stream.IntStream;
 import tompkins.image.FramePicture;
 import tompkins.image.LevelTable;
-import tompkins.image.LinearImage;
 import tompkins.image.ToneCurve;
 
 /**
@@ -44,17 +43,6 @@ final class PreviewFilm extends PixelBuffer {
     @Override
     int samples(int pixel) {
         return levels[pixel] / SAMPLED;
-    }
-
-    /** The least light that has these levels. */
-    @Override
-    LinearImage image() {
-        int[] filled = filled();
-        float[] rgb = new float[3 * filled.length];
-        for (int i = 0; i < rgb.length; i++) {
-            rgb[i] = table.light(filled[i / 3] >> 8 * (2 - i % 3) & 0xff);
-        }
-        return new LinearImage(width(), height(), rgb);
     }
 
     /**

@@ -12,6 +12,8 @@ import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
+import tompkins.camera.EyeView;
+import tompkins.camera.SamplePositions;
 import tompkins.image.FramePicture;
 import tompkins.image.LinearImage;
 import tompkins.light.ColourLaw;
@@ -19,6 +21,7 @@ import tompkins.ray.Padded;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
 import tompkins.studio.Studio;
+import tompkins.trace.BlockSamples;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleTracer;
 
@@ -90,7 +93,7 @@ public final class RenderJob extends Padded {
     }
 
     private void renderTiles(SampleTracer tracer, RayCounts mine) {
-        BlockSums sums = new BlockSums(buffer, this::isStopped);
+        BlockSums sums = new BlockSums(buffer, plan.pictureRays());
         int index = nextTile.getAndIncrement();
         for (Pass pass = passOf(index); pass != null; pass = passOf(index)) {
             Tile tile = tiles.get(index % tiles.size());
@@ -106,37 +109,39 @@ public final class RenderJob extends Padded {
 
     private void renderTile(Pass pass, Tile tile, SampleTracer tracer, BlockSums sums) {
         tracer.shareBetween(pass.inAll());
-        int side = RayPacket.SIDE * pass.stride();
-        int end = pass.firstSample() + pass.samples();
-        for (int row = 0; row < tile.height(); row += side) {
-            for (int column = 0; column < tile.width(); column += side) {
-                int width = Math.min(side, tile.width() - column);
-                int height = Math.min(side, tile.height() - row);
-                if (schedule.isOver() || !isWanted(pass, tile.column() + column, tile.row() + row, width, height)) {
-                    continue;
-                }
-                int left = tile.column() + column;
-                int top = tile.row() + row;
-                sums.begin(pass);
-                tracer.beginBlock(left, top, width, height, pass.stride(), sums);
-                for (int sample = pass.firstSample(); sample < end && !isStopped(); sample++) {
-                    try {
-                        tracer.sampleBlock(sample, sums);
-                    } catch (RuntimeException | Error error) {
-                        fail(new RenderFailedException(tracer.column(), tracer.row(), Math.max(0, sample), error));
-                    }
-                    if (Film.isNewHalf(sample + 1)) {
-                        sums.addToFilm();
+        for (Tile block : tile.parts(RayPacket.SIDE * pass.stride())) {
+            if (!schedule.isOver() && isWanted(pass, block)) {
+                for (EyeView eye : plan.pictureRays().views()) {
+                    SamplePositions pixels = sums.begin(pass, eye, block);
+                    if (pixels.count() > 0) {
+                        renderBlock(pass, pixels, tracer, sums);
                     }
                 }
-                sums.addToFilm();
             }
         }
     }
 
-    private boolean isWanted(Pass pass, int left, int top, int width, int height) {
-        for (int row = top; row < top + height; row += pass.stride()) {
-            if (pass.takesAny(buffer.pixel(left, row), width)) {
+    private void renderBlock(Pass pass, SamplePositions pixels, SampleTracer tracer, BlockSums sums) {
+        int end = pass.firstSample() + pass.samples();
+        for (int sample = pass.firstSample(); sample < end && !isStopped(); sample++) {
+            try {
+                BlockSamples taken = tracer.sampleBlock(pixels, sample, this::isStopped);
+                if (taken != null) {
+                    sums.add(taken);
+                }
+            } catch (RuntimeException | Error error) {
+                fail(new RenderFailedException(tracer.column(), tracer.row(), Math.max(0, sample), error));
+            }
+            if (Film.isNewHalf(sample + 1)) {
+                sums.addToFilm();
+            }
+        }
+        sums.addToFilm();
+    }
+
+    private boolean isWanted(Pass pass, Tile block) {
+        for (int row = block.row(); row < block.row() + block.height(); row += pass.stride()) {
+            if (pass.takesAny(buffer.pixel(block.column(), row), block.width())) {
                 return true;
             }
         }
@@ -260,9 +265,9 @@ public final class RenderJob extends Padded {
         return failure.get();
     }
 
-    /** The picture so far, in linear light, exposed; that of a preview has the light of its levels. */
+    /** The picture so far, in linear light, exposed; a glimpse without stars has its {@link #levels} alone. */
     public LinearImage image() {
-        return buffer.image();
+        return ((Film) buffer).image();
     }
 
     /** The picture so far as the screen shows it. */
@@ -280,7 +285,8 @@ public final class RenderJob extends Padded {
         boolean staysNoisy = aim instanceof Quality.Samples all
                 && all.samples() < Math.max(AdaptiveSchedule.FIRST_SAMPLES, buffer.samples(0) + 1);
         boolean isFiltered = plan.blurs() && !staysNoisy && buffer.pixels() <= MOST_FILTERED;
-        return isFiltered && buffer instanceof Film film && film.comparesSamples() ? NoiseFilter.image(film) : image();
+        Film film = (Film) buffer;
+        return isFiltered && film.comparesSamples() ? NoiseFilter.image(film) : film.image();
     }
 
     /** The plan of the picture. */
@@ -300,9 +306,7 @@ public final class RenderJob extends Padded {
     public RenderReport report(Supplier<LinearImage> image) {
         long until = end.getCount() == 0 ? endTime : System.nanoTime();
         int sampledPixels = buffer.sampledPixels();
-        double error = buffer instanceof Film film
-                ? PixelVariance.estimatedError(film, sampledPixels, plan, this::isCancelled)
-                : Double.NaN;
+        double error = PixelVariance.estimatedError((Film) buffer, sampledPixels, plan, this::isCancelled);
         Clipping clipping = clipping(image);
         RayCounts now = new RayCounts();
         synchronized (counts) {

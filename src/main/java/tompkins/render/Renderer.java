@@ -82,8 +82,7 @@ public final class Renderer implements AutoCloseable {
             ToneCurve curve = plan.studio().settings().toneCurve();
             PreviewFilm preview = new PreviewFilm(width, height, plan.exposure(), curve);
             buffer = preview;
-            schedule = new EdgeSchedule(
-                    preview, (first, taken) -> previewBudget.most(first, taken, seconds, width * height));
+            schedule = new EdgeSchedule(preview, speed -> previewBudget.most(speed, seconds, width * height));
         }
         long start = System.nanoTime();
         return start(plan, schedule, buffer, Tile.of(width, height), listener, job -> {

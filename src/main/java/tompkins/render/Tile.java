@@ -24,15 +24,21 @@ record Tile(int column, int row, int width, int height) {
 
     /** Tiles of another width and height, from the centre outwards. */
     static List<Tile> of(int pictureWidth, int pictureHeight, int size) {
-        List<Tile> tiles = new ArrayList<>();
-        for (int row = 0; row < pictureHeight; row += size) {
-            for (int column = 0; column < pictureWidth; column += size) {
-                tiles.add(new Tile(
-                        column, row, Math.min(size, pictureWidth - column), Math.min(size, pictureHeight - row)));
-            }
-        }
+        List<Tile> tiles = new Tile(0, 0, pictureWidth, pictureHeight).parts(size);
         tiles.sort(Comparator.comparingLong(tile -> tile.fromCentre(pictureWidth, pictureHeight)));
         return tiles;
+    }
+
+    /** Its parts of a width and height, row by row. */
+    List<Tile> parts(int size) {
+        List<Tile> parts = new ArrayList<>();
+        for (int down = 0; down < height; down += size) {
+            for (int right = 0; right < width; right += size) {
+                parts.add(new Tile(
+                        column + right, row + down, Math.min(size, width - right), Math.min(size, height - down)));
+            }
+        }
+        return parts;
     }
 
     /** Four times the square of the distance between its centre and that of the picture. */

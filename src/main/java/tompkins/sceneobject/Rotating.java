@@ -68,13 +68,9 @@ public record Rotating(
             }
             // more than that are refused when the whole scene is counted
             if (object.primitiveCount() <= MOST_PRIMITIVES) {
-                requireSlow(object, rotation(centre, axis, angularSpeed), angularSpeed);
+                requireSlow(object, new Rotation(centre, Vectors.unit(axis), angularSpeed, 0, 0, true), angularSpeed);
             }
         }
-    }
-
-    private static Rotation rotation(Vector3dc centre, Vector3dc axis, double angularSpeed) {
-        return new Rotation(centre, Vectors.unit(axis), angularSpeed, 0, 0, true);
     }
 
     private static InvalidPropertyException refusal(SceneObject object, String allowed) {
@@ -135,33 +131,23 @@ public record Rotating(
         return new Rotating(description, Vectors.writtenSum(centre, shift), axis, angularSpeed, phaseDegrees, content);
     }
 
-    /** Whether anything is seen to turn under a law. */
-    public boolean turns(TransformationLaw law) {
-        return angularSpeed != 0 && law != TransformationLaw.NONE;
-    }
-
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
-        if (!turns(collector.law())) {
+        // without a law nothing is seen to turn
+        if (!moves() || collector.law() == TransformationLaw.NONE) {
             Matrix3d turn = new Matrix3d().rotation(Math.toRadians(phaseDegrees), Vectors.unit(axis));
             Vector3d translation = centre.sub(turn.transform(centre, new Vector3d()), new Vector3d());
             Placement turned = placement.after(new Placement(1, turn, translation));
             objects.forEach(object -> object.addTo(collector, turned));
             return;
         }
-        collector.addTurning(
-                rotation(placement, collector.zeroTime(), collector.law()),
-                () -> objects.forEach(object -> object.addTo(collector, placement)));
-    }
-
-    /** How it turns where it is placed, in a frame in which the time that is described as 0 is another one. */
-    public Rotation rotation(Placement placement, double zeroTime, TransformationLaw law) {
-        return new Rotation(
+        Rotation rotation = new Rotation(
                 placement.point(centre),
                 placement.direction(Vectors.unit(axis)),
                 angularSpeed / placement.scale(),
                 phaseDegrees,
-                zeroTime,
-                law == TransformationLaw.LORENTZ);
+                collector.zeroTime(),
+                collector.law() == TransformationLaw.LORENTZ);
+        collector.addTurning(rotation, () -> objects.forEach(object -> object.addTo(collector, placement)));
     }
 }

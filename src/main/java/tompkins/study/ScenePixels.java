@@ -7,8 +7,10 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import tompkins.camera.EyeView;
+import tompkins.camera.PictureRays;
+import tompkins.camera.SamplePositions;
 import tompkins.camera.Sampler;
 import tompkins.image.LinearImage;
 import tompkins.ray.RayCounts;
@@ -17,9 +19,9 @@ import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderReport;
 import tompkins.studio.Studio;
+import tompkins.trace.BlockSamples;
 import tompkins.trace.Cancellation;
 import tompkins.trace.RenderPlan;
-import tompkins.trace.SampleSink;
 import tompkins.trace.SampleTracer;
 
 /** Blocks of a picture, spread evenly over it, whose light can be worked out with any sampler, as the renderer does. */
@@ -61,9 +63,8 @@ final class ScenePixels {
         Rectangle picture = new Rectangle(plan.width(), plan.height());
         int step = Math.max(1, all / most);
         for (int number = step / 2; number < all; number += step) {
-            int left = number % columns * side;
-            int top = number / columns * side;
-            blocks.add(new Rectangle(left, top, side, side).intersection(picture));
+            Rectangle block = new Rectangle(number % columns * side, number / columns * side, side, side);
+            blocks.add(block.intersection(picture));
         }
     }
 
@@ -91,10 +92,9 @@ final class ScenePixels {
     Figures photographed(long seed, int runs, Quality quality) {
         double[] right = reference();
         List<Figures> figures = new ArrayList<>();
-        Studio studio = plan.studio();
         for (long run = seed; run < seed + runs; run++) {
             Cancellation.stopIf(cancelled);
-            Studio seeded = studio.withSettings(studio.settings().withSeed(run));
+            Studio seeded = plan.studio().withSettings(plan.studio().settings().withSeed(run));
             RenderJob job = Photographs.taken(RenderPlan.of(seeded), quality, cancelled);
             RenderReport report = job.report();
             double[] errors = difference(light(blocks.stream(), block -> light(block, job.image())), right);
@@ -110,10 +110,7 @@ final class ScenePixels {
 
     private static double[] light(Rectangle block, LinearImage image) {
         double[] light = new double[3 * block.width * block.height];
-        for (int i = 0; i < light.length; i++) {
-            int pixel = i / 3;
-            light[i] = image.value(block.x + pixel % block.width, block.y + pixel / block.width, i % 3);
-        }
+        Arrays.setAll(light, i -> image.value(block.x + i / 3 % block.width, block.y + i / 3 / block.width, i % 3));
         return light;
     }
 
@@ -121,20 +118,23 @@ final class ScenePixels {
         SampleTracer tracer = plan.tracer(new RayCounts(), sampler);
         tracer.shareBetween(samples);
         double[] light = new double[3 * block.width * block.height];
-        SampleSink sink = taken -> {
-            for (int i = 0; i < taken.count(); i++) {
-                int index = 3 * ((taken.row(i) - block.y) * block.width + taken.column(i) - block.x);
-                light[index] += taken.red[i];
-                light[index + 1] += taken.green[i];
-                light[index + 2] += taken.blue[i];
+        PictureRays rays = plan.pictureRays();
+        SamplePositions pixels = new SamplePositions(block.width * block.height);
+        for (EyeView eye : rays.views()) {
+            pixels.begin(eye);
+            pixels.addPixels(block.x, block.y, block.width, block.height, 1, (x, y) -> rays.view(x, y) == eye);
+            for (int sample = 0; sample < samples; sample++) {
+                BlockSamples taken = tracer.sampleBlock(pixels, sample, () -> false);
+                for (int i = 0; i < pixels.count(); i++) {
+                    int index = 3 * ((pixels.row(i) - block.y) * block.width + pixels.column(i) - block.x);
+                    light[index] += taken.red[i];
+                    light[index + 1] += taken.green[i];
+                    light[index + 2] += taken.blue[i];
+                }
             }
-        };
-        tracer.beginBlock(block.x, block.y, block.width, block.height, 1, sink);
-        IntStream.range(0, samples).forEach(sample -> tracer.sampleBlock(sample, sink));
-        for (int i = 0; i < light.length; i++) {
-            light[i] *= plan.exposure() / samples;
         }
-        return light;
+        double mean = plan.exposure() / samples;
+        return Arrays.stream(light).map(sum -> mean * sum).toArray();
     }
 
     /** The light of all pixels as it should be; worked out when it is first asked for, by all threads. */

@@ -242,7 +242,7 @@ public final class RenderPlan {
 
     /** The history of the sample in the middle of the picture; null if it never crosses the shutter. */
     public SampleHistory middleHistory() {
-        return SampleHistory.way(this, middle().x(), middle().y(), 0, 0, SamplePositions.MIDDLE);
+        return SampleHistory.way(this, middle().x(), middle().y());
     }
 
     /**
@@ -297,8 +297,7 @@ public final class RenderPlan {
         RayTracer cameraTracer = cameraFrame.size() == 0
                 ? null
                 : new RayTracer(beforeLens(counts), null, entry, depth, counts, observer);
-        EyeTracer eyeTracer = new EyeTracer(this, cameraTracer, entry, starTracer, counts);
-        return new SampleTracer(pictureRays, sampler, eyeTracer, counts, observer != null);
+        return new SampleTracer(this, sampler, cameraTracer, entry, starTracer, counts);
     }
 
     /** Whether rays are searched for frame by frame, or light depends on the motion of what it leaves. */

@@ -188,17 +188,18 @@ public record SampleHistory(
     }
 
     /**
-     * As above, for somebody who asks for the way of the light and not for its colour: weaker branches are followed for
-     * few hits, and the colour lacks the light of what is left out.
+     * Follows a sample through the centre of the lens in the middle of the exposure time, for somebody who asks for the
+     * way of the light and not for its colour: weaker branches are followed for few hits, and the colour lacks the
+     * light of what is left out.
      */
-    public static SampleHistory way(RenderPlan plan, double x, double y, double lensX, double lensY, double moment) {
-        return of(plan, x, y, lensX, lensY, moment, FEW_HITS);
+    public static SampleHistory way(RenderPlan plan, double x, double y) {
+        return of(plan, x, y, 0, 0, SamplePositions.MIDDLE, FEW_HITS);
     }
 
     /** What rays meet in the middle of the exposure that are spread over a picture, so many in each row and column. */
     public static Stream<Encounter> hits(RenderPlan plan, int side) {
         return SamplePositions.spread(plan.width(), plan.height(), side)
-                .map(place -> way(plan, place.x(), place.y(), 0, 0, SamplePositions.MIDDLE))
+                .map(place -> way(plan, place.x(), place.y()))
                 .filter(history -> history != null)
                 .flatMap(history -> history.hits().stream());
     }

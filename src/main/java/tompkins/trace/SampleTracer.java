@@ -1,59 +1,66 @@
 package tompkins.trace;
 
-import java.util.List;
+import java.util.function.BooleanSupplier;
 import tompkins.camera.EyeView;
-import tompkins.camera.PictureRays;
 import tompkins.camera.SamplePositions;
 import tompkins.camera.Sampler;
 import tompkins.ray.Colour;
 import tompkins.ray.Padded;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
+import tompkins.studio.View;
 
-/** Takes samples of a picture. One for each thread. */
+/** Takes samples of a picture: follows their rays through what is on board, and then the scene. One for each thread. */
 public final class SampleTracer extends Padded {
 
-    /** Gets single samples. */
-    private static final SampleSink NOBODY = samples -> {};
+    private static final BooleanSupplier NEVER = () -> false;
 
-    private final PictureRays pictureRays;
+    private final RenderPlan plan;
     private final Sampler sampler;
-    private final EyeTracer tracer;
+    private final RayTracer cameraTracer;
+    private final SceneBehindCamera scene;
+    private final StarTracer stars;
     private final RayCounts counts;
 
-    /** The samples that each eye takes; those of both eyes of an anaglyph lie at the same places. */
-    private final List<SamplePositions> placesOfEyes;
-
-    /** The eyes that have places of their own. */
-    private final List<EyeView> eyes;
-
-    /** The eye that sees the same places; null if there is none. */
-    private final EyeView other;
-
-    /** The samples of the block; those of the second eye follow those of the first. */
     private final BlockSamples samples = new BlockSamples();
 
-    /** What the other eye sees at the places of these; null if there is none. */
-    private final BlockSamples samplesOfOther;
+    /** What the right eye sees at the places of these; null if each eye has places of its own. */
+    private final BlockSamples samplesOfRight;
 
-    /** The eye whose picture the places are in. */
+    private final SamplePositions single = new SamplePositions(1);
+    private final RayPacket rays = new RayPacket(RayPacket.MOST);
+
+    /** What each ray that leaves the camera frame has brought, and the part that arrives of the light of the scene. */
+    private final Colour[] lights = new Colour[RayPacket.MOST];
+
+    private final Colour[] throughputs = new Colour[RayPacket.MOST];
+    private double narrowing = 1;
+
+    // the sample that is being followed
     private EyeView eye;
-
     private SamplePositions places;
+    private int sample;
 
-    /** A tracer; who watches an anaglyph sees the rays of the left eye alone. */
-    SampleTracer(PictureRays pictureRays, Sampler sampler, EyeTracer tracer, RayCounts counts, boolean isWatched) {
-        this.pictureRays = pictureRays;
+    /**
+     * A tracer; who watches an anaglyph sees the rays of the left eye alone.
+     *
+     * @param cameraTracer the tracer of the camera frame, or null if no objects move with the camera
+     * @param stars the stars behind the scene, or null if there are none
+     */
+    SampleTracer(
+            RenderPlan plan,
+            Sampler sampler,
+            RayTracer cameraTracer,
+            SceneBehindCamera scene,
+            StarTracer stars,
+            RayCounts counts) {
+        this.plan = plan;
         this.sampler = sampler;
-        this.tracer = tracer;
+        this.cameraTracer = cameraTracer;
+        this.scene = scene;
+        this.stars = stars;
         this.counts = counts;
-        List<EyeView> views = pictureRays.views();
-        boolean sharePlaces = pictureRays.layout().isAnaglyph();
-        eyes = sharePlaces ? views.subList(0, 1) : views;
-        other = sharePlaces && !isWatched ? views.get(1) : null;
-        samplesOfOther = other == null ? null : new BlockSamples();
-        placesOfEyes =
-                eyes.stream().map(view -> new SamplePositions(RayPacket.MOST)).toList();
+        samplesOfRight = plan.pictureRays().layout().isAnaglyph() && !scene.isWatched() ? new BlockSamples() : null;
     }
 
     /**
@@ -63,18 +70,18 @@ public final class SampleTracer extends Padded {
      * docs/speed-and-accuracy.md): the blur by the width of rays, which no difference between samples shows, stays
      * below the error of the samples.
      *
-     * @param samples 1 or more
+     * @param number 1 or more
      */
-    public void shareBetween(int samples) {
-        tracer.narrow(Math.pow(samples, -0.75));
+    public void shareBetween(int number) {
+        narrowing = Math.pow(number, -0.75);
     }
 
     /** The colour of one sample of a pixel, before exposure. Black where something went wrong, which is counted. */
-    public Colour sample(int pixelColumn, int pixelRow, int sample) {
-        begin(pictureRays.view(pixelColumn, pixelRow));
-        places.addPixel(pixelColumn - eye.column(), pixelRow - eye.row());
-        sampler.choose(places, sample);
-        return single();
+    public Colour sample(int pixelColumn, int pixelRow, int number) {
+        EyeView seeing = plan.pictureRays().view(pixelColumn, pixelRow);
+        single.begin(seeing);
+        single.addPixel(pixelColumn - seeing.column(), pixelRow - seeing.row());
+        return sampleBlock(single, number, NEVER).colour(0);
     }
 
     /**
@@ -87,107 +94,119 @@ public final class SampleTracer extends Padded {
      * @param moment the part of the exposure time that has passed, from 0 to 1
      */
     public Colour sample(double x, double y, double lensX, double lensY, double moment) {
-        begin(pictureRays.view(x, y));
-        places.add(x - eye.column(), y - eye.row(), lensX, lensY, moment);
-        return single();
+        EyeView seeing = plan.pictureRays().view(x, y);
+        single.begin(seeing);
+        single.add(x - seeing.column(), y - seeing.row(), lensX, lensY, moment);
+        return follow(single, NEVER).colour(0);
     }
 
     /** Takes a sample of an eye's picture at another place (x, y) in its pixels. */
-    void sampleBeside(EyeView seeing, SamplePositions others, int sample, double x, double y) {
-        begin(seeing);
-        places.addBeside(others, sample, x, y);
-        single();
-    }
-
-    private void begin(EyeView next) {
-        turnTo(next);
-        places.clear();
-    }
-
-    private void turnTo(EyeView next) {
-        eye = next;
-        places = placesOfEyes.get(Math.min(pictureRays.number(next), eyes.size() - 1));
-    }
-
-    private Colour single() {
-        counts.samples += follow(0, NOBODY);
-        return samples.colour(0);
+    void sampleBeside(EyeView seeing, SamplePositions others, int index, double x, double y) {
+        single.begin(seeing);
+        single.addBeside(others, index, x, y);
+        follow(single, NEVER);
     }
 
     /**
-     * Begins a block of pixels, to take samples of them by {@link #sampleBlock}.
+     * Takes one sample of each of some pixels. All rays are made first and followed through what moves with the camera.
+     * For those that leave it, the few objects that they can meet are found at once, or else, for a few neighbours at a
+     * time, where they enter the tree. The colours are those of single samples.
      *
-     * @param left first column
-     * @param top first row
-     * @param width columns of the block
-     * @param height rows of the block
-     * @param stride distance between the pixels that are sampled; at most {@link RayPacket#SIDE} of them each way
-     * @param taker says which pixels are wanted
+     * @param pixels at most {@link RayPacket#MOST}; gets the positions
+     * @param number the number of the sample, the same for each pixel
+     * @param stopped whether no sample is wanted any more; asked before a ray is followed in each frame
+     * @return memory that is used again for the next block; null if it was stopped
      */
-    public void beginBlock(int left, int top, int width, int height, int stride, SampleSink taker) {
-        samples.clear();
-        for (EyeView next : eyes) {
-            begin(next);
-            // the way goes through a square of twice the side only after the smaller one
-            int side = Integer.highestOneBit(2 * ((Math.max(width, height) - 1) / stride) + 1);
-            for (int index = 0; index < side * side; index++) {
-                int across = stride * BlockSamples.across(index);
-                int down = stride * BlockSamples.down(index);
-                if (across < width && down < height) {
-                    addPixel(left + across, top + down, taker);
-                }
-            }
-        }
+    public BlockSamples sampleBlock(SamplePositions pixels, int number, BooleanSupplier stopped) {
+        sampler.choose(pixels, number);
+        return follow(pixels, stopped);
     }
 
-    private void addPixel(int x, int y, SampleSink taker) {
-        if (pictureRays.view(x, y) == eye && taker.wants(x, y)) {
-            places.addPixel(x - eye.column(), y - eye.row());
-            samples.add(x, y);
-        }
-    }
-
-    /**
-     * Takes one sample of each pixel of the block. All rays of the block are made first and followed through what moves
-     * with the camera. For those that leave it, the few objects that they can meet are found at once, or else, for a
-     * few neighbours at a time, where they enter the tree. The colours are those of single samples.
-     *
-     * @param sample number of the sample of each pixel
-     * @param taker gets the colours: of the first pixels alone if it stops before all are known
-     */
-    public void sampleBlock(int sample, SampleSink taker) {
-        int known = 0;
-        for (EyeView next : eyes) {
-            turnTo(next);
-            sampler.choose(places, sample);
-            int ofEye = follow(known, taker);
-            known += ofEye;
-            if (ofEye < places.count()) {
-                break;
-            }
+    private BlockSamples follow(SamplePositions seen, BooleanSupplier stopped) {
+        places = seen;
+        int known = follow(seen.eye(), samples, stopped);
+        if (samplesOfRight != null) {
+            known = Math.min(known, follow(plan.pictureRays().views().get(1), samplesOfRight, stopped));
+            samples.combine(plan.pictureRays().layout(), samplesOfRight, known);
         }
         counts.samples += known;
-        samples.setCount(known);
-        taker.take(samples);
+        return known == seen.count() ? samples : null;
     }
 
-    /** Follows the rays of all places, as far as the taker lets it; returns how many of the first samples are known. */
-    private int follow(int first, SampleSink taker) {
-        int known = tracer.follow(eye, places, samples, first, taker);
-        if (other != null) {
-            known = Math.min(known, tracer.follow(other, places, samplesOfOther, 0, taker));
-            samples.combine(pictureRays.layout(), samplesOfOther, known);
+    /**
+     * Follows the rays of all places through the lens of an eye.
+     *
+     * @param into gets the colours; a sample without a ray is black
+     * @return how many of the first samples are known
+     */
+    private int follow(EyeView seeing, BlockSamples into, BooleanSupplier stopped) {
+        eye = seeing;
+        sample = 0;
+        eye.rays().make(places, rays, counts);
+        scene.start(rays, plan.studio().view() == View.MEASURED);
+        if (narrowing != 1) {
+            rays.narrow(narrowing);
         }
-        return known;
+        into.fill(places.count(), Colour.BLACK);
+        if (cameraTracer != null && !followInCameraFrame(into, stopped)) {
+            return 0;
+        }
+        scene.begin(rays);
+        for (int i = 0; i < rays.count(); i++) {
+            if (!goesTo(i, stopped)) {
+                return sample;
+            }
+            Colour behind = scene.colour(rays, i);
+            into.set(sample, finite(cameraTracer == null ? behind : lights[i].plus(throughputs[i].times(behind))));
+        }
+        return places.count();
+    }
+
+    /** Keeps the rays that leave what moves with the camera; false if it was stopped before all are followed. */
+    private boolean followInCameraFrame(BlockSamples into, BooleanSupplier stopped) {
+        int leaving = 0;
+        cameraTracer.begin(rays);
+        for (int i = 0; i < rays.count(); i++) {
+            if (!goesTo(i, stopped)) {
+                return false;
+            }
+            TracedPath path = cameraTracer.follow(rays, i);
+            if (path.escaped() == null) {
+                into.set(sample, finite(path.light()));
+            } else {
+                lights[leaving] = path.light();
+                throughputs[leaving] = path.throughput();
+                rays.move(i, leaving, path.escaped());
+                leaving++;
+            }
+        }
+        rays.keep(leaving);
+        return true;
+    }
+
+    private boolean goesTo(int index, BooleanSupplier stopped) {
+        sample = rays.sample(index);
+        if (stars != null) {
+            stars.begin(eye, places, sample);
+        }
+        return !stopped.getAsBoolean();
+    }
+
+    private Colour finite(Colour colour) {
+        if (!colour.isFinite()) {
+            counts.notFinite++;
+            return Colour.BLACK;
+        }
+        return colour;
     }
 
     /** The column of the pixel at which this tracer is at work, for reports of failures. */
     public int column() {
-        return tracer.column();
+        return places.column(sample);
     }
 
     /** The row of the pixel at which this tracer is at work. */
     public int row() {
-        return tracer.row();
+        return places.row(sample);
     }
 }

@@ -42,6 +42,11 @@ final class SceneBehindCamera implements EscapedLight {
         this.observer = observer;
     }
 
+    /** Whether somebody watches the rays. */
+    boolean isWatched() {
+        return observer != null;
+    }
+
     /** Lets rays start that have just left the camera: in its frame, and light in the medium around the lens. */
     void start(RayPacket rays, boolean measures) {
         rays.inFrame(routes.camera());

@@ -69,7 +69,7 @@ final class StarField {
                     .times(solidAngles[star] / (dopplerFactor * dopplerFactor)));
         }
         return pictures.views().stream()
-                .map(eye -> new StarPoints(pictures.of(eye), eye.width(), eye.height(), looks, lights))
+                .map(eye -> new StarPoints(eye.rays(), eye.width(), eye.height(), looks, lights))
                 .toList();
     }
 
@@ -112,6 +112,6 @@ final class StarField {
 
     /** The solid angle of a pixel of an eye's picture, in steradians. */
     double solidAngle(EyeView eye, int column, int row) {
-        return pictures.of(eye).solidAngle(column, row);
+        return eye.rays().solidAngle(column, row);
     }
 }

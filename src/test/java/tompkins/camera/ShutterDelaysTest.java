@@ -14,6 +14,7 @@ import tompkins.golden.GoldenTable;
 import tompkins.property.Descriptions;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
+import tompkins.ray.RayPacket;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.ArbitraryPlaneShutter;
 import tompkins.shutter.DetectorPlaneShutter;
@@ -67,7 +68,9 @@ class ShutterDelaysTest {
     }
 
     private static Ray ray(CameraRays rays, double x, double y, double lensX, double moment) {
-        return rays.ray(x, y, lensX, 0.2, moment, new RayCounts());
+        RayPacket made = new RayPacket(1);
+        rays.make(SamplePositions.single(x, y, lensX, 0.2, moment), made, new RayCounts());
+        return made.ray(0);
     }
 
     static Stream<Camera> cameras() {

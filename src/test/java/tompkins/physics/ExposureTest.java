@@ -134,10 +134,9 @@ class ExposureTest {
             SampleTracer tracer = of(sheet, new Vector3d(0, 0, 1)).plan().tracer(new RayCounts());
             PixelSampler sampler = new PixelSampler(seed, false, true);
             SamplePositions place = new SamplePositions(1);
+            place.addPixel(0, 0);
             double sum = 0;
             for (int sample = 0; sample < samples; sample++) {
-                place.clear();
-                place.addPixel(0, 0);
                 sampler.choose(place, sample);
                 double x = row.number("X0") + place.x[0] * (row.number("X1") - row.number("X0"));
                 double y = row.number("Y1") + place.y[0] * (row.number("Y0") - row.number("Y1"));

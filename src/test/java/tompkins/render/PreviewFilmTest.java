@@ -46,7 +46,7 @@ class PreviewFilmTest {
                 WIDTH, HEIGHT, plan.exposure(), plan.studio().settings().toneCurve());
         RenderJob job = RENDERER.start(
                 plan,
-                new EdgeSchedule(film, (first, seconds) -> (long) (samples * WIDTH * HEIGHT)),
+                new EdgeSchedule(film, speed -> (long) (samples * WIDTH * HEIGHT)),
                 film,
                 Tile.of(WIDTH, HEIGHT),
                 RenderListener.NONE,
@@ -176,12 +176,6 @@ class PreviewFilmTest {
             }
         }
         assertThat(glimpse.sampledPixels()).isEqualTo(film.sampledPixels());
-        // in light no more is lost than a level
-        float[] light = film.image().rgb();
-        float[] ofLevels = glimpse.image().rgb();
-        for (int i = 0; i < light.length; i++) {
-            assertThat(ofLevels[i]).isCloseTo(Math.min(1, light[i]), within(2 / 255f));
-        }
     }
 
     /** Pictures of 10 ms and 2 microseconds for each sample fit into 60 ms with 25 000 samples. */
@@ -207,7 +201,7 @@ class PreviewFilmTest {
         PreviewBudget budget = new PreviewBudget();
         long samples = 0;
         for (int i = 0; i < 60; i++) {
-            samples = budget.most(pixels / 64, pixels / 64 * each, Pace.RIDE.glimpseSeconds(), pixels);
+            samples = budget.most(1 / each, Pace.RIDE.glimpseSeconds(), pixels);
             budget.ended(0.012 + each * samples, Pace.RIDE.glimpseSeconds());
         }
         assertThat((double) samples / pixels).isBetween(least - 1e-4, most + 1e-4);
@@ -230,25 +224,25 @@ class PreviewFilmTest {
         PreviewBudget budget = new PreviewBudget();
         settled(budget, 60, 0.01, 2e-6);
         budget.ended(3, 0.06);
-        assertThat(budget.most(1000, 1e-3, 0.06, 100_000)).isCloseTo(25_000 * 5 / 6, within(250L));
+        assertThat(budget.most(1e6, 0.06, 100_000)).isCloseTo(25_000 * 5 / 6, within(250L));
     }
 
     /** A slow moment is not taken for a slow machine; a slow scene is, after some time. */
     @Test
     void slownessCountsOnceItLasts() {
         PreviewBudget budget = new PreviewBudget();
-        budget.most(1000, 1e-3, 0.02, 1_000_000);
-        assertThat(budget.most(1000, 1e-2, 0.02, 1_000_000)).isCloseTo(19_600, within(1L));
+        budget.most(1e6, 0.02, 1_000_000);
+        assertThat(budget.most(1e5, 0.02, 1_000_000)).isCloseTo(19_600, within(1L));
         for (int i = 0; i < 200; i++) {
-            budget.most(1000, 1e-2, 0.02, 1_000_000);
+            budget.most(1e5, 0.02, 1_000_000);
         }
-        assertThat(budget.most(1000, 1e-2, 0.02, 1_000_000)).isCloseTo(2000, within(1L));
+        assertThat(budget.most(1e5, 0.02, 1_000_000)).isCloseTo(2000, within(1L));
     }
 
     private static long settled(PreviewBudget budget, int pictures, double fixed, double each) {
         long samples = 0;
         for (int i = 0; i < pictures; i++) {
-            samples = budget.most(1000, 1e-3, 0.06, 100_000);
+            samples = budget.most(1e6, 0.06, 100_000);
             budget.ended(fixed + each * samples, 0.06);
         }
         return samples;

@@ -17,6 +17,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.camera.EyeView;
+import tompkins.camera.SamplePositions;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
@@ -39,9 +41,7 @@ import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.LuminousSurface;
 import tompkins.surface.Refractive;
-import tompkins.trace.BlockSamples;
 import tompkins.trace.RenderPlan;
-import tompkins.trace.SampleSink;
 import tompkins.trace.SampleTracer;
 
 /**
@@ -222,43 +222,36 @@ class RenderWorkTest {
     }
 
     private static long bytesOfASample(Studio studio) {
-        SampleTracer tracer = RenderPlan.of(studio).tracer(new RayCounts());
+        RayCounts counts = new RayCounts();
+        RenderPlan plan = RenderPlan.of(studio);
+        SampleTracer tracer = plan.tracer(counts);
+        SamplePositions places = new SamplePositions(RayPacket.MOST);
+        EyeView eye = plan.pictureRays().views().get(0);
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        Taker taker = new Taker();
         long least = Long.MAX_VALUE;
         // what is compiled later allocates less: on a busy machine the compiler needs longer
         for (int picture = 0; picture < 20 && least > BYTES_PER_SAMPLE; picture++) {
-            taker.count = 0;
             long before = threads.getCurrentThreadAllocatedBytes();
-            takeAll(tracer, studio, taker);
-            least = Math.min(least, (threads.getCurrentThreadAllocatedBytes() - before) / taker.count);
+            takeAll(tracer, studio, eye, places);
+            least = Math.min(least, (threads.getCurrentThreadAllocatedBytes() - before) / (640 * 480));
 
-            assertThat(taker.count).isEqualTo(640 * 480);
+            assertThat(counts.samples).isEqualTo((picture + 1) * 640 * 480);
         }
         return least;
     }
 
-    private static void takeAll(SampleTracer tracer, Studio studio, SampleSink taker) {
+    private static void takeAll(SampleTracer tracer, Studio studio, EyeView eye, SamplePositions places) {
         int side = RayPacket.SIDE;
         for (int row = 0; row < studio.settings().height(); row += side) {
             for (int column = 0; column < studio.settings().width(); column += side) {
-                tracer.beginBlock(column, row, side, side, 1, taker);
-                tracer.sampleBlock(0, taker);
+                places.begin(eye);
+                places.addPixels(column, row, side, side, 1, (x, y) -> true);
+                tracer.sampleBlock(places, 0, () -> false);
             }
         }
     }
 
     private static Studio samples(Studio studio, int samples) {
         return studio.withSettings(studio.settings().withSamples(samples));
-    }
-
-    private static final class Taker implements SampleSink {
-
-        private long count;
-
-        @Override
-        public void take(BlockSamples samples) {
-            count += samples.count();
-        }
     }
 }

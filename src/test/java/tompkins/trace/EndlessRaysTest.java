@@ -10,8 +10,6 @@ import tompkins.io.StudioReader;
 /** Rays among mirrors that lose no light: only the depth limit ends them. */
 class EndlessRaysTest {
 
-    private static final double MIDDLE = 0.5;
-
     private static RenderPlan plan(String surface, int depth) {
         return RenderPlan.of(StudioReader.read(
                 "{\"scene\": [{\"type\": \"Sphere\", \"centre\": [0, 0, 0], \"radius\": 20, \"surface\": " + surface
@@ -57,7 +55,7 @@ class EndlessRaysTest {
     void theWayIsThatOfTheMainBranch() {
         RenderPlan plan = plan(mixture(2), 1000);
         SampleHistory all = SampleHistory.of(plan, 1.3, 0.2, 0, 0);
-        SampleHistory way = SampleHistory.way(plan, 1.3, 0.2, 0, 0, MIDDLE);
+        SampleHistory way = SampleHistory.way(plan, 1.3, 0.2);
         assertThat(way.mainHits()).hasSize(1001).hasSameSizeAs(all.mainHits());
         assertThat(way.end().event()).isEqualTo(all.end().event());
         assertThat(way.hits().size() + way.hitsLeftOut()).isLessThan(1001 + 200);

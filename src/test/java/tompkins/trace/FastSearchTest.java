@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Named;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.TestRun;
+import tompkins.camera.EyeView;
 import tompkins.camera.SamplePositions;
 import tompkins.io.BundledScenes;
 import tompkins.primitive.Primitive;
@@ -116,37 +117,32 @@ class FastSearchTest {
         /** Takes what has not been taken yet of every pixel whose coordinates are multiples of the stride. */
         void takeBlocks(RenderPlan plan, int stride) {
             SampleTracer tracer = plan.tracer(counts);
+            SamplePositions pixels = new SamplePositions(RayPacket.MOST);
             int side = RayPacket.SIDE * stride;
             for (int top = 0; top < height; top += side) {
                 for (int left = 0; left < width; left += side) {
-                    for (int sample = 0; sample < samples; sample++) {
-                        SampleSink taker = taker(sample);
-                        tracer.beginBlock(
-                                left, top, Math.min(side, width - left), Math.min(side, height - top), stride, taker);
-                        tracer.sampleBlock(sample, taker);
+                    for (EyeView eye : plan.pictureRays().views()) {
+                        pixels.begin(eye);
+                        pixels.addPixels(
+                                left,
+                                top,
+                                Math.min(side, width - left),
+                                Math.min(side, height - top),
+                                stride,
+                                (x, y) -> plan.pictureRays().view(x, y) == eye && colours[index(x, y, 0)] == null);
+                        for (int sample = 0; sample < samples; sample++) {
+                            BlockSamples taken = tracer.sampleBlock(pixels, sample, () -> false);
+                            for (int i = 0; i < pixels.count(); i++) {
+                                colours[index(pixels.column(i), pixels.row(i), sample)] = taken.colour(i);
+                            }
+                        }
                     }
                 }
             }
         }
 
-        private SampleSink taker(int sample) {
-            return new SampleSink() {
-                @Override
-                public boolean wants(int column, int row) {
-                    return colours[index(column, row)] == null;
-                }
-
-                @Override
-                public void take(BlockSamples taken) {
-                    for (int i = 0; i < taken.count(); i++) {
-                        colours[index(taken.column(i), taken.row(i))] = taken.colour(i);
-                    }
-                }
-
-                private int index(int column, int row) {
-                    return (row * width + column) * samples + sample;
-                }
-            };
+        private int index(int column, int row, int sample) {
+            return (row * width + column) * samples + sample;
         }
 
         void mustEqual(Picture other) {

@@ -13,6 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import tompkins.camera.CameraMotion;
+import tompkins.camera.SamplePositions;
 import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
@@ -86,15 +87,14 @@ class MovingMediumTest {
                 studio.withScene(scene).withSettings(studio.settings().withSize(RayPacket.SIDE, RayPacket.SIDE)));
         SampleTracer single = plan.tracer(new RayCounts());
         List<Colour> colours = new ArrayList<>();
-        SampleTracer block = plan.tracer(new RayCounts());
-        SampleSink taker = samples -> {
-            for (int i = 0; i < samples.count(); i++) {
-                assertThat(samples.colour(i)).isEqualTo(single.sample(samples.column(i), samples.row(i), 0));
-                colours.add(samples.colour(i));
-            }
-        };
-        block.beginBlock(0, 0, RayPacket.SIDE, RayPacket.SIDE, 1, taker);
-        block.sampleBlock(0, taker);
+        SamplePositions pixels = new SamplePositions(RayPacket.MOST);
+        pixels.begin(plan.pictureRays().views().get(0));
+        pixels.addPixels(0, 0, RayPacket.SIDE, RayPacket.SIDE, 1, (column, row) -> true);
+        BlockSamples samples = plan.tracer(new RayCounts()).sampleBlock(pixels, 0, () -> false);
+        for (int i = 0; i < pixels.count(); i++) {
+            assertThat(samples.colour(i)).isEqualTo(single.sample(pixels.column(i), pixels.row(i), 0));
+            colours.add(samples.colour(i));
+        }
 
         assertThat(colours).hasSize(RayPacket.MOST).contains(Colour.BLACK).endsWith(Colour.BLACK);
         assertThat(Set.copyOf(colours)).hasSizeGreaterThan(10);

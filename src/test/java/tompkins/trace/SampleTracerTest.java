@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import tompkins.camera.PixelSampler;
+import tompkins.camera.SamplePositions;
 import tompkins.io.StudioReader;
 import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
@@ -16,26 +18,11 @@ import tompkins.studio.Studio;
 
 class SampleTracerTest {
 
-    /** Somebody who wants every pixel, but stops before a ray. */
-    private static class StoppingTaker implements SampleSink {
-
-        private final int raysBefore;
-        private int rays;
-        private int taken;
-
-        StoppingTaker(int raysBefore) {
-            this.raysBefore = raysBefore;
-        }
-
-        @Override
-        public boolean isStopped() {
-            return rays++ >= raysBefore;
-        }
-
-        @Override
-        public void take(BlockSamples samples) {
-            taken += samples.count();
-        }
+    private static SamplePositions pixels(RenderPlan plan, int side) {
+        SamplePositions pixels = new SamplePositions(RayPacket.MOST);
+        pixels.begin(plan.pictureRays().views().get(0));
+        pixels.addPixels(0, 0, side, side, 1, (column, row) -> true);
+        return pixels;
     }
 
     /** Straight ahead, light of half the speed stands still for a camera that moves as fast. */
@@ -54,19 +41,15 @@ class SampleTracerTest {
                 """, "scene", Path.of("."));
         RayCounts counts = new RayCounts();
         List<String> dark = new ArrayList<>();
-        SampleTracer tracer = RenderPlan.of(studio).tracer(counts);
-        SampleSink taker = new StoppingTaker(Integer.MAX_VALUE) {
-            @Override
-            public void take(BlockSamples samples) {
-                for (int i = 0; i < samples.count(); i++) {
-                    if (!samples.colour(i).equals(Colour.WHITE)) {
-                        dark.add(samples.column(i) + ", " + samples.row(i) + ": " + samples.colour(i));
-                    }
-                }
+        RenderPlan plan = RenderPlan.of(studio);
+        SampleTracer tracer = plan.tracer(counts);
+        SamplePositions pixels = pixels(plan, 15);
+        BlockSamples samples = tracer.sampleBlock(pixels, PixelSampler.CENTRE, () -> false);
+        for (int i = 0; i < pixels.count(); i++) {
+            if (!samples.colour(i).equals(Colour.WHITE)) {
+                dark.add(pixels.column(i) + ", " + pixels.row(i) + ": " + samples.colour(i));
             }
-        };
-        tracer.beginBlock(0, 0, 15, 15, 1, taker);
-        tracer.sampleBlock(PixelSampler.firstOf(1), taker);
+        }
 
         assertThat(dark).containsExactly("7, 7: " + Colour.BLACK);
         assertThat(tracer.sample(7.5, 7.5, 0, 0, 0.5)).isEqualTo(Colour.BLACK);
@@ -76,27 +59,19 @@ class SampleTracerTest {
 
     /** In this scene nothing moves with the camera: each ray is asked for once. */
     @Test
-    void aBlockThatIsCutShortGivesItsFirstSamples() {
+    void aBlockThatIsStoppedHasNoSamples() {
         RayCounts counts = new RayCounts();
-        SampleTracer tracer = RenderPlan.of(PaperStudios.fig1a()).tracer(counts);
-        SampleTracer simple = RenderPlan.of(PaperStudios.fig1a()).tracer(new RayCounts());
-        StoppingTaker stopping = new StoppingTaker(7) {
-            @Override
-            public void take(BlockSamples samples) {
-                super.take(samples);
-                assertThat(samples.isWhole()).isFalse();
-                for (int i = 0; i < samples.count(); i++) {
-                    assertThat(samples.colour(i)).isEqualTo(simple.sample(samples.column(i), samples.row(i), 0));
-                }
-            }
-        };
-        tracer.beginBlock(0, 0, RayPacket.SIDE, RayPacket.SIDE, 1, stopping);
-        tracer.sampleBlock(0, stopping);
+        RenderPlan plan = RenderPlan.of(PaperStudios.fig1a());
+        SampleTracer tracer = plan.tracer(counts);
+        SamplePositions pixels = pixels(plan, RayPacket.SIDE);
+        AtomicInteger asked = new AtomicInteger();
 
-        assertThat(stopping.taken).isEqualTo(7);
-        assertThat(counts.samples).isEqualTo(stopping.taken);
+        assertThat(tracer.sampleBlock(pixels, 0, () -> asked.incrementAndGet() > 7))
+                .isNull();
+        assertThat(counts.samples).isEqualTo(7);
+        assertThat(counts.rays).isGreaterThanOrEqualTo(7).isLessThan(16 * 16);
 
-        tracer.sampleBlock(0, new StoppingTaker(Integer.MAX_VALUE));
-        assertThat(counts.samples).isEqualTo(stopping.taken + 16 * 16);
+        assertThat(tracer.sampleBlock(pixels, 0, () -> false)).isNotNull();
+        assertThat(counts.samples).isEqualTo(7 + 16 * 16);
     }
 }
