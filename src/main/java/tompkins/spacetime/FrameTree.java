@@ -58,10 +58,10 @@ public final class FrameTree {
     /**
      * As above, in coordinates that begin near a camera if it is far away.
      *
-     * @param lens an event at the lens, in the camera frame
+     * @param lens an event at the lens, in the camera frame; without a finite time it is in no other frame
      */
     public static FrameTree near(Event lens, TransformationLaw law, Velocity velocity) {
-        return new FrameTree(law, velocity, lens);
+        return new FrameTree(law, velocity, Double.isFinite(lens.time()) ? lens : null);
     }
 
     /** How coordinates change from frame to frame. */
