@@ -92,4 +92,14 @@ class FrameTreeTest {
 
         assertThat(frames.origin(null).position()).isEqualTo(new Vector3d());
     }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY})
+    void lensThatNoLightPassesMovesNoOrigin(double time) {
+        FrameTree frames = frames(time);
+        FrameMotion motion = new FrameMotion(null, MOVING, Event.ORIGIN);
+
+        assertThat(frames.origin(null)).isEqualTo(Event.ORIGIN);
+        assertThat(frames.origin(motion)).isEqualTo(Event.ORIGIN);
+    }
 }
