@@ -9,7 +9,7 @@ import tompkins.image.ToneCurve;
  * @param black pixels of which all three channels are too faint for the first of 255 steps
  * @param white pixels of which all three channels are brighter than white
  */
-record Clipping(long black, long white) {
+public record Clipping(long black, long white) {
 
     /** Counts the pixels of a picture. */
     static Clipping of(LinearImage image, ToneCurve curve) {

@@ -307,7 +307,6 @@ public final class RenderJob extends Padded {
         long until = end.getCount() == 0 ? endTime : System.nanoTime();
         int sampledPixels = buffer.sampledPixels();
         double error = PixelVariance.estimatedError((Film) buffer, sampledPixels, plan, this::isCancelled);
-        Clipping clipping = clipping(image);
         RayCounts now = new RayCounts();
         synchronized (counts) {
             now.add(counts);
@@ -319,8 +318,7 @@ public final class RenderJob extends Padded {
                 complete && plan.blursInTime() && (missesScene || plan.hasFlashes() && isDark(image.get())),
                 plan.studio().settings().pixels(),
                 sampledPixels,
-                clipping.black(),
-                clipping.white(),
+                clipping(image),
                 error,
                 complete ? schedule.wantedError() : 0,
                 Duration.ofNanos(until - startTime));

@@ -15,9 +15,8 @@ import tompkins.ray.RayCounts;
  * @param missesMoment whether the picture is complete, and its exposure showed nothing, or nothing that a flash lit
  * @param pixels pixels of the picture
  * @param sampledPixels those that have samples; time may be over before all of them have
- * @param blackPixels those that are too faint for a screen, where the motion changes brightness; otherwise 0, and while
- *     the picture is not complete
- * @param whitePixels those that are brighter than white, in the same cases
+ * @param clipping those that a screen cannot show, where the motion changes brightness; otherwise none, and while the
+ *     picture is not complete
  * @param error estimated root mean square error in linear light; NaN if there is too little to estimate it from, such
  *     as one sample through a wide aperture, or pixels without any
  * @param wantedError the error that was to be reached; 0 if there is none, or the picture is not complete
@@ -29,8 +28,7 @@ public record RenderReport(
         boolean missesMoment,
         long pixels,
         long sampledPixels,
-        long blackPixels,
-        long whitePixels,
+        Clipping clipping,
         double error,
         double wantedError,
         Duration time) {
@@ -51,7 +49,7 @@ public record RenderReport(
 
     /** Whether the motion makes so much of the picture brighter than white that the exposure must be wrong. */
     public boolean isBurnt() {
-        return whitePixels > MOST_WHITE * pixels;
+        return clipping.white() > MOST_WHITE * pixels;
     }
 
     /** What the user should know: one sentence for each kind of trouble. */
@@ -70,12 +68,12 @@ public record RenderReport(
             warnings.add(pixels - sampledPixels + " of " + pixels
                     + " pixels got no sample and are interpolated between the others");
         }
-        if (blackPixels > MOST_BLACK * pixels) {
-            warnings.add(blackPixels + " of " + pixels + " pixels are black: light becomes too faint away from the"
+        if (clipping.black() > MOST_BLACK * pixels) {
+            warnings.add(clipping.black() + " of " + pixels + " pixels are black: light becomes too faint away from the"
                     + " middle; a higher exposure shows more of it");
         }
         if (isBurnt()) {
-            warnings.add(whitePixels + " of " + pixels
+            warnings.add(clipping.white() + " of " + pixels
                     + " pixels are brighter than white: a lower exposure shows more of them");
         }
         if (wantedError > 0 && error > wantedError) {

@@ -32,8 +32,8 @@ class ClippingTest {
     void blackPixelsAreCounted(double speed) throws InterruptedException {
         RenderReport report = render(sky(speed, 0));
         long black = pixels(speed, light -> light < 1 / 255.0);
-        assertThat(report.blackPixels()).isEqualTo(black);
-        assertThat(report.whitePixels()).isZero();
+        assertThat(report.clipping().black()).isEqualTo(black);
+        assertThat(report.clipping().white()).isZero();
         assertThat(report.warnings())
                 .isEqualTo(toldAbove(
                         0.9,
@@ -47,7 +47,7 @@ class ClippingTest {
     void whitePixelsAreCounted(double speed) throws InterruptedException {
         RenderReport report = render(sky(speed, 3));
         long white = pixels(speed, light -> 8 * light > 1);
-        assertThat(report.whitePixels()).isEqualTo(white).isPositive();
+        assertThat(report.clipping().white()).isEqualTo(white).isPositive();
         assertThat(report.warnings())
                 .isEqualTo(toldAbove(
                         0.5, white, " of 4800 pixels are brighter than white: a lower exposure shows more of them"));
@@ -61,7 +61,7 @@ class ClippingTest {
     @Test
     void nothingIsToldWhereMotionLeavesColoursAlone() throws InterruptedException {
         RenderReport report = render(sky(0.999999, 3).withColours(ColourLaw.UNCHANGED));
-        assertThat(report.whitePixels()).isZero();
+        assertThat(report.clipping().white()).isZero();
         assertThat(report.warnings()).isEmpty();
     }
 
