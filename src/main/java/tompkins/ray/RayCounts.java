@@ -43,6 +43,15 @@ public final class RayCounts extends Padded {
     /** The most light that those could have brought, in parts of a sample: a whole number adds up in any order. */
     private long lostParts;
 
+    /** The colour of a sample; black, which is counted, where something went wrong. */
+    public Colour finite(Colour colour) {
+        if (!colour.isFinite()) {
+            notFinite++;
+            return Colour.BLACK;
+        }
+        return colour;
+    }
+
     /** Counts a ray that is ended because it could bring no more than a fraction of the light of its sample. */
     public void giveUp(double fraction) {
         tooFaint++;

@@ -13,8 +13,6 @@ import tompkins.studio.View;
 /** Takes samples of a picture: follows their rays through what is on board, and then the scene. One for each thread. */
 public final class SampleTracer extends Padded {
 
-    private static final BooleanSupplier NEVER = () -> false;
-
     private final RenderPlan plan;
     private final Sampler sampler;
     private final RayTracer cameraTracer;
@@ -64,11 +62,10 @@ public final class SampleTracer extends Padded {
     }
 
     /**
-     * Sets how many samples a pixel gets from now on; it starts with 1. Each stands for a part of the pixel, so that
-     * fine detail is not blurred twice, by the width of a ray and by the mean over several rays. The part shrinks like
-     * samples^-0.75, as the error of the sampler at an edge does (see the charts of aperture in
-     * docs/speed-and-accuracy.md): the blur by the width of rays, which no difference between samples shows, stays
-     * below the error of the samples.
+     * Sets how many samples a pixel gets from now on; it starts with 1. Each stands for a part of the pixel: fine
+     * detail must not be blurred twice, by the width of a ray and by the mean over several. The part shrinks like
+     * samples^-0.75, as the error at an edge does (docs/speed-and-accuracy.md, aperture): so the blur by the width of
+     * rays, which no difference between samples shows, stays below the error of the samples.
      *
      * @param number 1 or more
      */
@@ -81,30 +78,26 @@ public final class SampleTracer extends Padded {
         EyeView seeing = plan.pictureRays().view(pixelColumn, pixelRow);
         single.begin(seeing);
         single.addPixel(pixelColumn - seeing.column(), pixelRow - seeing.row());
-        return sampleBlock(single, number, NEVER).colour(0);
+        return sampleBlock(single, number, () -> false).colour(0);
     }
 
     /**
-     * The colour that a point of the picture gets through a point of the lens at a moment.
+     * The colour that a point of the picture, in pixels, gets through a point of the lens, in units of its radius.
      *
-     * @param x place in the picture in pixels
-     * @param y place in the picture in pixels
-     * @param lensX place on the lens in units of its radius
-     * @param lensY place on the lens in units of its radius
      * @param moment the part of the exposure time that has passed, from 0 to 1
      */
     public Colour sample(double x, double y, double lensX, double lensY, double moment) {
         EyeView seeing = plan.pictureRays().view(x, y);
         single.begin(seeing);
         single.add(x - seeing.column(), y - seeing.row(), lensX, lensY, moment);
-        return follow(single, NEVER).colour(0);
+        return follow(single, () -> false).colour(0);
     }
 
     /** Takes a sample of an eye's picture at another place (x, y) in its pixels. */
     void sampleBeside(EyeView seeing, SamplePositions others, int index, double x, double y) {
         single.begin(seeing);
         single.addBeside(others, index, x, y);
-        follow(single, NEVER);
+        follow(single, () -> false);
     }
 
     /**
@@ -124,22 +117,21 @@ public final class SampleTracer extends Padded {
 
     private BlockSamples follow(SamplePositions seen, BooleanSupplier stopped) {
         places = seen;
-        int known = follow(seen.eye(), samples, stopped);
-        if (samplesOfRight != null) {
-            known = Math.min(known, follow(plan.pictureRays().views().get(1), samplesOfRight, stopped));
-            samples.combine(plan.pictureRays().layout(), samplesOfRight, known);
+        if (!follows(seen.eye(), samples, stopped)) {
+            return null;
         }
-        counts.samples += known;
-        return known == seen.count() ? samples : null;
+        if (samplesOfRight != null) {
+            if (!follows(plan.pictureRays().views().get(1), samplesOfRight, stopped)) {
+                return null;
+            }
+            samples.combine(plan.pictureRays().layout(), samplesOfRight, seen.count());
+        }
+        counts.samples += seen.count();
+        return samples;
     }
 
-    /**
-     * Follows the rays of all places through the lens of an eye.
-     *
-     * @param into gets the colours; a sample without a ray is black
-     * @return how many of the first samples are known
-     */
-    private int follow(EyeView seeing, BlockSamples into, BooleanSupplier stopped) {
+    /** Follows the rays of all places through the lens of an eye; a sample without a ray is black. */
+    private boolean follows(EyeView seeing, BlockSamples into, BooleanSupplier stopped) {
         eye = seeing;
         sample = 0;
         eye.rays().make(places, rays, counts);
@@ -149,17 +141,19 @@ public final class SampleTracer extends Padded {
         }
         into.fill(places.count(), Colour.BLACK);
         if (cameraTracer != null && !followInCameraFrame(into, stopped)) {
-            return 0;
+            return false;
         }
         scene.begin(rays);
         for (int i = 0; i < rays.count(); i++) {
             if (!goesTo(i, stopped)) {
-                return sample;
+                return false;
             }
             Colour behind = scene.colour(rays, i);
-            into.set(sample, finite(cameraTracer == null ? behind : lights[i].plus(throughputs[i].times(behind))));
+            into.set(
+                    sample,
+                    counts.finite(cameraTracer == null ? behind : lights[i].plus(throughputs[i].times(behind))));
         }
-        return places.count();
+        return true;
     }
 
     /** Keeps the rays that leave what moves with the camera; false if it was stopped before all are followed. */
@@ -172,7 +166,7 @@ public final class SampleTracer extends Padded {
             }
             TracedPath path = cameraTracer.follow(rays, i);
             if (path.escaped() == null) {
-                into.set(sample, finite(path.light()));
+                into.set(sample, counts.finite(path.light()));
             } else {
                 lights[leaving] = path.light();
                 throughputs[leaving] = path.throughput();
@@ -190,14 +184,6 @@ public final class SampleTracer extends Padded {
             stars.begin(eye, places, sample);
         }
         return !stopped.getAsBoolean();
-    }
-
-    private Colour finite(Colour colour) {
-        if (!colour.isFinite()) {
-            counts.notFinite++;
-            return Colour.BLACK;
-        }
-        return colour;
     }
 
     /** The column of the pixel at which this tracer is at work, for reports of failures. */
