@@ -27,22 +27,18 @@ public final class PictureRays {
         boolean below = layout == StereoLayout.TOP_AND_BOTTOM;
         int own = besides ? Math.max(1, width / 2) : width;
         int high = below ? Math.max(1, height / 2) : height;
-        boolean areTwo = layout.hasHalves() || layout.isAnaglyph();
-        Camera first = areTwo ? alone(camera, StereoLayout.LEFT_EYE) : camera;
-        EyeView left = new EyeView(first, 0, 0, own, high, sceneFromCamera);
-        int column = besides ? own : 0;
-        int row = below ? high : 0;
-        views = areTwo
-                ? List.of(
-                        left,
-                        new EyeView(alone(camera, StereoLayout.RIGHT_EYE), column, row, own, high, sceneFromCamera))
-                : List.of(left);
-        between =
-                layout == StereoLayout.NONE ? left.rays() : camera.betweenEyes().rays(own, high, sceneFromCamera);
-    }
-
-    private static Camera alone(Camera camera, StereoLayout eye) {
-        return camera.withStereo(camera.stereo().withLayout(eye));
+        if (layout.hasHalves() || layout.isAnaglyph()) {
+            Camera left = camera.withStereo(camera.stereo().withLayout(StereoLayout.LEFT_EYE));
+            Camera right = camera.withStereo(camera.stereo().withLayout(StereoLayout.RIGHT_EYE));
+            views = List.of(
+                    new EyeView(left, 0, 0, own, high, sceneFromCamera),
+                    new EyeView(right, besides ? own : 0, below ? high : 0, own, high, sceneFromCamera));
+        } else {
+            views = List.of(new EyeView(camera, 0, 0, width, height, sceneFromCamera));
+        }
+        between = layout == StereoLayout.NONE
+                ? views.get(0).rays()
+                : camera.betweenEyes().rays(own, high, sceneFromCamera);
     }
 
     /** How the pictures of the eyes are put together. */
