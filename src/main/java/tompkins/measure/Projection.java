@@ -66,11 +66,6 @@ public final class Projection {
                 studio.camera(), studio.settings().width(), studio.settings().height(), studio.sceneFromCamera());
     }
 
-    /** The projection of a studio's picture in another size; if it has two eyes, that of the left one. */
-    public Projection(Studio studio, int width, int height) {
-        this(studio, new PictureRays(studio.camera(), width, height, studio.sceneFromCamera()).view(0, 0));
-    }
-
     private Projection(Studio studio, EyeView view) {
         this.studio = studio;
         this.view = view;

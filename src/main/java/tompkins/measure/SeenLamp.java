@@ -32,7 +32,7 @@ public record SeenLamp(StudioPath path, Vector2dc place) {
         Studio studio = plan.studio();
         List<StudioPath> paths = new ArrayList<>();
         addPaths(StudioPath.ROOT.then("lights"), studio.lights(), paths);
-        Projection projection = new Projection(studio, plan.width(), plan.height());
+        Projection projection = Projection.of(studio);
         List<SeenLamp> seen = new ArrayList<>();
         for (int i = 0; i < paths.size(); i++) {
             Lamp lamp = plan.world().lamps().get(i);

@@ -163,7 +163,7 @@ public final class SceneOverlay implements Overlay {
         boolean followsRays = kinds.contains(OverlayKind.WAVE_FRONTS) && plan.hasFlashes();
         boolean followsTurns = shapes.lines().stream().anyMatch(line -> line.turn() != null)
                 && !Collections.disjoint(kinds, OverlayKind.OF_LINES);
-        return !followsRays && !followsTurns && new Projection(plan.studio(), 1, 1).hasOneTime();
+        return !followsRays && !followsTurns && Projection.of(plan.studio()).hasOneTime();
     }
 
     private void take(Drawn made) {
