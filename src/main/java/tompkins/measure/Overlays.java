@@ -60,6 +60,7 @@ public final class Overlays {
     private final SceneShapes shapes;
     private final RenderPlan plan;
     private final Studio studio;
+    private final Studio measured;
     private final Map<FrameMotion, FrameAppearance> frames = new HashMap<>();
     private final FrameAppearance scene;
 
@@ -69,6 +70,7 @@ public final class Overlays {
         this.shapes = shapes;
         this.plan = plan;
         studio = projection.studio();
+        measured = studio.withView(View.MEASURED);
         scene = new FrameAppearance(studio, null);
     }
 
@@ -80,7 +82,7 @@ public final class Overlays {
             case OUTLINES -> addOutlines(drawing, this::frame);
             case LINES -> addLines(drawing, this::frame);
             case AT_REST -> addGhost(drawing, motion -> FrameAppearance.atRest(studio, motion));
-            case MEASURED -> addGhost(drawing, motion -> new FrameAppearance(studio.withView(View.MEASURED), motion));
+            case MEASURED -> addGhost(drawing, motion -> new FrameAppearance(measured, motion));
             case PLACES -> shapes.objects().forEach(thing -> addPositions(drawing, thing));
             case SCENE_GRID -> addGrid(drawing, Frame.SCENE);
             case CAMERA_GRID -> addGrid(drawing, Frame.CAMERA);
@@ -165,8 +167,7 @@ public final class Overlays {
             return;
         }
         Vector2dc seen = projection.position(frame(thing.motion()), thing.middle());
-        Vector2dc now = projection.position(
-                new FrameAppearance(studio.withView(View.MEASURED), thing.motion()), thing.middle());
+        Vector2dc now = projection.position(new FrameAppearance(measured, thing.motion()), thing.middle());
         if (inPicture(seen) != null) {
             drawing.dots().add(seen);
         }
