@@ -25,7 +25,7 @@ final class BlockSums extends Padded {
     /** Number of samples of each pixel. */
     private int taken;
 
-    /** Sums for one film, of which the rays are. */
+    /** Sums for one film and the rays of its picture. */
     BlockSums(PixelBuffer buffer, PictureRays rays) {
         this.buffer = buffer;
         this.rays = rays;

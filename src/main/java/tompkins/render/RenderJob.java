@@ -278,8 +278,8 @@ public final class RenderJob extends Padded {
     }
 
     /**
-     * The picture so far, to be looked at until it has a quality. A blur is without the noise of few samples, unless
-     * the picture has them all, or will stay as noisy.
+     * As {@link #image}, to be looked at until the picture has a quality. A blur is without the noise of few samples,
+     * unless the picture has them all, or will stay as noisy.
      */
     public LinearImage preview(Quality aim) {
         boolean staysNoisy = aim instanceof Quality.Samples all
@@ -296,7 +296,7 @@ public final class RenderJob extends Padded {
 
     /**
      * What was done; complete once the job has ended. Works out the error of the picture, if it is still wanted, which
-     * takes a moment.
+     * takes a moment. A glimpse without stars has no report.
      */
     public RenderReport report() {
         return report(this::image);

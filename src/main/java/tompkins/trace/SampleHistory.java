@@ -190,7 +190,7 @@ public record SampleHistory(
     /**
      * Follows a sample through the centre of the lens in the middle of the exposure time, for somebody who asks for the
      * way of the light and not for its colour: weaker branches are followed for few hits, and the colour lacks the
-     * light of what is left out.
+     * light of what is left out. Null if it never crosses the shutter.
      */
     public static SampleHistory way(RenderPlan plan, double x, double y) {
         return of(plan, x, y, 0, 0, SamplePositions.MIDDLE, FEW_HITS);
