@@ -3,14 +3,12 @@ package tompkins.surface;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.primitive.Primitive;
@@ -158,25 +156,14 @@ class ImagingSheetsTest {
     }
 
     @Test
-    void lensletsOfMagnificationOneChangeNoBit() {
-        Primitive sheet =
-                primitive(new Disc("", new Vector3d(0, 0, 5), new Vector3d(1, 2, -3), 9, lenslets(1, 1, 0, 0)));
+    void sheetsThatImageAsPanesTurnNothing() {
+        Vector3d middle = new Vector3d(0, 0, 5);
+        Vector3d normal = new Vector3d(1, 2, -3);
+        Primitive lenslets = primitive(new Disc("", middle, normal, 9, new ConfocalLensletArray(1, 1, 0, 0, 1)));
+        Primitive lens = primitive(new Plane("", middle, normal, new IdealLens(1e20, 3, -2, 1)));
         for (int i = 0; i < 100; i++) {
-            Ray ray = ray(vector(1), vector(2).add(0, 0, 5));
-            assertThat(direction(beyond(sheet, ray))).isEqualTo(direction(ray));
-        }
-    }
-
-    private static Surface lenslets(double etaU, double etaV, double deltaU, double deltaV) {
-        return new ConfocalLensletArray(etaU, etaV, deltaU, deltaV, 1);
-    }
-
-    @Test
-    void aLensOfEndlessFocalLengthTurnsNothing() {
-        Primitive lens =
-                primitive(new Plane("", new Vector3d(0, 0, 5), new Vector3d(1, 2, -3), new IdealLens(1e20, 3, -2, 1)));
-        for (int i = 0; i < 100; i++) {
-            Ray ray = ray(vector(1), vector(2).add(0, 0, 5));
+            Ray ray = ray(vector(1), vector(2).add(middle));
+            assertThat(direction(beyond(lenslets, ray))).isEqualTo(direction(ray));
             assertThat(direction(beyond(lens, ray)).distance(direction(ray))).isLessThan(1e-15);
         }
     }
@@ -239,11 +226,11 @@ class ImagingSheetsTest {
         assertThat(response.next().slowness).isEqualTo(1);
     }
 
-    static List<Arguments> dimming() {
-        return List.of(
-                Arguments.of(new IdealLens(2, 0.5, 0.5, 0.25)),
-                Arguments.of(new ConfocalLensletArray(2, 2, 0, 0, 0.25)),
-                Arguments.of(new ConfocalLensletArray(1, 1, 0, 0, 0.25)),
-                Arguments.of(new ComplexRefraction(1, 0, 0.25)));
+    static Stream<Surface> dimming() {
+        return Stream.of(
+                new IdealLens(2, 0.5, 0.5, 0.25),
+                new ConfocalLensletArray(2, 2, 0, 0, 0.25),
+                new ConfocalLensletArray(1, 1, 0, 0, 0.25),
+                new ComplexRefraction(1, 0, 0.25));
     }
 }
