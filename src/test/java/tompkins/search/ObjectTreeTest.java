@@ -17,6 +17,7 @@ import tompkins.primitive.Placement;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
+import tompkins.sceneobject.EdgeRays;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.Sphere;
 import tompkins.surface.ColouredSurface;
@@ -139,8 +140,7 @@ class ObjectTreeTest {
     private static Ray ray(Random random) {
         Vector3d from = new Vector3d(random.nextDouble(-2, 2), random.nextDouble(-2, 2), -3);
         Vector3d to = new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(0, 1));
-        Vector3d direction = to.sub(from).normalize();
-        return Ray.from(from.x, from.y, from.z, direction.x, direction.y, direction.z, 0);
+        return EdgeRays.towards(from, to);
     }
 
     private static List<Primitive> spheres(int count, Random random) {

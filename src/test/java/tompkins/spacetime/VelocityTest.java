@@ -57,7 +57,11 @@ class VelocityTest {
     @Test
     void theDirectionIsThatWhichWasGivenElseForwards() {
         Vector3d sideways = new Vector3d(-2, 0, 0);
+        assertThat(Velocity.REST.isRest()).isTrue();
+        assertThat(Velocity.REST.direction()).isEqualTo(new Vector3d(0, 0, 1));
+        assertThat(Velocity.REST.gamma()).isEqualTo(1);
         assertThat(Velocity.REST.givenDirection()).isEqualTo(new Vector3d(0, 0, 1));
+        assertThat(Velocity.of(SpeedScale.GAMMA, 1, sideways).proper()).isEqualTo(new Vector3d());
         assertThat(Velocity.of(SpeedScale.GAMMA, 1, sideways).givenDirection()).isEqualTo(sideways);
         assertThat(Velocity.of(SpeedScale.BETA, 0.5, sideways).givenDirection()).isEqualTo(sideways);
         assertThat(Velocity.of(0, 0.3, -0.4).givenDirection()).isEqualTo(new Vector3d(0, 0.3, -0.4));
@@ -93,15 +97,6 @@ class VelocityTest {
         assertThat(Velocity.of(SpeedScale.BETA, -0.0, new Vector3d(0, 0, 1)))
                 .isEqualTo(zero)
                 .hasSameHashCodeAs(zero);
-    }
-
-    @Test
-    void restHasADirectionToo() {
-        assertThat(Velocity.REST.isRest()).isTrue();
-        assertThat(Velocity.REST.direction()).isEqualTo(new Vector3d(0, 0, 1));
-        assertThat(Velocity.REST.gamma()).isEqualTo(1);
-        assertThat(Velocity.of(SpeedScale.GAMMA, 1, new Vector3d(0, 5, 0)).proper())
-                .isEqualTo(new Vector3d());
     }
 
     @ParameterizedTest
