@@ -35,10 +35,10 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        26_596),
-                arguments("file, image", 3_696),
-                arguments("explain", 797),
-                arguments("lesson, measure, animation", 4_700),
+                        26_193),
+                arguments("file, image", 3_691),
+                arguments("explain", 796),
+                arguments("lesson, measure, animation", 4_699),
                 arguments("io, app", 7_600),
                 arguments("study", 3_398),
                 arguments("ui", 18_491),

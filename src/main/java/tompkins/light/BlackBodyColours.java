@@ -56,7 +56,8 @@ final class BlackBodyColours {
     private static final Matrix3d AT_REST = bands(1);
 
     /** The camera is balanced to the light in which the scene is white. */
-    private static final Matrix3d BALANCE = balance();
+    private static final Matrix3d BALANCE =
+            new Matrix3d().scaling(new Vector3d(1).div(AT_REST.transform(new Vector3d(1))));
 
     /** How much of each band, long waves first, a colour of the screen stands for. */
     private static final Matrix3d WEIGHTS = BALANCE.mul(AT_REST, new Matrix3d()).invert();
@@ -174,11 +175,6 @@ final class BlackBodyColours {
     /** The Doppler factor of an entry of the table. */
     private static double dopplerFactor(int index) {
         return Math.exp(LEAST + (double) index / STEPS_PER_UNIT);
-    }
-
-    private static Matrix3d balance() {
-        Vector3d white = AT_REST.transform(new Vector3d(1));
-        return new Matrix3d().scaling(1 / white.x, 1 / white.y, 1 / white.z);
     }
 
     /** A wavelength L, and what it adds to the screen for each unit of 1/(exp(h c/(L k T)) - 1). */

@@ -149,7 +149,8 @@ public final class Overlays {
     }
 
     private Vector2dc seen(SceneShapes.Thing thing) {
-        return isAround(thing) ? null : inPicture(projection.position(frame(thing.motion()), thing.middle()));
+        Vector2dc position = projection.position(frame(thing.motion()), thing.middle());
+        return isAround(thing) || !projection.shows(position) ? null : position;
     }
 
     /** Whether the lens is in the box around an object, for instance in a sky. */
@@ -158,20 +159,16 @@ public final class Overlays {
         return thing.bounds().distance(lens.position()) == 0;
     }
 
-    private Vector2dc inPicture(Vector2dc position) {
-        return projection.shows(position) ? position : null;
-    }
-
     private void addPositions(OverlayDrawing drawing, SceneShapes.Thing thing) {
         if (isAround(thing)) {
             return;
         }
         Vector2dc seen = projection.position(frame(thing.motion()), thing.middle());
         Vector2dc now = projection.position(new FrameAppearance(measured, thing.motion()), thing.middle());
-        if (inPicture(seen) != null) {
+        if (projection.shows(seen)) {
             drawing.dots().add(seen);
         }
-        if (inPicture(now) != null) {
+        if (projection.shows(now)) {
             drawing.rings().add(now);
         }
         if (seen != null && now != null && Math.abs(seen.x() - now.x()) < projection.columnsAround() / 2) {
@@ -219,9 +216,8 @@ public final class Overlays {
             return;
         }
         StarCatalogue.names().forEach((star, name) -> {
-            Vector2dc position =
-                    star.magnitude() <= sky.limit() ? inPicture(position(Frame.SCENE, sky.direction(star))) : null;
-            if (position != null) {
+            Vector2dc position = position(Frame.SCENE, sky.direction(star));
+            if (star.magnitude() <= sky.limit() && projection.shows(position)) {
                 drawing.labels().add(new OverlayDrawing.Label(name, null, position));
             }
         });
@@ -258,7 +254,7 @@ public final class Overlays {
         Vector2dc middle = projection.middle();
         return lines.stream()
                 .flatMap(List::stream)
-                .filter(position -> inPicture(position) != null)
+                .filter(projection::shows)
                 .min((first, second) -> Double.compare(first.distance(middle), second.distance(middle)))
                 .orElse(null);
     }

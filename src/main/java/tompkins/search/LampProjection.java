@@ -13,30 +13,18 @@ import tompkins.primitive.Primitive;
  * across the view: what lies in that plane has the same slopes from all places, and other objects nearly the same. As
  * the lamp moves on straight, each slope only grows or only falls, so that the slopes at two places bound those between
  * them.
+ *
+ * @param place where the lamp is
+ * @param forward unit vector ahead
+ * @param offset from the first place to this one, divided by the distance between the first place and the plane
  */
-final class LampProjection {
+record LampProjection(Vector3dc place, Vector3dc forward, Vector3dc offset) {
 
     /** Widening against rounding of slopes, which are 4 at most. */
     static final double MARGIN = 1e-7;
 
     /** Least cosine between the middle of the view and its edge. */
     private static final double LEAST_COSINE = 0.3;
-
-    private final Vector3dc place;
-    private final Vector3dc forward;
-
-    /** From the first place to this one, divided by the distance between the first place and the plane. */
-    private final Vector3dc offset;
-
-    /** The fraction of that distance that is left. */
-    private final double zoom;
-
-    private LampProjection(Vector3dc place, Vector3dc forward, Vector3dc offset) {
-        this.place = place;
-        this.forward = forward;
-        this.offset = offset;
-        zoom = 1 - offset.dot(forward);
-    }
 
     /** The first place of a lamp. */
     static LampProjection first(Vector3dc place, Vector3dc forward) {
@@ -51,14 +39,6 @@ final class LampProjection {
     LampProjection next(Vector3dc next, double depth) {
         return new LampProjection(
                 next, forward, next.sub(place, new Vector3d()).div(depth).add(offset));
-    }
-
-    Vector3dc offset() {
-        return offset;
-    }
-
-    Vector3dc place() {
-        return place;
     }
 
     /** Whether a box lies well in front of the lamp, and not nearer than a distance. */
@@ -91,6 +71,8 @@ final class LampProjection {
 
     private Interval told(Interval own, Vector3dc across) {
         double shift = offset.dot(across);
+        // the fraction of the distance of the plane that is left
+        double zoom = 1 - offset.dot(forward);
         return new Interval(own.least() * zoom + shift, own.most() * zoom + shift);
     }
 

@@ -40,13 +40,9 @@ public enum TransformationLaw {
 
     /** The change from the frame of a camera with the given velocity to the scene frame. */
     public SpaceTimeTransformation sceneFromCamera(Velocity velocity) {
-        if (velocity.isRest()) {
+        if (this == NONE || velocity.isRest()) {
             return new IdentityTransformation();
         }
-        return switch (this) {
-            case LORENTZ -> new LorentzTransformation(velocity);
-            case GALILEAN -> new GalileanTransformation(velocity);
-            case NONE -> new IdentityTransformation();
-        };
+        return this == LORENTZ ? new LorentzTransformation(velocity) : new GalileanTransformation(velocity);
     }
 }

@@ -35,12 +35,9 @@ public record IdealLens(
     /** A burning glass. */
     public static final IdealLens DEFAULT = new IdealLens(1, 0.5, 0.5, 0.96);
 
-    private static final double SHORTEST = 1e-50;
-    private static final double LONGEST = 1e50;
-
     /** Checks all values. */
     public IdealLens {
-        Require.sizeWithin("focalLength", focalLength, SHORTEST, LONGEST);
+        Require.sizeWithin("focalLength", focalLength, 1e-50, 1e50);
         Require.coordinate("centreU", centreU);
         Require.coordinate("centreV", centreV);
         Require.within("transmission", transmission, 0.0, 1.0);

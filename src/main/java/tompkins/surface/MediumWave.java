@@ -14,19 +14,11 @@ import tompkins.ray.Ray;
  * <p>With the four-velocity V of the medium, the tangent T of the ray and the wave four-vector W belong together by
  * {@code W = n T + (1 - 1/n^2) n (T.V) V} and {@code T = W/n - (n - 1/n) (W.V) V} (signs + + + -), and W satisfies
  * {@code W.W = (n^2 - 1) (W.V)^2}. In the rest frame of the medium that is T = (d, -n |d|), W = (n d, -|d|).
+ *
+ * @param vector the wave vector, for the frequency 1
+ * @param frequency that of the wave if the tangent of its ray has the length 1
  */
-final class MediumWave {
-
-    /** The wave vector, for the frequency 1. */
-    private final Vector3dc vector;
-
-    /** The frequency of the wave if the tangent of its ray has the length 1. */
-    private final double frequency;
-
-    private MediumWave(Vector3dc vector, double frequency) {
-        this.vector = vector;
-        this.frequency = frequency;
-    }
+record MediumWave(Vector3dc vector, double frequency) {
 
     /**
      * The wave of a ray.

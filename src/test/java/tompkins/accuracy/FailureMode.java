@@ -13,7 +13,7 @@ import tompkins.shutter.LensRay;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.LorentzTransformation;
 import tompkins.spacetime.NaiveFrames;
-import tompkins.spacetime.Nearby;
+import tompkins.spacetime.PreciseEvent;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.surface.NaiveRefraction;
@@ -102,11 +102,15 @@ record FailureMode(String quantity, String where, double naive, double ours) {
         BigDecimal proper =
                 new BigDecimal(gamma).pow(2).subtract(BigDecimal.ONE).sqrt(new MathContext(60));
         BigDecimal place = proper.multiply(new BigDecimal(time));
-        Vector3d near = new Vector3d(0, 0, Math.rint(place.doubleValue()));
-        double exact = place.subtract(new BigDecimal(near.z)).doubleValue();
+        Event near = new Event(0, 0, Math.rint(place.doubleValue()), 0);
+        double exact = place.subtract(new BigDecimal(near.z())).doubleValue();
         Event lens = new Event(0, 0, 0, time);
-        double naive = sceneFromCamera.transform(lens).position().sub(near).z;
-        double ours = Nearby.place(sceneFromCamera, near, lens).z;
+        double naive = sceneFromCamera.transform(lens).minus(near).z();
+        double ours = sceneFromCamera
+                .transform(PreciseEvent.of(lens))
+                .minus(near)
+                .rounded()
+                .z();
         return of(
                 "place of the lens relative to objects beside it, in scene coordinates; absolute",
                 "camera time " + time,

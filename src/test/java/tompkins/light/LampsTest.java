@@ -47,14 +47,8 @@ class LampsTest {
     };
 
     private Colour reflected(RestingLight... sources) {
-        Hit hit = Hit.blank();
-        hit.x = place.x;
-        hit.y = place.y;
-        hit.z = place.z;
-        hit.normalX = normal.x;
-        hit.normalY = normal.y;
-        hit.normalZ = normal.z;
         Ray hitting = Ray.from(place.x - ray.x, place.y - ray.y, place.z - ray.z, ray.x, ray.y, ray.z, 0);
+        Hit hit = Hit.blank().set(hitting, 1, normal.x, normal.y, normal.z, null, 0, null);
         return illumination(sources).reflected(at(frequency, hitting), hit, DIFFUSE, SPECULAR);
     }
 

@@ -17,7 +17,7 @@ import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.LorentzTransformation;
-import tompkins.spacetime.Nearby;
+import tompkins.spacetime.PreciseEvent;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
@@ -89,7 +89,11 @@ class FarCameraTest {
         LorentzTransformation sceneFromCamera = new LorentzTransformation(velocity);
         Event event = new Event(1, 2, 3, 1e12);
         Vector3d near = sceneFromCamera.transform(event).position();
-        Vector3d rest = Nearby.place(sceneFromCamera, near, event);
+        Vector3d rest = sceneFromCamera
+                .transform(PreciseEvent.of(event))
+                .minus(new Event(near.x, near.y, near.z, 0))
+                .rounded()
+                .position();
         // along z: z' = gamma z + gamma beta t
         BigDecimal one = BigDecimal.ONE;
         BigDecimal exactValue = new BigDecimal(value);

@@ -6,8 +6,6 @@ import org.junit.jupiter.api.Test;
 
 class RayPacketTest {
 
-    private static final Ray FROM_CAMERA = fromCamera();
-
     private static Ray fromCamera() {
         Ray ray = Ray.from(1, 2, 3, 0, 0.6, 0.8, 7);
         ray.spread = 0.01;
@@ -19,8 +17,8 @@ class RayPacketTest {
         RayPacket rays = new RayPacket(2);
         rays.begin(2);
         Ray mirrored = Ray.blank()
-                .setInFrame(FROM_CAMERA, 4, 5, 6, 1, 0, 0, 8, 1.5, 0.25, 0.25)
-                .bent(Hit.blank().set(FROM_CAMERA, 2, 0, 0, 1, null, 3, null), 0, 1, 0, 0.5);
+                .setInFrame(fromCamera(), 4, 5, 6, 1, 0, 0, 8, 1.5, 0.25, 0.25)
+                .bent(Hit.blank().set(fromCamera(), 2, 0, 0, 1, null, 3, null), 0, 1, 0, 0.5);
 
         rays.set(1, mirrored);
 

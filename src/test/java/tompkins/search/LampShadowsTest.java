@@ -51,17 +51,13 @@ class LampShadowsTest {
         int shadows = 0;
         int rays = 20_000;
         for (int i = 0; i < rays; i++) {
-            Vector3d start = place(random);
-            Vector3d toLamp = LAMP.sub(start, new Vector3d());
-            double distance = toLamp.length();
-            toLamp.div(distance);
-            Ray ray = Ray.from(start.x, start.y, start.z, toLamp.x, toLamp.y, toLamp.z, 0);
-            Hit from = Hit.blank().set(ray, 0, 0, 0, 1, null, 0, null);
+            Ray ray = EdgeRays.towards(place(random), LAMP);
+            double distance = LAMP.distance(ray.x, ray.y, ray.z);
+            Hit from = QuickRejectionTest.startOf(ray);
 
             boolean dark = tree.shadow(ray, distance, scratch) != null;
 
-            assertThat(grid.shadows(
-                            from, Ray.blank().setShadow(from, toLamp.x, toLamp.y, toLamp.z), 0, distance, counts))
+            assertThat(grid.shadows(from, Ray.blank().setShadow(from, ray.dx, ray.dy, ray.dz), 0, distance, counts))
                     .isEqualTo(dark);
             shadows += dark ? 1 : 0;
         }

@@ -3,18 +3,18 @@ package tompkins.search;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.stream.IntStream;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.EdgeRays;
-import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.Sphere;
 import tompkins.surface.ColouredSurface;
 
@@ -68,26 +68,28 @@ class LampTrackTest {
         assertThat(counts.tests).isLessThan(6L * asked);
     }
 
-    /** The track of a lamp through the origin past balls in a row, with the middle of the row at a place. */
+    /** The track of a lamp through the origin past a row of balls around a place. */
     private LampTrack track(int balls, double x, double z, Vector3d along) {
-        List<SceneObject> row = IntStream.range(0, balls)
-                .<SceneObject>mapToObj(i -> new Sphere(
-                        "ball", new Vector3d(x, (2.0 * i + 1 - balls) / balls, z), 0.1, ColouredSurface.DEFAULT))
-                .toList();
-        return LampTrack.of(new Vector3d(), along, new ObjectTree(LampShadowsTest.primitives(row)), left);
+        List<Primitive> row = new ArrayList<>();
+        for (int i = 0; i < balls; i++) {
+            Vector3d place = new Vector3d(x, (2.0 * i + 1 - balls) / balls, z);
+            row.addAll(PrimitiveCollector.primitivesOf(new Sphere("ball", place, 0.1, ColouredSurface.DEFAULT)));
+        }
+        return LampTrack.of(new Vector3d(), along, new ObjectTree(row), left);
     }
 
     /** Few or very many primitives, a lamp that rests, and coordinates whose rounding is seen. */
-    @Test
-    void noTrackIsMadeThatIsNotWorthWhile() {
-        Vector3d along = new Vector3d(1, 0, 0);
-
-        assertThat(track(10, 0, 8, along)).isNotNull();
-        assertThat(track(9, 0, 8, along)).isNull();
-        assertThat(track(20_001, 0, 8, along)).isNull();
-        assertThat(track(10, 0, 8, new Vector3d())).isNull();
-        assertThat(track(10, 5e4, 0, along)).isNotNull();
-        assertThat(track(10, 1e5, 0, along)).isNull();
+    @ParameterizedTest
+    @CsvSource({
+        "10, 0, 8, 1, true",
+        "9, 0, 8, 1, false",
+        "20001, 0, 8, 1, false",
+        "10, 0, 8, 0, false",
+        "10, 5e4, 0, 1, true",
+        "10, 1e5, 0, 1, false"
+    })
+    void trackIsMadeWhereItIsWorthWhile(int balls, double x, double z, double way, boolean isMade) {
+        assertThat(track(balls, x, z, new Vector3d(way, 0, 0)) != null).isEqualTo(isMade);
     }
 
     /** With the row at a distance of 8, a piece has the length 1, and 64 of them lie around the nearest place. */
@@ -103,10 +105,8 @@ class LampTrackTest {
         "0, 0, 2e6, -1"
     })
     void placesOnTheTrackAreTold(double x, double y, double behind, double expected) {
-        LampTrack track = track(10, 0, 8, new Vector3d(1, 0, 0));
-        Vector3d lamp = new Vector3d(x, y, 0);
-        Ray ray = EdgeRays.towards(new Vector3d(x, y, 8 + behind), lamp);
+        Ray ray = EdgeRays.towards(new Vector3d(x, y, 8 + behind), new Vector3d(x, y, 0));
 
-        assertThat(track.at(ray, 8 + behind)).isCloseTo(expected, within(1e-9));
+        assertThat(track(10, 0, 8, new Vector3d(1, 0, 0)).at(ray, 8 + behind)).isCloseTo(expected, within(1e-9));
     }
 }

@@ -3,11 +3,11 @@ package tompkins.search;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.function.IntFunction;
+import java.util.function.IntToDoubleFunction;
 import java.util.function.Supplier;
-import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,9 +17,8 @@ import tompkins.primitive.Placement;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
-import tompkins.sceneobject.Group;
+import tompkins.sceneobject.EdgeRays;
 import tompkins.sceneobject.PrimitiveCollector;
-import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.surface.ColouredSurface;
 
@@ -76,17 +75,12 @@ class ObjectTreeTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 1000})
     void ofEquallyNearHitsTheOneListedFirstCounts(int smallestTree) {
-        PrimitiveCollector collector = new PrimitiveCollector();
-        for (int i = 0; i < 100; i++) {
-            new Sphere("sphere " + i, new Vector3d(0, 0, 10), 1, ColouredSurface.DEFAULT)
-                    .addTo(collector, Placement.NONE);
-        }
-        ObjectTree tree = new ObjectTree(collector.primitives(0), smallestTree);
+        ObjectTree tree = new ObjectTree(spheres(100, i -> 1, i -> new Vector3d(0, 0, 10)), smallestTree);
         NearestHit nearest = new NearestHit(new RayCounts());
 
         assertThat(tree.nearest(Ray.from(0, 0, 0, 0, 0, 1, 0), nearest)).isTrue();
 
-        assertThat(nearest.primitive().description()).isEqualTo("sphere 0");
+        assertThat(nearest.primitive().description()).isEqualTo("0");
     }
 
     /** Which primitive was found; the tree holds copies. */
@@ -94,21 +88,12 @@ class ObjectTreeTest {
         return nearest.primitive() == null ? -1 : nearest.primitive().order();
     }
 
-    /** By the areas of their boxes: in two parts those that overlap cost 2 + 8 x 0.88, those apart 2 + 8 x 0.46. */
-    @Test
-    void onlyPrimitivesThatLieApartArePartedInTwo() {
-        assertThat(depth(tree(row(0.1)))).isEqualTo(1);
-        assertThat(depth(tree(row(10)))).isGreaterThan(1);
-    }
-
-    /** Eight balls of radius 1. */
-    private static List<Primitive> row(double spacing) {
-        return PrimitiveCollector.primitivesOf(new Group(
-                "row",
-                IntStream.range(0, 8)
-                        .<SceneObject>mapToObj(
-                                i -> new Sphere("ball", new Vector3d(spacing * i, 0, 0), 1, ColouredSurface.DEFAULT))
-                        .toList()));
+    /** Eight balls of radius 1, by the areas of boxes: in two parts they cost 2 + 8 x 0.88 or 2 + 8 x 0.46. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.1, 10})
+    void onlyWhatLiesApartIsParted(double spacing) {
+        List<Primitive> balls = spheres(8, i -> 1, i -> new Vector3d(spacing * i, 0, 0));
+        assertThat(depth(tree(balls)) > 1).isEqualTo(spacing > 1);
     }
 
     private static TreeNode tree(List<Primitive> primitives) {
@@ -117,32 +102,27 @@ class ObjectTreeTest {
 
     @Test
     void manyPrimitivesInOnePlaceMakeNoDeepTree() {
-        PrimitiveCollector collector = new PrimitiveCollector();
-        for (int i = 0; i < 20_000; i++) {
-            // distances that shrink by half each time: every cut takes off one
-            double x = i < 900 ? Math.scalb(1.0, -i) : 0;
-            new Sphere("sphere", new Vector3d(x, 0, 10), 1e-3, ColouredSurface.DEFAULT)
-                    .addTo(collector, Placement.NONE);
-        }
+        // distances that shrink by half each time: every cut takes off one
+        List<Primitive> primitives =
+                spheres(20_000, i -> 1e-3, i -> new Vector3d(i < 900 ? Math.scalb(1.0, -i) : 0, 0, 10));
 
-        assertThat(depth(tree(collector.primitives(0)))).isLessThan(NearestHit.DEEPEST_TREE);
+        assertThat(depth(tree(primitives))).isLessThan(NearestHit.DEEPEST_TREE);
     }
 
     /** Each cut through distances that grow by a factor takes off a few: without a bound the tree is a list. */
     @ParameterizedTest
     @ValueSource(doubles = {1.01, 1.5, 4})
     void growingDistancesGiveABoundedTree(double factor) {
-        PrimitiveCollector collector = new PrimitiveCollector();
         // 1e-75 to 1e75; several in one place where that is fewer than there are
         int different = (int) Math.min(2000, 150 * Math.log(10) / Math.log(factor));
-        for (int i = 0; i < 2000; i++) {
-            double distance = Math.pow(factor, i % different - different / 2);
-            // beside the axis, so that rays along it and across it pass some
-            Vector3d centre = new Vector3d(distance, (i % 3 - 1) * distance, 0);
-            new Sphere("sphere", centre, distance / 2, ColouredSurface.DEFAULT).addTo(collector, Placement.NONE);
-        }
-        ObjectTree tree = new ObjectTree(collector.primitives(0), 1);
-        ObjectTree list = new ObjectTree(collector.primitives(0), Integer.MAX_VALUE);
+        IntToDoubleFunction distance = i -> Math.pow(factor, i % different - different / 2);
+        // beside the axis, so that rays along it and across it pass some
+        List<Primitive> primitives = spheres(
+                2000,
+                i -> distance.applyAsDouble(i) / 2,
+                i -> new Vector3d(1, i % 3 - 1, 0).mul(distance.applyAsDouble(i)));
+        ObjectTree tree = new ObjectTree(primitives, 1);
+        ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
         Random random = new Random(17);
 
         assertThat(depth(tree.root())).isLessThan(NearestHit.DEEPEST_TREE);
@@ -160,20 +140,23 @@ class ObjectTreeTest {
     private static Ray ray(Random random) {
         Vector3d from = new Vector3d(random.nextDouble(-2, 2), random.nextDouble(-2, 2), -3);
         Vector3d to = new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(0, 1));
-        Vector3d direction = to.sub(from).normalize();
-        return Ray.from(from.x, from.y, from.z, direction.x, direction.y, direction.z, 0);
+        return EdgeRays.towards(from, to);
     }
 
     private static List<Primitive> spheres(int count, Random random) {
+        return spheres(
+                count,
+                i -> 0.5 / Math.sqrt(count),
+                i -> new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1)));
+    }
+
+    /** Spheres that are called by their numbers. */
+    private static List<Primitive> spheres(int count, IntToDoubleFunction radius, IntFunction<Vector3d> centre) {
         PrimitiveCollector collector = new PrimitiveCollector();
-        double radius = 0.5 / Math.sqrt(count);
-        List<SceneObject> objects = new ArrayList<>();
         for (int i = 0; i < count; i++) {
-            Vector3d centre =
-                    new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
-            objects.add(new Sphere("sphere", centre, radius, ColouredSurface.DEFAULT));
+            new Sphere("" + i, centre.apply(i), radius.applyAsDouble(i), ColouredSurface.DEFAULT)
+                    .addTo(collector, Placement.NONE);
         }
-        objects.forEach(object -> object.addTo(collector, Placement.NONE));
         return collector.primitives(0);
     }
 }

@@ -13,6 +13,7 @@ import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
+import tompkins.sceneobject.EdgeRays;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
@@ -104,8 +105,7 @@ class PacketSearchTest {
             Vector3d target =
                     corner.add(0.012 * (place % RayPacket.SIDE), 0.012 * (place / RayPacket.SIDE), 0, new Vector3d());
             Vector3d start = new Vector3d(lens * random.nextGaussian(), lens * random.nextGaussian(), 0);
-            Vector3d direction = target.sub(start).normalize();
-            rays.set(place, Ray.from(start.x, start.y, start.z, direction.x, direction.y, direction.z, 0));
+            rays.set(place, EdgeRays.towards(start, target));
         }
     }
 }

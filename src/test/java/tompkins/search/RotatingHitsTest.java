@@ -23,6 +23,7 @@ import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Cone;
 import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.Disc;
+import tompkins.sceneobject.EdgeRays;
 import tompkins.sceneobject.Ellipsoid;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Lens;
@@ -143,8 +144,7 @@ class RotatingHitsTest {
     private Ray ray() {
         Vector3d start = new Vector3d(CENTRE).add(random.nextDouble(-2, 2), random.nextDouble(-2, 2), -2.5);
         Vector3d aim = new Vector3d(CENTRE).add(inUnit(), inUnit(), inUnit());
-        Vector3d d = aim.sub(start).normalize();
-        return Ray.from(start.x, start.y, start.z, d.x, d.y, d.z, random.nextDouble(-20, 20));
+        return EdgeRays.towards(start, aim).move(0, 0, 0, random.nextDouble(-20, 20));
     }
 
     private double inUnit() {
@@ -167,8 +167,7 @@ class RotatingHitsTest {
         for (int step = 1; step <= STEPS; step++) {
             Vector3d to = described(ray, step * LENGTH / STEPS);
             double length = to.distance(from);
-            Vector3d d = new Vector3d(to).sub(from).div(length);
-            Ray piece = Ray.from(from.x, from.y, from.z, d.x, d.y, d.z, 0);
+            Ray piece = EdgeRays.towards(from, to);
             for (Primitive primitive : primitives) {
                 if (primitive.distance(piece, length) < Primitive.NO_HIT) {
                     return (step - 0.5) * LENGTH / STEPS;

@@ -149,7 +149,10 @@ class TransformationTest {
     @Test
     void restIsNoChange() {
         LorentzTransformation rest = new LorentzTransformation(Velocity.REST);
-        assertThat(Nearby.place(rest, new Vector3d(1, 1, 1), EVENT)).isEqualTo(new Vector3d(2, -3, 4));
+        assertThat(rest.transform(PreciseEvent.of(EVENT)).rounded()).isEqualTo(EVENT);
+        assertThat(rest.transform(EVENT)).isEqualTo(EVENT);
+        assertThat(direction(rest.transform(ray())).distance(0.48, 0.6, 0.64)).isLessThan(0x1p-52);
+        assertThat(rest.fixedPointTime(BETA)).isZero();
         for (TransformationLaw law : TransformationLaw.values()) {
             assertThat(law.sceneFromCamera(Velocity.REST)).isInstanceOf(IdentityTransformation.class);
         }

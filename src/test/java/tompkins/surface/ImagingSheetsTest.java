@@ -3,19 +3,18 @@ package tompkins.surface;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.sceneobject.Disc;
+import tompkins.sceneobject.EdgeRays;
 import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.Plane;
@@ -36,12 +35,6 @@ class ImagingSheetsTest {
 
     static Primitive primitive(SceneObject sheet) {
         return PrimitiveCollector.primitivesOf(sheet).get(0);
-    }
-
-    /** A ray from a start through a point. */
-    private static Ray ray(Vector3dc start, Vector3dc through) {
-        Vector3d d = through.sub(start, new Vector3d()).normalize();
-        return Ray.from(start.x(), start.y(), start.z(), d.x, d.y, d.z, 0);
     }
 
     /** The ray behind a sheet. */
@@ -88,7 +81,7 @@ class ImagingSheetsTest {
                     .mul(Math.signum(objectDistance) * 2)
                     .add(onLens);
 
-            Ray next = beyond(lens, ray(start, onLens));
+            Ray next = beyond(lens, EdgeRays.towards(start, onLens));
 
             assertThat(miss(next, image)).isLessThan(ROUNDING * 100);
             assertThat(1 / (objectDistance * factor)).isCloseTo(1 / objectDistance + 1 / focalLength, within(ROUNDING));
@@ -121,7 +114,7 @@ class ImagingSheetsTest {
                     .fma(-z * deltaU, u)
                     .fma(-z * deltaV, v);
 
-            Ray next = beyond(sheet, ray(start, onSheet));
+            Ray next = beyond(sheet, EdgeRays.towards(start, onSheet));
 
             assertThat(miss(next, image)).isLessThan(ROUNDING * 100);
             assertThat(next.time).isEqualTo(-new Vector3d(onSheet).sub(start).length(), within(ROUNDING * 100));
@@ -145,38 +138,27 @@ class ImagingSheetsTest {
         Disc disc = new Disc("sheet", new Vector3d(1, 2, 5), new Vector3d(0.3, -0.2, -1), 3, surface);
         Primitive sheet = primitive(disc);
         for (int i = 0; i < 200; i++) {
-            Ray there = ray(vector(2), vector(1.5).add(1, 2, 5));
+            Ray there = EdgeRays.towards(vector(2), vector(1.5).add(1, 2, 5));
             if (sheet.distance(there, Primitive.NO_HIT) == Primitive.NO_HIT) {
                 continue;
             }
             Ray next = beyond(sheet, there);
             Vector3d far = direction(next).mul(3).add(place(next));
-            Ray back = beyond(sheet, ray(far, place(next)));
+            Ray back = beyond(sheet, EdgeRays.towards(far, place(next)));
             assertThat(direction(back).add(direction(there)).length()).isLessThan(1e-13);
             assertThat(place(back).distance(place(next))).isLessThan(ROUNDING);
         }
     }
 
     @Test
-    void lensletsOfMagnificationOneChangeNoBit() {
-        Primitive sheet =
-                primitive(new Disc("", new Vector3d(0, 0, 5), new Vector3d(1, 2, -3), 9, lenslets(1, 1, 0, 0)));
+    void sheetsThatImageAsPanesTurnNothing() {
+        Vector3d middle = new Vector3d(0, 0, 5);
+        Vector3d normal = new Vector3d(1, 2, -3);
+        Primitive lenslets = primitive(new Disc("", middle, normal, 9, new ConfocalLensletArray(1, 1, 0, 0, 1)));
+        Primitive lens = primitive(new Plane("", middle, normal, new IdealLens(1e20, 3, -2, 1)));
         for (int i = 0; i < 100; i++) {
-            Ray ray = ray(vector(1), vector(2).add(0, 0, 5));
-            assertThat(direction(beyond(sheet, ray))).isEqualTo(direction(ray));
-        }
-    }
-
-    private static Surface lenslets(double etaU, double etaV, double deltaU, double deltaV) {
-        return new ConfocalLensletArray(etaU, etaV, deltaU, deltaV, 1);
-    }
-
-    @Test
-    void aLensOfEndlessFocalLengthTurnsNothing() {
-        Primitive lens =
-                primitive(new Plane("", new Vector3d(0, 0, 5), new Vector3d(1, 2, -3), new IdealLens(1e20, 3, -2, 1)));
-        for (int i = 0; i < 100; i++) {
-            Ray ray = ray(vector(1), vector(2).add(0, 0, 5));
+            Ray ray = EdgeRays.towards(vector(1), vector(2).add(middle));
+            assertThat(direction(beyond(lenslets, ray))).isEqualTo(direction(ray));
             assertThat(direction(beyond(lens, ray)).distance(direction(ray))).isLessThan(1e-15);
         }
     }
@@ -186,7 +168,7 @@ class ImagingSheetsTest {
     void bundlesHaveNoWidthInAFocus() {
         Primitive lens =
                 primitive(new Disc("", new Vector3d(0, 0, 4), new Vector3d(0, 0, 1), 9, new IdealLens(2, 0.5, 0.5, 1)));
-        Ray ray = ray(new Vector3d(), new Vector3d(0, 0, 1));
+        Ray ray = EdgeRays.towards(new Vector3d(), new Vector3d(0, 0, 1));
         ray.spread = 1e-3;
         Ray next = beyond(lens, ray);
         assertThat(next.widthAt(0)).isCloseTo(4e-3, within(1e-17));
@@ -221,7 +203,7 @@ class ImagingSheetsTest {
 
     private static Ray fromSheet(Vector3dc onSheet, Vector3dc direction) {
         Vector3d start = direction.mul(-1e-7, new Vector3d()).add(onSheet);
-        return ray(start, direction.add(start, new Vector3d()));
+        return EdgeRays.towards(start, direction.add(start, new Vector3d()));
     }
 
     /** Both sheets leave the colour and the frequency of light alone; what passes is the transmission. */
@@ -229,7 +211,7 @@ class ImagingSheetsTest {
     @MethodSource("dimming")
     void sheetsDimByTheirTransmission(Surface surface) {
         Primitive sheet = primitive(new Disc("", new Vector3d(0, 0, 5), new Vector3d(0, 0, -1), 9, surface));
-        Ray ray = ray(new Vector3d(), new Vector3d(0.1, 0.2, 1));
+        Ray ray = EdgeRays.towards(new Vector3d(), new Vector3d(0.1, 0.2, 1));
         Response response = surface.respond(ray, sheet.hit(ray, sheet.distance(ray, 9)), null);
         assertThat(response.factor().green()).isEqualTo(0.25);
         assertThat(response.light().brightest()).isZero();
@@ -239,11 +221,11 @@ class ImagingSheetsTest {
         assertThat(response.next().slowness).isEqualTo(1);
     }
 
-    static List<Arguments> dimming() {
-        return List.of(
-                Arguments.of(new IdealLens(2, 0.5, 0.5, 0.25)),
-                Arguments.of(new ConfocalLensletArray(2, 2, 0, 0, 0.25)),
-                Arguments.of(new ConfocalLensletArray(1, 1, 0, 0, 0.25)),
-                Arguments.of(new ComplexRefraction(1, 0, 0.25)));
+    static Stream<Surface> dimming() {
+        return Stream.of(
+                new IdealLens(2, 0.5, 0.5, 0.25),
+                new ConfocalLensletArray(2, 2, 0, 0, 0.25),
+                new ConfocalLensletArray(1, 1, 0, 0, 0.25),
+                new ComplexRefraction(1, 0, 0.25));
     }
 }

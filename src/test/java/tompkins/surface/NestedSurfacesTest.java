@@ -3,7 +3,6 @@ package tompkins.surface;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.function.UnaryOperator;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -33,14 +32,12 @@ class NestedSurfacesTest {
     @EnumSource
     @Timeout(value = 600, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
     void whatTheyAreIsKnownInNoTime(Place place) {
-        Surface clear = Stream.iterate((Surface) Clear.DEFAULT, place.around)
-                .skip(DEEP)
-                .findFirst()
-                .orElseThrow();
-        Surface opaque = Stream.iterate((Surface) ColouredSurface.DEFAULT, place.around)
-                .skip(DEEP)
-                .findFirst()
-                .orElseThrow();
+        Surface clear = Clear.DEFAULT;
+        Surface opaque = ColouredSurface.DEFAULT;
+        for (int level = 0; level < DEEP; level++) {
+            clear = place.around.apply(clear);
+            opaque = place.around.apply(opaque);
+        }
 
         assertThat(clear.shadow()).isEqualTo(Shadow.NEVER);
         assertThat(opaque.shadow()).isEqualTo(Shadow.BY_POINT);

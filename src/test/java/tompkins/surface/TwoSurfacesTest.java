@@ -111,4 +111,11 @@ class TwoSurfacesTest {
                 .as("on one that is clear")
                 .isFalse();
     }
+
+    /** By the middle of the first character: a number of more than five of them is not shown. */
+    @ParameterizedTest
+    @CsvSource({"-9999, -1.4, true", "88888, -1.4, true", "-10000, -1.75, false", "888888, -1.75, false"})
+    void clockShowsFiveCharacters(double number, double x, boolean isLit) {
+        assertThat(SevenSegments.isLit(number, x, 0)).isEqualTo(isLit);
+    }
 }

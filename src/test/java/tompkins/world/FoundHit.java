@@ -19,11 +19,7 @@ final class FoundHit {
         ray = hit.ray;
         Hit event = hit.event == null ? hit : hit.event;
         inScene = row.inScene(event.frame, new Event(event.x, event.y, event.z, event.time));
-        own = ((Primitive) hit.boundary).restFrame().own(traced());
-    }
-
-    private Event traced() {
-        return new Event(hit.x, hit.y, hit.z, hit.time);
+        own = ((Primitive) hit.boundary).restFrame().own(new Event(hit.x, hit.y, hit.z, hit.time));
     }
 
     /** Distance in units of the direction with which the ray has left the camera. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import tompkins.golden.GoldenRow;
 import tompkins.golden.GoldenTable;
@@ -90,11 +91,9 @@ class GoldenMotionTest {
         assertThat(rows).hasSizeGreaterThan(30);
         assertThat(Worst.of(rows, row -> {
                     FrameMotion motion = new Nested(row).motion;
+                    Vector3dc proper = FrameTree.motion(null, motion).inFirst();
                     return Math.max(
-                            MovingQuantity.share(
-                                    row,
-                                    row.distance(FrameTree.motion(null, motion).inFirst(), "u12_"),
-                                    "u12"),
+                            MovingQuantity.share(row, row.distance(proper, "u12_"), "u12"),
                             share(row, motion.gamma(), "g12"));
                 }))
                 .matches(Worst::passes);

@@ -2,6 +2,7 @@ package tompkins.world;
 
 import static tompkins.golden.GoldenTable.U;
 
+import java.util.function.ToDoubleBiFunction;
 import org.joml.Vector3d;
 import tompkins.golden.GoldenRow;
 import tompkins.golden.Worst;
@@ -41,21 +42,15 @@ enum MediumQuantity {
     DOPPLER_FACTOR_OF_SCENE(
             (row, medium) -> row.has("tir", "1") ? 0 : number(row, 1 / medium.inScene().frequency, "DS"));
 
-    /** The error of a row, divided by its limit: at most 1 if it passes. */
-    private interface Excess {
+    private final ToDoubleBiFunction<GoldenRow, MediumRow> excess;
 
-        double of(GoldenRow row, MediumRow medium);
-    }
-
-    private final Excess excess;
-
-    MediumQuantity(Excess excess) {
+    MediumQuantity(ToDoubleBiFunction<GoldenRow, MediumRow> excess) {
         this.excess = excess;
     }
 
     /** The error of a row, divided by its limit: at most 1 if it passes. */
     double excess(GoldenRow row, MediumRow medium) {
-        return excess.of(row, medium);
+        return excess.applyAsDouble(row, medium);
     }
 
     /** What is exact is printed with 34 digits. */

@@ -3,8 +3,9 @@ package tompkins.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -145,16 +146,17 @@ class WorldTest {
     /** To prepare what a lamp sees takes time and memory: for the seventeenth with a place the tree answers. */
     @Test
     void onlySixteenLampsArePrepared() {
-        Stream<LightSource> lights = Stream.concat(
-                Stream.of(AmbientLight.DEFAULT), IntStream.rangeClosed(1, 17).mapToObj(i -> lamp(9 * i)));
+        List<LightSource> lights = new ArrayList<>(Collections.nCopies(17, lamp(9)));
+        lights.add(0, AmbientLight.DEFAULT);
 
-        List<Lamp> lamps = world(Lighting.of(studio(BALL), lights.toList())).lamps();
+        List<Lamp> lamps = world(Lighting.of(studio(BALL), lights)).lamps();
 
-        for (int i = 0; i <= 17; i++) {
-            boolean isPrepared = i > 0 && i < 17;
-            assertThat(lamps.get(i).shadows() != null).isEqualTo(isPrepared);
-            assertThat(lamps.get(i).tracks()).hasSize(isPrepared ? 1 : 0);
-        }
+        assertThat(lamps)
+                .extracting(lamp -> lamp.tracks().size())
+                .startsWith(0, 1)
+                .endsWith(1, 0);
+        assertThat(lamps.get(16).shadows()).isNotNull();
+        assertThat(lamps.get(17).shadows()).isNull();
     }
 
     /** Lamps in motion light the camera's rest frame as if at rest, where they are at time 0. */
