@@ -104,12 +104,28 @@ class TwoSurfacesTest {
         assertThat(new Mixture(tiles, opaque, 0.5).usesCoordinates()).isTrue();
         Disc disc = new Disc("", new Vector3d(0, 0, 5), new Vector3d(0, 0, -1), 2, new Mixture(opaque, tiles, 0.5));
         Primitive sheet = PrimitiveCollector.primitivesOf(disc).get(0);
-        assertThat(sheet.shadows(Ray.from(0.5, 0.5, 0, 0, 0, 1, 0), 9))
-                .as("on a tile that is opaque")
-                .isTrue();
-        assertThat(sheet.shadows(Ray.from(0.5, -0.5, 0, 0, 0, 1, 0), 9))
-                .as("on one that is clear")
-                .isFalse();
+        // on a tile that is opaque, and on one that is clear
+        assertThat(sheet.shadows(Ray.from(0.5, 0.5, 0, 0, 0, 1, 0), 9)).isTrue();
+        assertThat(sheet.shadows(Ray.from(0.5, -0.5, 0, 0, 0, 1, 0), 9)).isFalse();
+    }
+
+    /** The middles of the segments from a to g, and the digits that have them; these stand behind a 1. */
+    @ParameterizedTest
+    @CsvSource({
+        "0, 0.5, 02356789",
+        "0.25, 0.25, 01234789",
+        "0.25, -0.25, 013456789",
+        "0, -0.5, 0235689",
+        "-0.25, -0.25, 0268",
+        "-0.25, 0.25, 045689",
+        "0, 0, 2345689"
+    })
+    void clockShowsDigits(double x, double y, String digits) {
+        for (int digit = 0; digit < 10; digit++) {
+            assertThat(SevenSegments.isLit(10 + digit, x + 0.35, y))
+                    .as("%s", digit)
+                    .isEqualTo(digits.indexOf('0' + digit) >= 0);
+        }
     }
 
     /** By the middle of the first character: a number of more than five of them is not shown. */
