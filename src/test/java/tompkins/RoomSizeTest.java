@@ -38,7 +38,7 @@ class RoomSizeTest {
                         26_193),
                 arguments("file, image", 3_691),
                 arguments("explain", 796),
-                arguments("lesson, measure, animation", 4_699),
+                arguments("lesson, measure, animation", 4_693),
                 arguments("io, app", 7_600),
                 arguments("study", 3_398),
                 arguments("ui", 18_491),
