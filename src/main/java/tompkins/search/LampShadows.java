@@ -32,7 +32,7 @@ public final class LampShadows {
     private final AtomicInteger asked = new AtomicInteger();
 
     /** The same with its cells, once another thread has filled them. */
-    private LampShadows filled;
+    private volatile LampShadows filled;
 
     private LampShadows(LightBufferProjection view, ObjectTree objects, LightBuffer cells) {
         this.view = view;
