@@ -134,13 +134,13 @@ final class AdaptiveSchedule implements Schedule {
             return;
         }
         Allocation allocation = new Allocation(film, roughness, stopped);
-        double threshold = targetError > 0
+        int threshold = targetError > 0
                 ? allocation.thresholdForVariance(roughness.sampled() * AIM * AIM * targetError * targetError)
                 : allocation.thresholdForSamples(work * roughness.sampled() * (1 + time.left() / time.spent()));
         expectedWork = Math.max(work, allocation.samples(threshold) / roughness.sampled());
         Map<Integer, BitSet> chosen = new TreeMap<>();
         for (int pixel = 0; pixel < film.pixels(); pixel++) {
-            if (allocation.gain(pixel) > threshold) {
+            if (allocation.level(pixel) >= threshold) {
                 int samples = film.samples(pixel);
                 if (samples == 1) {
                     film.restart(pixel);
