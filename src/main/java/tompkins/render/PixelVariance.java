@@ -23,6 +23,13 @@ final class PixelVariance {
     /** Variance falls with this power: the mean of pixels with edges, sampled over pixel and lens. */
     static final double POWER = 1.25;
 
+    /**
+     * What {@link Film#halvesVariance} is times the variance if that falls with this power: as all samples fill the
+     * pixel more evenly than each half, the means of the halves differ more than independent ones. It is 1 for random
+     * samples.
+     */
+    private static final double OF_HALVES = Math.pow(2, POWER) - 1;
+
     private static final double WEIGHT_OF_SECOND_DIFFERENCE = 1.0 / 24;
 
     /** Rows that one thread takes at a time, so that each region of specks is asked by one thread alone. */
@@ -153,7 +160,7 @@ final class PixelVariance {
                 int samples = film.samples(pixel);
                 if (samples > 0) {
                     double roughness = samples > 1
-                            ? film.halvesVariance(pixel) * growing.of(samples)
+                            ? film.halvesVariance(pixel) / OF_HALVES * growing.of(samples)
                             : secondDifferences(column, row) * WEIGHT_OF_SECOND_DIFFERENCE;
                     own[bordered(row, column)] = (float) Math.min(Float.MAX_VALUE, roughness);
                 }

@@ -30,6 +30,7 @@ import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.RollingShutter;
 import tompkins.shutter.SweepDirection;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.PaperStudios;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.studio.UniformBackground;
@@ -223,6 +224,16 @@ class AdaptiveRenderTest {
             assertThat(job.report().error()).as("%d samples", samples).isBetween(0.8 * error, 2.5 * error);
         }
         assertThat(render(studio, new Quality.Samples(1)).report().error()).isNaN();
+    }
+
+    /** All samples fill pixel and lens more evenly than each half of them, whose difference tells the error. */
+    @Test
+    void theErrorOfABlurIsNotOverstated() throws InterruptedException {
+        Studio figure = PaperStudios.fig3a();
+        Studio studio = figure.withSettings(figure.settings().withSize(96, 72));
+        RenderJob job = render(studio, new Quality.Samples(64));
+
+        assertThat(job.report().error() / trueError(studio, job)).isBetween(0.9, 1.15);
     }
 
     /** Three pixels in a line have a second difference; fewer have nothing to compare, and no error to tell. */
