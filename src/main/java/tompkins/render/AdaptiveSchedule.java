@@ -40,11 +40,7 @@ final class AdaptiveSchedule implements Schedule {
     /** No pixel gets more samples, however wrong it still is. */
     static final int MOST_SAMPLES = 1 << 16;
 
-    /**
-     * A round aims a little lower than the target: true errors scatter around the estimate (see the chart of
-     * antialiasing, "error found against error promised", in docs/speed-and-accuracy.md), and the last rounds are not
-     * many small ones.
-     */
+    /** Rounds aim lower than the target: true errors of small pictures scatter by as much around the estimate. */
     private static final double AIM = 0.9;
 
     private final Queue<Pass> waiting = new ArrayDeque<>();
