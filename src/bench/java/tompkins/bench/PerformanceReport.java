@@ -138,7 +138,9 @@ final class PerformanceReport {
                 .append(NOTICED);
         measures.stream().filter(each -> !each.target().isEmpty()).forEach(each -> text.append(each.line()));
         text.append(OTHERS);
-        measures.stream().filter(each -> each.target().isEmpty()).forEach(each -> text.append(each.line()));
+        measures.stream()
+                .filter(each -> each.target().isEmpty() && !SENTENCES.contains("{" + each.what() + "}"))
+                .forEach(each -> text.append(each.line()));
         text.append(details);
         String page = Files.readString(PAGE);
         text.append(page.substring(page.indexOf(BY_HAND)));

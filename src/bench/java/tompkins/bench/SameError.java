@@ -181,8 +181,17 @@ final class SameError {
     }
 
     private static StudyPoint point(String method, Trial trial) {
+        // points are joined from large errors to small ones, in the place of few rays to many
+        double order = 1 / trial.error();
         return new StudyPoint(
-                "fig1a", method, 0, 1, Spread.exact(trial.processor()), Spread.exact(trial.error()), trial.error(), 0);
+                "fig1a",
+                method,
+                0,
+                order,
+                Spread.exact(trial.processor()),
+                Spread.exact(trial.error()),
+                trial.error(),
+                0);
     }
 
     /** What the page says first about POV-Ray. */
@@ -190,7 +199,7 @@ final class SameError {
         return version == null
                 ? "- " + PovRay.MISSING + ".\n"
                 : "- To an error of 0.005 POV-Ray takes " + ratio("fig1a", 0.005)
-                        + " times the processor time of Tompkins in Fig. 1(a), and " + ratio("fig1b", 0.005)
+                        + " times the processor time of Tompkins in Fig. 1(a), " + ratio("fig1b", 0.005)
                         + " times in Fig. 1(b).\n";
     }
 
@@ -214,16 +223,16 @@ final class SameError {
 
                 ## To the same error
 
-                Seconds of whole commands, cold, %d x %d, two threads, medians: processor, wall, rendering alone; in brackets the setting. Each program takes
-                the cheapest setting tried that reached the true error, the root mean square in linear light to its own picture with many samples.
-                POV-Ray transforms nothing: its stand-in for Fig. 1(b) is the scene at rest through a mesh of aberrated directions. For
-                the others it has nothing.
+                Seconds of whole commands, cold, %d x %d, two threads: processor, wall, rendering alone; in brackets the cheapest setting tried that
+                reached the error. Errors are root mean squares in linear light, to each program's own picture with many samples.
+                POV-Ray transforms nothing: as a stand-in for Fig. 1(b) it sees the scene at rest along a mesh of aberrated directions.
+                For Fig. 2(a) and 3(a) it has nothing.
 
-                | seconds | error 0.02 | 0.01 | 0.005 |
+                | seconds (`--error`) | 0.02 | 0.01 | 0.005 |
                 | --- | --- | --- | --- |
                 """.formatted(width, width * 3 / 4));
         for (String figure : FIGURES) {
-            text.append(row(figure + ", `--error`", own.get(figure)));
+            text.append(row(figure, own.get(figure)));
             if (!others.get(figure).isEmpty()) {
                 text.append(row(figure + ", POV-Ray", others.get(figure)));
             }
