@@ -111,9 +111,12 @@ public final class CylinderPrimitive extends Primitive {
         return nearest <= limit ? nearest : NO_HIT;
     }
 
-    /** By the distance between the ray's line and the axis, as in {@link #distance} but without the ends. */
+    /**
+     * By the distance between the ray's line and the axis, as in {@link #distance} but without the ends. Of rays from a
+     * single start only the directions enter the products.
+     */
     @Override
-    public boolean overlaps(RayPacket rays, double farthest, double[] overlaps) {
+    public boolean overlaps(RayPacket rays, boolean oneStart, double farthest, double[] overlaps) {
         double size = farthest + Math.abs(startX) + Math.abs(startY) + Math.abs(startZ);
         if (!hasSquare(radius) || !hasSquare(length) || !hasSquare(size)) {
             return false;
@@ -128,6 +131,23 @@ public final class CylinderPrimitive extends Primitive {
         double reach = WIDER * radius * radius;
         double rounding = ROUNDING * size;
         double most = (reach * WIDER + rounding * rounding) * squaredLength;
+        if (oneStart) {
+            double wx = x[0] - startX;
+            double wy = y[0] - startY;
+            double wz = z[0] - startZ;
+            double crossX = wy * axisZ - wz * axisY;
+            double crossY = wz * axisX - wx * axisZ;
+            double crossZ = wx * axisY - wy * axisX;
+            for (int i = 0; i < count; i++) {
+                double offset = crossX * dx[i] + crossY * dy[i] + crossZ * dz[i];
+                overlaps[i] = most - offset * offset;
+            }
+            for (int i = 0; i < count; i++) {
+                double along = axisX * dx[i] + axisY * dy[i] + axisZ * dz[i];
+                overlaps[i] -= reach * along * along;
+            }
+            return true;
+        }
         for (int i = 0; i < count; i++) {
             overlaps[i] = dx[i] * ((y[i] - startY) * axisZ - (z[i] - startZ) * axisY);
         }

@@ -52,7 +52,7 @@ public final class PlanePrimitive extends Primitive {
 
     /** By the same signs as {@link #distance}. */
     @Override
-    public boolean overlaps(RayPacket rays, double farthest, double[] overlaps) {
+    public boolean overlaps(RayPacket rays, boolean oneStart, double farthest, double[] overlaps) {
         if (!hasSquare(farthest + Math.abs(point.x) + Math.abs(point.y) + Math.abs(point.z))) {
             return false;
         }

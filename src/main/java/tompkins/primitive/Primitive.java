@@ -66,11 +66,12 @@ public abstract class Primitive implements Boundary, Cloneable {
      * rounding. The others may hit or miss. It saves most calls of {@link #distance}. The default uses a ball around
      * the primitive; shapes may use something narrower.
      *
+     * @param oneStart whether all rays start at one point
      * @param farthest the largest |x| + |y| + |z| of a start of a ray
      * @param overlaps receives a number for each ray of the packet, smaller than {@link #LARGEST_OVERLAP}
      * @return false if this primitive has no such overlaps; nothing is written then
      */
-    public boolean overlaps(RayPacket rays, double farthest, double[] overlaps) {
+    public boolean overlaps(RayPacket rays, boolean oneStart, double farthest, double[] overlaps) {
         Bounds bounds = bounds();
         if (bounds == null) {
             return false;

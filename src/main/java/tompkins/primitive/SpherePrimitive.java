@@ -90,7 +90,7 @@ public final class SpherePrimitive extends Primitive {
     }
 
     @Override
-    public boolean overlaps(RayPacket rays, double farthest, double[] overlaps) {
+    public boolean overlaps(RayPacket rays, boolean oneStart, double farthest, double[] overlaps) {
         return ballOverlaps(x, y, z, radius, rays, farthest, overlaps);
     }
 

@@ -78,7 +78,7 @@ final class Candidates extends Padded {
     void sift(RayPacket rays) {
         Arrays.fill(mayMeet, 0, rays.count(), (1L << count) - 1);
         for (int i = 0; i < count; i++) {
-            if (found[i].overlaps(rays, bundle.farthest(), overlaps)) {
+            if (found[i].overlaps(rays, bundle.hasOneStart(), bundle.farthest(), overlaps)) {
                 takeOut(1L << i, rays.count());
             }
         }

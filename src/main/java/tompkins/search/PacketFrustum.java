@@ -33,6 +33,7 @@ final class PacketFrustum extends Padded {
     private final double[] slopesE = new double[RayPacket.MOST];
     private final double[] slopesF = new double[RayPacket.MOST];
 
+    private boolean oneStart;
     private double farthest;
     private double farthestAhead;
 
@@ -113,7 +114,8 @@ final class PacketFrustum extends Padded {
         Arrays.fill(bounds, Double.NEGATIVE_INFINITY);
         farthest = 0;
         farthestAhead = Double.NEGATIVE_INFINITY;
-        int starts = haveOneStart(rays) ? 1 : rays.count();
+        oneStart = haveOneStart(rays);
+        int starts = oneStart ? 1 : rays.count();
         for (int i = 0; i < starts; i++) {
             double x = rays.x[i];
             double y = rays.y[i];
@@ -137,6 +139,11 @@ final class PacketFrustum extends Padded {
             same += rays.x[i] == rays.x[0] && rays.y[i] == rays.y[0] && rays.z[i] == rays.z[0] ? 1 : 0;
         }
         return same == rays.count();
+    }
+
+    /** Whether all rays start at one point. */
+    boolean hasOneStart() {
+        return oneStart;
     }
 
     /** The largest |x| + |y| + |z| of a start of a ray. */

@@ -238,6 +238,11 @@ public final class PacketSearch extends Padded {
         return !together || inBatches || candidates.count() > 0;
     }
 
+    /** Whether the ray at an index may meet something. */
+    public boolean mayMeet(int index) {
+        return !together || (inBatches ? hits[index] != null : candidates.mayMeet(index));
+    }
+
     /**
      * Searches for the nearest hit of a ray; asked in the order of the packet.
      *
@@ -248,7 +253,7 @@ public final class PacketSearch extends Padded {
         if (!together) {
             return objects.nearest(rays.copy(index, ray), limit, nearest);
         }
-        if (inBatches ? hits[index] == null : !candidates.mayMeet(index)) {
+        if (!mayMeet(index)) {
             return false;
         }
         rays.copy(index, ray);

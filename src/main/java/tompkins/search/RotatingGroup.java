@@ -267,8 +267,8 @@ final class RotatingGroup extends Primitive {
     }
 
     @Override
-    public boolean overlaps(RayPacket rays, double farthest, double[] overlaps) {
-        return swept.overlaps(rays, farthest, overlaps);
+    public boolean overlaps(RayPacket rays, boolean oneStart, double farthest, double[] overlaps) {
+        return swept.overlaps(rays, oneStart, farthest, overlaps);
     }
 
     @Override

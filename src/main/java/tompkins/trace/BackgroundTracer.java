@@ -5,6 +5,7 @@ import tompkins.ray.Colour;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 import tompkins.studio.Background;
+import tompkins.studio.UniformBackground;
 
 /**
  * The light of rays that leave all objects of the scene: its background, which depends on directions only.
@@ -23,5 +24,10 @@ record BackgroundTracer(Background background, LightShift shift) implements Esca
     public Colour colour(RayPacket rays, int index) {
         Colour light = background.colour(rays.dx[index], rays.dy[index], rays.dz[index], Math.abs(rays.spread[index]));
         return shift == null ? light : shift.seen(light, 1 / rays.frequency[index], rays.directionLength[index]);
+    }
+
+    @Override
+    public Colour evenLight() {
+        return shift == null && background instanceof UniformBackground even ? even.colour() : null;
     }
 }

@@ -15,4 +15,9 @@ interface EscapedLight {
     default Colour colour(RayPacket rays, int index) {
         return colour(rays.ray(index));
     }
+
+    /** The light that comes back along each ray, if it is the same for all; otherwise null. */
+    default Colour evenLight() {
+        return null;
+    }
 }

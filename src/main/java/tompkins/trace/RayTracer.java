@@ -63,6 +63,16 @@ final class RayTracer extends Padded implements Tracer {
         surroundings.begin(rays);
     }
 
+    /** The light of rays that meet nothing, if it is the same for all; otherwise null. */
+    Colour evenLight() {
+        return escaped.evenLight();
+    }
+
+    /** Whether a ray of the packet may meet something; false only if that is certain. */
+    boolean mayMeet(int index) {
+        return surroundings.mayMeet(index);
+    }
+
     /** The light that comes back along a ray of the packet. */
     Colour packetColour(RayPacket rays, int index) {
         counts.rays++;

@@ -136,15 +136,18 @@ public final class SampleTracer extends Padded {
         sample = 0;
         eye.rays().make(places, rays, counts);
         scene.start(rays, plan.studio().view() == View.MEASURED);
-        if (narrowing != 1) {
-            rays.narrow(narrowing);
-        }
-        into.fill(places.count(), Colour.BLACK);
+        rays.narrow(narrowing);
+        Colour even = cameraTracer == null && rays.count() == places.count() ? scene.evenBackground() : null;
+        into.fill(places.count(), even == null ? Colour.BLACK : even);
         if (cameraTracer != null && !followInCameraFrame(into, stopped)) {
             return false;
         }
         scene.begin(rays);
         for (int i = 0; i < rays.count(); i++) {
+            if (even != null && !scene.mayMeet(i)) {
+                counts.rays++;
+                continue;
+            }
             if (!goesTo(i, stopped)) {
                 return false;
             }

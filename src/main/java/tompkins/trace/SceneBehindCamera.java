@@ -72,6 +72,16 @@ final class SceneBehindCamera implements EscapedLight {
         }
     }
 
+    /** What the camera sees along rays that meet nothing in the scene, if it is the same for all; otherwise null. */
+    Colour evenBackground() {
+        return shift == null ? sceneTracer.evenLight() : null;
+    }
+
+    /** Whether a ray of the packet may see anything but that background. */
+    boolean mayMeet(int index) {
+        return !together || sceneTracer.mayMeet(index);
+    }
+
     @Override
     public Colour colour(RayPacket rays, int index) {
         if (!together) {

@@ -157,6 +157,16 @@ public final class Surroundings extends Padded {
         }
     }
 
+    /** Whether a ray of that packet may meet something; false only if that is certain. */
+    public boolean mayMeet(int index) {
+        for (int i = 0; i < openCount; i++) {
+            if (open[i].query.mayMeet(index)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** As {@link #nearest(Ray, Hit)}, for a ray of that packet; asked in the order of the packet. */
     public Hit nearest(int index, Hit memory) {
         begin(packetStart);

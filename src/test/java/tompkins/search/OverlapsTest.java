@@ -112,7 +112,7 @@ class OverlapsTest {
     private static void mustOverlap(Primitive primitive, RayPacket block) {
         PacketFrustum bundle = bundle(block);
         double[] overlaps = new double[block.count()];
-        if (primitive.overlaps(block, bundle.farthest(), overlaps)) {
+        if (primitive.overlaps(block, bundle.hasOneStart(), bundle.farthest(), overlaps)) {
             assertThat(overlaps[0]).as(primitive.description()).isGreaterThanOrEqualTo(0);
         }
     }
