@@ -39,9 +39,9 @@ class RoomSizeTest {
                 arguments("file, image", 3_691),
                 arguments("explain", 796),
                 arguments("lesson, measure, animation", 4_693),
-                arguments("io, app", 7_600),
+                arguments("io, app", 7_598),
                 arguments("study", 3_398),
-                arguments("ui", 18_491),
+                arguments("ui", 18_499),
                 arguments("lab", 229));
     }
 

@@ -62,8 +62,8 @@ final class TompkinsCommand extends ProgramCommand {
     }
 
     /**
-     * The command line for some arguments. If they call a command, it knows only that one: to look at all of them would
-     * take a tenth of a second of every start.
+     * The command line for some arguments. If they call a command, it knows only that one, and none if they open the
+     * window: to look at all of them would take a tenth of a second of every start.
      *
      * @param display whether a window can be opened
      */
@@ -71,20 +71,18 @@ final class TompkinsCommand extends ProgramCommand {
         // it would look for types that no option has
         System.setProperty("picocli.converters.excludes", "java[.](sql|time)[.].*");
         CommandLine commandLine = new CommandLine(new TompkinsCommand(display));
-        if (arguments.length == 0) {
-            return commandLine;
+        if (isNamedBy(arguments)) {
+            return commandLine.addSubcommand(arguments[0], COMMANDS.get(arguments[0]));
         }
-        String first = arguments[0];
-        if (COMMANDS.containsKey(first)) {
-            return commandLine.addSubcommand(first, COMMANDS.get(first));
+        if (!opensWindow(arguments)) {
+            COMMANDS.forEach(commandLine::addSubcommand);
         }
-        COMMANDS.forEach(commandLine::addSubcommand);
         return commandLine;
     }
 
     /** The command line with all commands. */
     static CommandLine withAllCommands() {
-        return commandLine(() -> false, "");
+        return commandLine(() -> false, "--help");
     }
 
     /** Whether some arguments call one of the commands, none of which opens a window. */

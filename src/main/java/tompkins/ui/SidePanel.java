@@ -93,7 +93,15 @@ final class SidePanel {
         }
         Naming.name(all, "panel.all");
         all.addItemListener(event -> turn());
-        fillControls(lesson);
+        title.component().setName("remarks.title");
+        remarks.component().setName("remarks");
+        panel.add(title.component(), "wmin 0, gapbottom 4");
+        panel.add(lesson, "wmin 0, gapbottom 4");
+        controls.add(compare.component(), "wmin 0");
+        controls.add(remarks.component(), "wmin 0");
+        controls.add(warnings.component(), "wmin 0");
+        controls.add(sentences.component(), "wmin 0");
+        panel.add(controls, "wmin 0");
         tab.add(scroll, "few");
         room.add(head, BorderLayout.NORTH);
         room.add(split, BorderLayout.CENTER);
@@ -107,17 +115,10 @@ final class SidePanel {
         model.follow(this::update);
     }
 
-    private void fillControls(JComponent lesson) {
-        title.component().setName("remarks.title");
-        remarks.component().setName("remarks");
-        panel.add(title.component(), "wmin 0, gapbottom 4");
-        panel.add(lesson, "wmin 0, gapbottom 4");
-        controls.add(new ControlRows(model).component(), "wmin 0");
-        controls.add(compare.component(), "wmin 0");
-        controls.add(remarks.component(), "wmin 0");
-        controls.add(warnings.component(), "wmin 0");
-        controls.add(sentences.component(), "wmin 0");
-        panel.add(controls, "wmin 0");
+    /** Adds the rows with the controls. */
+    void addRows() {
+        controls.add(new ControlRows(model).component(), "wmin 0", 0);
+        room.revalidate();
     }
 
     /** In a lesson its page takes the place of the controls. */

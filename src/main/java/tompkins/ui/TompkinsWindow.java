@@ -11,6 +11,7 @@ import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
+import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import tompkins.lesson.Lesson;
 import tompkins.studio.Studio;
@@ -72,11 +73,16 @@ public final class TompkinsWindow {
     final FullScreen fullScreen;
     final Motion motion;
 
+    /** Completes the window after a second, or as soon as there is a picture. */
+    private final Timer completion;
+
     /** When there is time to tell of the pictures of a ride. */
     private final Throttle throttle = new Throttle();
 
-    private TompkinsWindow(FirstScene first) {
+    private TompkinsWindow(FirstScene first, Supplier<List<Studio>> examples) {
         settings.look().install();
+        completion = new Timer(1000, event -> complete(examples));
+        completion.setRepeats(false);
         model = new StudioModel(first.studio(), first.file() == null ? null : ChosenFile.plain(first.file()));
         // first, so that all parts have answered when it begins
         model.addOpenListener(this::beginLesson);
@@ -111,7 +117,6 @@ public final class TompkinsWindow {
         // a ride begins with the picture alone
         motion.pilot().setWhenBegun(() -> side.compare.choose(ComparePanel.Other.NOTHING));
         frame.setContentPane(content());
-        frame.setIconImages(WindowIcon.images());
         new ChooseTool(model, view, side::isEditing, side::edit);
         view.setMenu(new PictureMenu(this));
         // also while the menus are hidden
@@ -168,7 +173,7 @@ public final class TompkinsWindow {
 
     /** Opens a window at once; called by the event thread. */
     static TompkinsWindow opened(FirstScene first, Supplier<List<Studio>> examples) {
-        TompkinsWindow window = new TompkinsWindow(first);
+        TompkinsWindow window = new TompkinsWindow(first, examples);
         window.frame.setVisible(true);
         if (window.model.studio().lesson() instanceof Lesson) {
             window.beginLesson();
@@ -176,15 +181,19 @@ public final class TompkinsWindow {
         if (window.model.file() != null) {
             window.settings.addRecentFile(window.model.file());
         }
-        Thread reading = new Thread(
-                () -> {
-                    List<Studio> scenes = examples.get();
-                    SwingUtilities.invokeLater(() -> window.menus.setExamples(scenes));
-                },
-                "tompkins-examples");
-        reading.setDaemon(true);
-        reading.start();
+        window.completion.start();
         return window;
+    }
+
+    /** Adds what takes time, after the first picture: the rows of the panel, the icon and the examples. */
+    private void complete(Supplier<List<Studio>> examples) {
+        side.addRows();
+        frame.setIconImages(WindowIcon.images());
+        new Thread(() -> {
+                    List<Studio> scenes = examples.get();
+                    SwingUtilities.invokeLater(() -> menus.setExamples(scenes));
+                })
+                .start();
     }
 
     private void beginLesson() {
@@ -252,6 +261,10 @@ public final class TompkinsWindow {
 
         @Override
         public void shown(Picture picture) {
+            if (completion.isRunning()) {
+                completion.setInitialDelay(0);
+                completion.restart();
+            }
             // nobody can read thirty texts a second, and the pictures need the time
             if (motion == null || !motion.pilot().isRiding() || throttle.admits()) {
                 tell(picture);

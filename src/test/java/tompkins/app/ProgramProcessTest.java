@@ -67,7 +67,7 @@ class ProgramProcessTest extends ShellTest {
     /** Ctrl-C, while the picture is written. */
     @Test
     void aProgramThatIsStoppedLeavesNothingHalfWritten() throws IOException, InterruptedException {
-        Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 1000, \"height\": 800}}");
+        Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 2000, \"height\": 1600}}");
 
         ProgramRun run = shell(PROGRAM + " render sky.json -o sky.png --format png16 & p=$!; "
                 + "while kill -0 $p 2> /dev/null && [ -z \"$(find . -name '.tompkins*' -size +0)\" ]; "

@@ -112,7 +112,9 @@ class LayoutTest {
         JPanel slider = new JPanel();
         slider.setVisible(false);
         List<JButton> actions = List.of(Buttons.of("panel.lessons", () -> {}), Buttons.of("panel.ride", () -> {}));
-        return new SidePanel(model, view, slider, actions, () -> {});
+        SidePanel side = new SidePanel(model, view, slider, actions, () -> {});
+        side.addRows();
+        return side;
     }
 
     @ParameterizedTest

@@ -72,6 +72,7 @@ public final class WindowDriver implements AutoCloseable {
         System.setProperty("tompkins.settings", settings.toString());
         window = onEventThread(() -> TompkinsWindow.opened(first, () -> examples));
         await("a picture on the screen", () -> picture() != null);
+        await("the rest of the window", () -> !window.frame().getIconImages().isEmpty());
         // which keys reach only then
         await("the focus", () -> window.frame().isFocused());
     }

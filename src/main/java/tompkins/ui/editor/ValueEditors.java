@@ -52,7 +52,8 @@ final class ValueEditors {
         String label = Wording.label(name);
         String tip = Wording.meaning(component);
         if (NUMBERS.containsKey(type)) {
-            return number(new NumberField(NUMBERS.get(type), name, label, tip, note, commit));
+            NumberField field = new NumberField(NUMBERS.get(type), name, label, tip, note, commit);
+            return editor(field.field(), value -> field.show((Number) value));
         }
         if (type == String.class) {
             return component.getAnnotation(Meaning.class).prose()
@@ -102,10 +103,6 @@ final class ValueEditors {
             return new FamilyEditor(type, label, note, commit);
         }
         throw new IllegalArgumentException("no editor for " + component);
-    }
-
-    private static ValueEditor number(NumberField field) {
-        return editor(field.field(), value -> field.show((Number) value));
     }
 
     private static ValueEditor text(EntryField field, boolean isTall) {

@@ -59,14 +59,11 @@ final class KeyPointer {
 
     /** Whether the Tab key brought the focus. */
     private static boolean isTraversal(FocusEvent event) {
-        boolean forward = event.getCause() == FocusEvent.Cause.TRAVERSAL_FORWARD;
-        return forward && !isLost(event.getOppositeComponent())
+        Component before = event.getOppositeComponent();
+        // from what had to give it up it goes forward by itself
+        boolean isLost = before != null && !(before.isShowing() && before.isEnabled());
+        return event.getCause() == FocusEvent.Cause.TRAVERSAL_FORWARD && !isLost
                 || event.getCause() == FocusEvent.Cause.TRAVERSAL_BACKWARD;
-    }
-
-    /** Whether a component had to give up the focus, which then goes forward by itself. */
-    private static boolean isLost(Component before) {
-        return before != null && !(before.isShowing() && before.isEnabled());
     }
 
     private void bind(String key, int right, int down) {
