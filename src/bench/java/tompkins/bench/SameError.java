@@ -36,6 +36,9 @@ final class SameError {
     private static final Path PICTURE = Path.of("target/same-error.png");
     private static final Pattern RENDERING = Pattern.compile("\\(([0-9.]+) s, ");
 
+    /** The numbers of samples of each pixel that are tried. */
+    private static final List<Integer> SAMPLES = List.of(1, 2, 4, 8, 16);
+
     /** The values of {@code --error} that are tried. */
     private static final List<Double> WANTED = List.of(0.03, 0.02, 0.014, 0.01, 0.007, 0.005, 0.0035);
 
@@ -78,8 +81,9 @@ final class SameError {
     private void tryAll(String figure) throws IOException, InterruptedException {
         PictureCommand reference =
                 own(figure, "", "--samples", Integer.toString(samplesOfReference), "--seed", REFERENCE_SEED);
-        List<PictureCommand> settings = WANTED.stream()
-                .map(error -> own(figure, error.toString(), "--error", error.toString()))
+        List<PictureCommand> settings = Stream.concat(
+                        SAMPLES.stream().map(samples -> own(figure, "samples", samples)),
+                        WANTED.stream().map(error -> own(figure, "error", error)))
                 .toList();
         own.put(figure, trials(reference, settings));
         if (version != null && PovRay.OPTIONS.containsKey(figure)) {
@@ -88,6 +92,10 @@ final class SameError {
         } else {
             others.put(figure, List.of());
         }
+    }
+
+    private PictureCommand own(String figure, String option, Number value) {
+        return own(figure, option + " " + value, "--" + option, value.toString());
     }
 
     private PictureCommand own(String figure, String setting, String... options) {
@@ -159,16 +167,9 @@ final class SameError {
     }
 
     private void draw(Path folder) throws IOException {
-        String method = "Tompkins, --error";
-        List<StudyPoint> points = new ArrayList<>();
-        own.get("fig1a").forEach(trial -> points.add(point(method, trial)));
-        double best = Double.POSITIVE_INFINITY;
-        for (Trial trial : others.get("fig1a")) {
-            if (trial.error() < best) {
-                best = trial.error();
-                points.add(point("POV-Ray " + version + ", cheapest setting", trial));
-            }
-        }
+        String method = "Tompkins, cheapest setting";
+        List<StudyPoint> points = new ArrayList<>(points(method, own.get("fig1a")));
+        points.addAll(points("POV-Ray " + version + ", cheapest setting", others.get("fig1a")));
         Chart chart = new Chart(
                 "fig1a",
                 "Fig. 1(a), " + width + " x " + width * 3 / 4 + ", whole commands",
@@ -178,6 +179,19 @@ final class SameError {
                 method);
         Files.createDirectories(folder);
         Files.write(folder.resolve(CHART), ChartDrawing.png(chart, points));
+    }
+
+    /** The points of the trials that no cheaper one is as good as. */
+    private static List<StudyPoint> points(String method, List<Trial> trials) {
+        List<StudyPoint> points = new ArrayList<>();
+        double best = Double.POSITIVE_INFINITY;
+        for (Trial trial : trials) {
+            if (trial.error() < best) {
+                best = trial.error();
+                points.add(point(method, trial));
+            }
+        }
+        return points;
     }
 
     private static StudyPoint point(String method, Trial trial) {
@@ -227,7 +241,7 @@ final class SameError {
                 POV-Ray transforms nothing: as a stand-in for Fig. 1(b) it sees the scene at rest along a mesh of aberrated directions.
                 For Fig. 2(a) and 3(a) it has nothing.
 
-                | seconds (`--error`) | 0.02 | 0.01 | 0.005 |
+                | seconds | 0.02 | 0.01 | 0.005 |
                 | --- | --- | --- | --- |
                 """.formatted(width, width * 3 / 4));
         for (String figure : FIGURES) {
