@@ -8,8 +8,10 @@ import java.util.stream.Collectors;
 
 /** A part of the report, which can be measured alone. */
 enum Part {
-    /** The paper's two figures, beside POV-Ray. */
+    /** The paper's two figures. */
     FIGURES,
+    /** Whole commands to the same error, beside POV-Ray. */
+    ERROR,
     /** The speed is dragged, without a window. */
     DRAG,
     /** Samples that a wide aperture needs. */

@@ -33,7 +33,6 @@ final class PerformanceReport {
             - From the start of Java to the file of the town square it takes {cold start to a 640 x 480 file, town square}, to its first picture in the
               window {cold start to the first picture in the window, town square}.
             - A ray among a million spheres takes {spheres: time per ray at 1e6 to that at 1e2} the time of one among a hundred.
-            - POV-Ray takes {POV} the processor time of Tompkins for the same picture with the same error.
             """;
 
     private static final String NOTICED = """
@@ -61,6 +60,9 @@ final class PerformanceReport {
     private final Set<Part> parts;
     private final List<Measure> measures = new ArrayList<>();
     private final StringBuilder details = new StringBuilder();
+
+    /** The sentence that compares with POV-Ray. */
+    private String povRay = "";
 
     private PerformanceReport(boolean quick, Set<Part> parts, Path before) {
         this.quick = quick;
@@ -94,13 +96,18 @@ final class PerformanceReport {
 
     private void measure(Part part) throws IOException, InterruptedException {
         switch (part) {
-            case FIGURES -> Figures.measure(quick ? 1 : 7, page().resolveSibling("performance"), measures);
+            case FIGURES -> Figures.measure(quick ? 10 : 200, measures);
+            case ERROR -> {
+                SameError same = SameError.measure(
+                        quick ? 160 : 640, quick ? 64 : 512, quick ? 1 : 3, page().resolveSibling("performance"));
+                details.append(same.section());
+                povRay = same.sentence();
+            }
             case DRAG -> Drag.measure(quick ? 3 : 30, measures);
             case LENS ->
                 (quick ? new Convergence(160, 200, 4096) : new Convergence(640, 4000, 16384)).measure(measures);
             case SAMPLES ->
-                SamplesForError.measure(
-                        quick ? 60 : 120, quick ? 1 : 5, page().resolveSibling("performance"), measures);
+                SamplesForError.measure(quick ? 60 : 120, quick ? 1 : 5, page().resolveSibling("performance"));
             case GROWTH -> details.append(Growth.measure(quick ? 1 : 3, measures));
             case MOTION -> MotionCost.measure(quick ? 1 : 5, measures);
             case START -> ColdStart.measure(quick ? 1 : 7, measures);
@@ -122,7 +129,7 @@ final class PerformanceReport {
         StringBuilder text = new StringBuilder("# Performance\n\n")
                 .append(sentences())
                 .append("\n![The error of a picture falls with the seconds that it takes](performance/"
-                        + Figures.CHART + ")\n\nMeasured on " + LocalDate.now(ZoneOffset.UTC) + " with "
+                        + SameError.CHART + ")\n\nMeasured on " + LocalDate.now(ZoneOffset.UTC) + " with "
                         + SelfDescription.program() + ", " + processor() + ", "
                         + Runtime.getRuntime().availableProcessors() + " cores, Java "
                         + System.getProperty("java.version")
@@ -131,7 +138,9 @@ final class PerformanceReport {
                 .append(NOTICED);
         measures.stream().filter(each -> !each.target().isEmpty()).forEach(each -> text.append(each.line()));
         text.append(OTHERS);
-        measures.stream().filter(each -> each.target().isEmpty()).forEach(each -> text.append(each.line()));
+        measures.stream()
+                .filter(each -> each.target().isEmpty() && !SENTENCES.contains("{" + each.what() + "}"))
+                .forEach(each -> text.append(each.line()));
         text.append(details);
         String page = Files.readString(PAGE);
         text.append(page.substring(page.indexOf(BY_HAND)));
@@ -140,14 +149,10 @@ final class PerformanceReport {
     }
 
     private String sentences() {
-        String pov = measures.stream()
-                .map(Measure::what)
-                .filter(what -> what.contains("POV-Ray"))
-                .findFirst()
-                .orElse("");
         return Pattern.compile("\\{(.+?)}")
-                .matcher(SENTENCES.replace("{POV}", "{" + pov + "}"))
-                .replaceAll(found -> Matcher.quoteReplacement(measured(found.group(1))));
+                        .matcher(SENTENCES)
+                        .replaceAll(found -> Matcher.quoteReplacement(measured(found.group(1))))
+                + povRay;
     }
 
     private String measured(String what) {

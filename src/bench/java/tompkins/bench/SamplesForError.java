@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.IntStream;
 import org.jfree.chart.ChartUtils;
 import org.jfree.chart.JFreeChart;
@@ -100,9 +101,8 @@ final class SamplesForError {
         }
     }
 
-    /** Counts samples, and draws the chart. */
-    static void measure(int width, int seeds, Path folder, List<Measure> measures)
-            throws IOException, InterruptedException {
+    /** Counts samples, prints what the page says by hand, and draws the chart. */
+    static void measure(int width, int seeds, Path folder) throws IOException, InterruptedException {
         List<StudyPoint> all = new ArrayList<>();
         try (Renderer renderer = new Renderer()) {
             List<SamplesForError> figures = List.of(
@@ -114,10 +114,15 @@ final class SamplesForError {
                 List<StudyPoint> few = figure.chosen(FEW_FIRST, FEW);
                 List<StudyPoint> known = figure.known();
                 double samples = samplesTo(program);
-                measures.add(Measure.of(
-                        figure.name + ", true error " + COMPARED + ": samples of a pixel with --error", "", samples));
-                measures.add(Measure.of("the same, beginning with " + FEW, "x", samplesTo(few) / samples));
-                measures.add(Measure.of("the same, if all errors were known", "x", samplesTo(known) / samples));
+                System.out.printf(
+                        Locale.ROOT,
+                        "%s to a true error of %s: %.3g samples of a pixel, beginning with %d %.3f, errors known %.3f of that%n",
+                        figure.name,
+                        COMPARED,
+                        samples,
+                        FEW,
+                        samplesTo(few) / samples,
+                        samplesTo(known) / samples);
                 all.addAll(program);
                 all.addAll(few);
                 all.addAll(known);
@@ -146,8 +151,21 @@ final class SamplesForError {
         return ChartUtils.encodeAsPNG(Palette.reduced(drawn), false, 9);
     }
 
+    /** The samples for the error, on the straight line of the logarithms through the two points around it. */
     private static double samplesTo(List<StudyPoint> points) {
-        return Figures.costTo(COMPARED, points, StudyPoint::setting);
+        StudyPoint before = points.get(0);
+        if (before.error().middle() <= COMPARED) {
+            return before.setting();
+        }
+        for (StudyPoint after : points) {
+            if (after.error().middle() <= COMPARED) {
+                double part = Math.log(before.error().middle() / COMPARED)
+                        / Math.log(before.error().middle() / after.error().middle());
+                return before.setting() * Math.pow(after.setting() / before.setting(), part);
+            }
+            before = after;
+        }
+        return Double.NaN;
     }
 
     private static BasicStroke dashed(float length) {
