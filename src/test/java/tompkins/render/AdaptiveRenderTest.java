@@ -330,7 +330,7 @@ class AdaptiveRenderTest {
     private static float[] reference(Studio studio, long seed) {
         try {
             Studio other = studio.withSettings(studio.settings().withSeed(seed));
-            return render(other, new Quality.Samples(256)).image().rgb();
+            return render(other, new Quality.Samples(1024)).image().rgb();
         } catch (InterruptedException interrupted) {
             throw new AssertionError(interrupted);
         }
