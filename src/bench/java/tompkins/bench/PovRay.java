@@ -25,7 +25,7 @@ final class PovRay {
     /** What stands for white in {@link #SCENE}. */
     private static final double EXPOSURE = 0.4;
 
-    /** Rows of its jittered grids of samples in a pixel, from this number to the other, above which it knows none. */
+    /** Rows of its jittered grids of samples in a pixel: the fewest that are tried, and the most that it knows. */
     private static final int LEAST_GRID = 2;
 
     private static final int MOST_GRID = 9;

@@ -20,8 +20,8 @@ import tompkins.study.Spread;
 import tompkins.study.StudyPoint;
 
 /**
- * What whole commands take to the same error: the program and POV-Ray, each with the cheapest of those of its settings
- * that reach it. Each is tried once; those that are the cheapest for an error then take turns. The reference of each
+ * What whole commands of the program and of POV-Ray take to the same error, each with the cheapest setting that reaches
+ * it. Each setting is tried once; those that are the cheapest for an error then take turns. The reference of each
  * program is its own picture with many samples.
  */
 final class SameError {
@@ -181,7 +181,7 @@ final class SameError {
         Files.write(folder.resolve(CHART), ChartDrawing.png(chart, points));
     }
 
-    /** The points of the trials that no cheaper one is as good as. */
+    /** The trials that are better than all cheaper ones. */
     private static List<StudyPoint> points(String method, List<Trial> trials) {
         List<StudyPoint> points = new ArrayList<>();
         double best = Double.POSITIVE_INFINITY;

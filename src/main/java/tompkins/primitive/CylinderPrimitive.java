@@ -112,8 +112,8 @@ public final class CylinderPrimitive extends Primitive {
     }
 
     /**
-     * By the distance between the ray's line and the axis, as in {@link #distance} but without the ends. Of rays from a
-     * single start only the directions enter the products.
+     * By the distance between the ray's line and the axis, as in {@link #distance} but without the ends. Rays from one
+     * start share the product of its place and the axis.
      */
     @Override
     public boolean overlaps(RayPacket rays, boolean oneStart, double farthest, double[] overlaps) {

@@ -8,8 +8,8 @@ import tompkins.trace.Cancellation;
  * Shares samples among pixels so that their number is least for a given variance. With the variance {@code r n^-p} of a
  * pixel of roughness r, one more sample gains {@code r n^-(p + 1)} (times p); the best is to raise all pixels until
  * that gain is the same threshold everywhere. A pixel whose gain is g times the threshold gets {@code g^(1/(p + 1))}
- * times its samples, but at least twice as many, since rounds double them. Gains go in levels of an eighth of an
- * octave.
+ * times its samples, but at least twice as many, since rounds double them. Gains go in levels, eight for each factor of
+ * two.
  */
 final class Allocation {
 

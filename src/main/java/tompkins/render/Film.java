@@ -103,8 +103,8 @@ final class Film extends PixelBuffer {
     }
 
     /**
-     * The variance of the mean of a pixel with two samples or more, averaged over the channels: for n = a + b samples
-     * it is {@code D^2 a b/n^2}, where D is the difference between the means of the first a and of the other b.
+     * The variance of a pixel's mean from two or more independent samples, averaged over the channels: for n = a + b of
+     * them it is {@code D^2 a b/n^2}, where D is the difference between the means of the first a and of the other b.
      */
     double halvesVariance(int pixel) {
         int count = samples[pixel];

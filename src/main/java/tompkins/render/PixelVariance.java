@@ -24,7 +24,7 @@ final class PixelVariance {
     static final double POWER = 1.25;
 
     /**
-     * What {@link Film#halvesVariance} is times the variance that falls with this power: all samples fill the pixel
+     * {@link Film#halvesVariance} is so many times a variance that falls with this power: all samples fill the pixel
      * more evenly than each half, so that the halves differ more than independent ones.
      */
     private static final double OF_HALVES = Math.pow(2, POWER) - 1;

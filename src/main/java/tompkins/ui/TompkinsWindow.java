@@ -189,11 +189,7 @@ public final class TompkinsWindow {
     private void complete(Supplier<List<Studio>> examples) {
         side.addRows();
         frame.setIconImages(WindowIcon.images());
-        new Thread(() -> {
-                    List<Studio> scenes = examples.get();
-                    SwingUtilities.invokeLater(() -> menus.setExamples(scenes));
-                })
-                .start();
+        view.asker().ask(menus, examples, menus::setExamples);
     }
 
     private void beginLesson() {
@@ -252,6 +248,7 @@ public final class TompkinsWindow {
     }
 
     private void end() {
+        completion.stop();
         pause();
         status.stop();
         view.close();
