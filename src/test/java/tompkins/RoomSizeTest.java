@@ -35,13 +35,13 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        26_267),
+                        26_286),
                 arguments("file, image", 3_691),
                 arguments("explain", 796),
                 arguments("lesson, measure, animation", 4_693),
                 arguments("io, app", 7_598),
                 arguments("study", 3_398),
-                arguments("ui", 18_499),
+                arguments("ui", 18_496),
                 arguments("lab", 229));
     }
 

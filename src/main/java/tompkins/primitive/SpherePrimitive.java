@@ -91,7 +91,7 @@ public final class SpherePrimitive extends Primitive {
 
     @Override
     public boolean overlaps(RayPacket rays, boolean oneStart, double farthest, double[] overlaps) {
-        return ballOverlaps(x, y, z, radius, rays, farthest, overlaps);
+        return ballOverlaps(x, y, z, radius, rays, oneStart, farthest, overlaps);
     }
 
     @Override
