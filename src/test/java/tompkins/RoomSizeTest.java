@@ -35,7 +35,7 @@ class RoomSizeTest {
                 arguments(
                         "property, math, ray, spacetime, light, surface, primitive, sceneobject, search, shutter, camera,"
                                 + " studio, world, trace, render",
-                        26_286),
+                        26_279),
                 arguments("file, image", 3_691),
                 arguments("explain", 796),
                 arguments("lesson, measure, animation", 4_693),

@@ -23,10 +23,7 @@ final class PixelVariance {
     /** Variance falls with this power: the mean of pixels with edges, sampled over pixel and lens. */
     static final double POWER = 1.25;
 
-    /**
-     * {@link Film#halvesVariance} is so many times a variance that falls with this power: all samples fill the pixel
-     * more evenly than each half, so that the halves differ more than independent ones.
-     */
+    /** So many times such a variance {@link Film#halvesVariance} is: halves fill a pixel less evenly than all. */
     private static final double OF_HALVES = Math.pow(2, POWER) - 1;
 
     private static final double WEIGHT_OF_SECOND_DIFFERENCE = 1.0 / 24;
@@ -105,7 +102,8 @@ final class PixelVariance {
         own = new float[(width + 2) * (height + 2)];
         int down = width + 2;
         around = new int[] {-down - 1, -down, -down + 1, -1, 1, down - 1, down, down + 1};
-        measure();
+        Arrays.fill(own, Float.NaN);
+        bands().forEach(this::measureBand);
         shared = withNeighbours();
         fillGaps();
     }
@@ -145,11 +143,6 @@ final class PixelVariance {
     }
 
     /** Finds what each pixel's own samples, or else the differences from its neighbours, show. */
-    private void measure() {
-        Arrays.fill(own, Float.NaN);
-        bands().forEach(this::measureBand);
-    }
-
     private void measureBand(int first) {
         Power growing = new Power(POWER);
         for (int row = first; row < Math.min(height, first + BAND); row++) {
