@@ -3,6 +3,7 @@ package tompkins.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.function.IntToDoubleFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -55,7 +56,7 @@ class AdaptiveScheduleTest {
         Film film = new Film(60, 50, 1, true);
         AdaptiveSchedule schedule = new AdaptiveSchedule(film, false, false, 0.01, endless());
         takeFirstPasses(schedule);
-        fill(film, 1, 1);
+        fill(film, pixel -> 1, 1);
         Films.add(film, film.pixel(34, 0), 1, 1, 1, 1);
 
         Pass look = schedule.next(() -> false);
@@ -84,7 +85,7 @@ class AdaptiveScheduleTest {
         AdaptiveSchedule everywhere = new AdaptiveSchedule(film, 4, true, false, 0.01, endless());
         AdaptiveSchedule after = new AdaptiveSchedule(film, 4, false, false, 0.01, endless());
         takeFirstPasses(after);
-        fill(film, 1, 1);
+        fill(film, pixel -> 1, 1);
 
         assertThat(everywhere.next(() -> false).samples()).isEqualTo(4);
         assertThat(after.next(() -> false).samples()).isEqualTo(4);
@@ -96,11 +97,8 @@ class AdaptiveScheduleTest {
         Film film = new Film(20, 10, 1, true);
         AdaptiveSchedule schedule = new AdaptiveSchedule(film, true, false, 0.05, endless());
         takeFirstPasses(schedule);
-        fill(film, 1, 8);
-        for (int pixel = 0; pixel < 200; pixel++) {
-            double light = pixel % 20 >= 12 ? 16 : 8;
-            Films.add(film, pixel, light, light, light, 8);
-        }
+        fill(film, pixel -> 1, 8);
+        fill(film, pixel -> pixel % 20 >= 12 ? 2 : 1, 8);
 
         Pass next = schedule.next(() -> false);
 
@@ -129,11 +127,8 @@ class AdaptiveScheduleTest {
         Film film = new Film(100, 20, 1, true);
         AdaptiveSchedule schedule = new AdaptiveSchedule(film, true, false, 0.053, endless());
         takeFirstPasses(schedule);
-        fill(film, 1, 8);
-        for (int pixel = 0; pixel < 2000; pixel++) {
-            double light = 8 + 0.02 * (pixel % 100);
-            Films.add(film, pixel, light, light, light, 8);
-        }
+        fill(film, pixel -> 1, 8);
+        fill(film, pixel -> 1 + 0.0025 * (pixel % 100), 8);
         PixelVariance variances = new PixelVariance(film, () -> false);
 
         Pass next = schedule.next(() -> false);
@@ -156,9 +151,11 @@ class AdaptiveScheduleTest {
         return new TimeBudget(Double.POSITIVE_INFINITY, () -> now);
     }
 
-    private static void fill(Film film, double light, int samples) {
-        for (int pixel = 0; pixel < film.width() * film.height(); pixel++) {
-            Films.add(film, pixel, light * samples, light * samples, light * samples, samples);
+    /** Adds samples to all pixels; the light of each depends on the pixel. */
+    private static void fill(Film film, IntToDoubleFunction light, int samples) {
+        for (int pixel = 0; pixel < film.pixels(); pixel++) {
+            double sum = samples * light.applyAsDouble(pixel);
+            Films.add(film, pixel, sum, sum, sum, samples);
         }
     }
 
